@@ -1,0 +1,218 @@
+"""The words of a FOON as plain values: object nodes, functional units, subgraphs, recipes.
+
+Nothing here reads a file, a clock or a database. Everything is frozen, and equal when its contents are.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+DISH_TYPES: tuple[str, ...] = (
+    "bread", "soup", "roast", "pizza", "sandwich", "cake", "pie", "sauce", "pudding", "drinks",
+    "cookie", "meatball", "muffin", "pasta", "noodle", "salad", "burger", "seafood", "steak", "rice",
+    "chicken", "casserole", "vegetables", "omelette", "potatoes", "beef", "pork", "stir-fry", "meatloaf",
+    "sausage",
+)  # fmt: skip
+"""The 30 dish classes; a subgraph file names one by its place in this order, 0 to 29."""
+
+NodeSortKey = tuple[str, tuple[str, ...], tuple[str, ...], str, str]
+
+
+def content_key(*parts: object) -> str:
+    """Answer a 32-digit hexadecimal name for ``parts`` (JSON values), the same on every machine and run."""
+    text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
+    return hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
+
+
+def _as_set(names: Iterable[str]) -> tuple[str, ...]:
+    return tuple(sorted(set(names)))
+
+
+@dataclass(frozen=True)
+class ObjectNode:
+    """A thing in a state, with what it contains and where it is.
+
+    Two nodes are the same when all five fields are equal; ``states`` and ``ingredients`` are sets, kept
+    sorted and without repetition. ``relation`` is the word before the container (``in``, ``on``, ``with``);
+    it is ``None`` where a source names a container but no relation.
+    """
+
+    label: str
+    states: tuple[str, ...] = ()
+    ingredients: tuple[str, ...] = ()
+    relation: str | None = None
+    container: str | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "states", _as_set(self.states))
+        object.__setattr__(self, "ingredients", _as_set(self.ingredients))
+
+    @cached_property
+    def sort_key(self) -> NodeSortKey:
+        """A total order over nodes, the same in every run: the last word in every tie (C9)."""
+        return (self.label, self.states, self.ingredients, self.relation or "", self.container or "")
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.label, self.states, self.ingredients, self.relation, self.container))
+
+    def __hash__(self) -> int:
+        return self._hash  # nodes are looked up far more often than they are made
+
+    @cached_property
+    def key(self) -> str:
+        """The content hash under which the graph keeps this node."""
+        return content_key(self.label, self.states, self.ingredients, self.relation, self.container)
+
+    def __str__(self) -> str:
+        words = [", ".join(self.states)] if self.states else []
+        if self.ingredients:
+            words.append("{" + ", ".join(self.ingredients) + "}")
+        if self.container:
+            words.append(f"{self.relation or 'at'} {self.container}")
+        return self.label + (f" ({'; '.join(words)})" if words else "")
+
+
+@dataclass(frozen=True)
+class Participant:
+    """An object node as one unit uses it: whether it moves, and which dish it completes, if any."""
+
+    node: ObjectNode
+    moving: bool = False
+    dish_type: str | None = None
+
+
+@dataclass(frozen=True)
+class FunctionalUnit:
+    """Input object nodes → one motion → output object nodes.
+
+    ``inputs`` and ``outputs`` keep the order in which they were annotated. ``accepts_any`` is the star after a
+    motion: any number of ingredients may enter here. Identity (``key``) is what is done to what: it knows
+    nothing of order, moving flags or dish classes, so that the same action seen in two videos is one unit.
+    """
+
+    inputs: tuple[Participant, ...]
+    motion: str
+    outputs: tuple[Participant, ...]
+    accepts_any: bool = False
+
+    @cached_property
+    def input_nodes(self) -> tuple[ObjectNode, ...]:
+        """The distinct input nodes, in the order of annotation."""
+        return tuple(dict.fromkeys(p.node for p in self.inputs))
+
+    @cached_property
+    def output_nodes(self) -> tuple[ObjectNode, ...]:
+        """The distinct output nodes, in the order of annotation."""
+        return tuple(dict.fromkeys(p.node for p in self.outputs))
+
+    @cached_property
+    def key(self) -> str:
+        """The content hash under which the graph keeps this unit (its motion node)."""
+        return content_key(
+            sorted(node.key for node in self.input_nodes),
+            self.motion,
+            self.accepts_any,
+            sorted(node.key for node in self.output_nodes),
+        )
+
+
+@dataclass(frozen=True)
+class Timing:
+    """When an action was seen, in seconds from the start of its video.
+
+    ``spans`` is empty where nobody wrote a time down; ``assumed`` says that the annotator knew the action must
+    have happened although the video does not show it.
+    """
+
+    spans: tuple[tuple[float, float], ...] = ()
+    assumed: bool = False
+
+    @property
+    def start(self) -> float | None:
+        """The first second in which the action is seen, or ``None``."""
+        return min((start for start, _ in self.spans), default=None)
+
+    @property
+    def end(self) -> float | None:
+        """The last second in which the action is seen, or ``None``."""
+        return max((end for _, end in self.spans), default=None)
+
+
+@dataclass(frozen=True)
+class Annotation:
+    """One functional unit at its place in one video."""
+
+    unit: FunctionalUnit
+    timing: Timing = Timing()
+
+
+@dataclass(frozen=True)
+class Subgraph:
+    """The units of one video in their order. ``name`` is the file name without its ending."""
+
+    name: str
+    annotations: tuple[Annotation, ...]
+    sources: tuple[str, ...] = ()
+
+    @cached_property
+    def content_key(self) -> str:
+        """A hash of everything in it: an equal hash means that loading it again would change nothing."""
+        return content_key(self.name, self.sources, [_annotation_as_json(a) for a in self.annotations])
+
+
+def _annotation_as_json(annotation: Annotation) -> list[object]:
+    unit, timing = annotation.unit, annotation.timing
+    sides = [[[p.node.key, p.moving, p.dish_type] for p in side] for side in (unit.inputs, unit.outputs)]
+    return [*sides, unit.motion, unit.accepts_any, timing.spans, timing.assumed]
+
+
+@dataclass(frozen=True, order=True)
+class Sighting:
+    """Where a unit was seen: the place ``position`` (from 0) of the video, with its time in seconds."""
+
+    video: str
+    position: int
+    source: str | None = field(default=None, compare=False)
+    start: float | None = field(default=None, compare=False)
+    end: float | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True)
+class KnownUnit:
+    """A unit of the universal FOON together with every place where it was seen, in their order."""
+
+    unit: FunctionalUnit
+    seen_in: tuple[Sighting, ...]
+
+
+@dataclass(frozen=True)
+class Goal:
+    """The end product of a subgraph: its node, its dish type, the foods it is made of and the videos that make it."""
+
+    node: ObjectNode
+    dish_type: str
+    ingredients: tuple[str, ...]
+    videos: tuple[str, ...]
+
+
+@dataclass(frozen=True, order=True)
+class RequiredIngredient:
+    """What a recipe asks for: a food in a state, as the recipe words them."""
+
+    object: str
+    state: str
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """A dish to be made: its type and the foods it wants. ``title`` is what a person called it."""
+
+    dish_type: str
+    ingredients: tuple[RequiredIngredient, ...]
+    id: str | None = None
+    title: str | None = None

@@ -1,0 +1,1 @@
+"""Read and write FOONs: text in both dialects, and JSON."""
