@@ -1,1 +1,1 @@
-"""TODO."""
+"""Facts that can be read and changed: kitchens, names, states."""

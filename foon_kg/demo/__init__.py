@@ -1,1 +1,1 @@
-"""TODO."""
+"""A small FOON written for this project."""

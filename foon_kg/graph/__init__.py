@@ -1,1 +1,1 @@
-"""TODO."""
+"""The thin layer between the model and Neo4j."""

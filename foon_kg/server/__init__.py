@@ -1,1 +1,1 @@
-"""TODO."""
+"""A real local Neo4j without Docker or a system Java."""

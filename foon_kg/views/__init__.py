@@ -1,1 +1,1 @@
-"""TODO."""
+"""What people look at: trees and progress lines as text."""

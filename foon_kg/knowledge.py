@@ -1,0 +1,79 @@
+"""What the planner asks of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+
+One suite of contract tests (``tests/contract``) runs against every implementation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Protocol
+
+from foon_kg.model import Goal, KnownUnit, ObjectNode
+
+
+@dataclass(frozen=True, order=True)
+class SeenAs:
+    """How often a food is seen in a state: ``count`` units make it so or use it so (a unit counts once).
+
+    ``state`` is ``""`` for nodes without any state; such a row keeps the food known.
+    """
+
+    label: str
+    state: str
+    made: int
+    used: int
+
+
+@dataclass(frozen=True, order=True)
+class MadeBy:
+    """How often units with this ``motion`` turn a food into ``state``: it is in an output and not in that food's inputs."""
+
+    state: str
+    motion: str
+    count: int
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The words that a FOON knows. Every table is sorted, so that two graphs with the same content answer alike.
+
+    ``foods``: labels (utensils apart) with their states. ``motions``: which motion makes which state.
+    ``dish_types``: the classes that have at least one goal node.
+    """
+
+    foods: tuple[SeenAs, ...]
+    motions: tuple[MadeBy, ...]
+    dish_types: tuple[str, ...]
+
+
+class KnowledgeView(Protocol):
+    """A FOON as it stands at one moment. All answers of one view describe the same state of the graph."""
+
+    def vocabulary(self) -> Vocabulary:
+        """Answer the words that the FOON knows."""
+        ...
+
+    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
+        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
+        ...
+
+    def behind(
+        self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()
+    ) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making any of ``nodes``, or any node of one of ``foods``.
+
+        A food is (label, state): every node with that label which has that state. Answered are the units that
+        output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
+        in the default kitchen (``foon_kg.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
+        """
+        ...
+
+
+class KnowledgeGraph(Protocol):
+    """Where a FOON is kept."""
+
+    def reading(self) -> AbstractContextManager[KnowledgeView]:
+        """Open a view; everything asked of it happens in one read transaction."""
+        ...
