@@ -1,0 +1,138 @@
+"""A whole FOON in memory: the same answers as Neo4j, without a database."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.errors import ReadError
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import KnowledgeView, Vocabulary
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
+from foon_kg.vocabulary import FoodState, WordCounts, food_states
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The union of some subgraphs, each distinct unit once, with indexes for the planner's questions.
+
+    Implements both :class:`~foon_kg.knowledge.KnowledgeGraph` and the view that it opens, as nothing in it ever
+    changes. Make one with :meth:`of`. ``subgraphs`` are sorted by name, ``units`` by key.
+    """
+
+    subgraphs: tuple[Subgraph, ...]
+    units: tuple[KnownUnit, ...]
+    kitchen: Kitchen
+
+    @classmethod
+    def of(cls, subgraphs: Iterable[Subgraph], kitchen: Kitchen) -> Snapshot:
+        """Merge ``subgraphs``, which may come in any order and more than once.
+
+        Raises :class:`~foon_kg.errors.ReadError` when two that differ have one name.
+        """
+        distinct = distinct_by_name(subgraphs)
+        return cls(distinct, tuple(_known_units(distinct)), kitchen)
+
+    def reading(self) -> AbstractContextManager[KnowledgeView]:
+        """Open a view: the snapshot itself."""
+        return nullcontext(self)
+
+    def vocabulary(self) -> Vocabulary:
+        """Answer the words that the FOON knows."""
+        return self._vocabulary
+
+    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
+        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
+        return tuple(goal for goal in self._goals if dish_type in (None, goal.dish_type))
+
+    def behind(self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = ()) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
+        asked = {*nodes, *(node for food in foods for node in self._outputs_by_food.get(food, ()))}
+        waiting, seen, found = list(asked), set(asked), dict[str, KnownUnit]()
+        while waiting:
+            for known in self._producers.get(waiting.pop(), ()):
+                if known.unit.key in found:
+                    continue
+                found[known.unit.key] = known
+                for node in known.unit.input_nodes:
+                    if node not in seen and not self.kitchen.has(node):
+                        seen.add(node)
+                        waiting.append(node)
+        return tuple(found[key] for key in sorted(found))
+
+    @cached_property
+    def _vocabulary(self) -> Vocabulary:
+        counts = WordCounts(self.kitchen.is_utensil)
+        counts.count(known.unit for known in self.units)
+        dish_types = {goal.dish_type for goal in self._goals}
+        return Vocabulary(tuple(counts.seen_as()), tuple(counts.made_by()), tuple(sorted(dish_types)))
+
+    @cached_property
+    def _goals(self) -> tuple[Goal, ...]:
+        videos: defaultdict[tuple[ObjectNode, str], set[str]] = defaultdict(set)
+        for subgraph in self.subgraphs:
+            for goal in goals_of(subgraph, self.kitchen):
+                videos[goal].add(subgraph.name)
+        found = (Goal(node, dish, node.ingredients, tuple(sorted(names))) for (node, dish), names in videos.items())
+        return tuple(sorted(found, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+
+    @cached_property
+    def _producers(self) -> Mapping[ObjectNode, list[KnownUnit]]:
+        producers: defaultdict[ObjectNode, list[KnownUnit]] = defaultdict(list)
+        for known in self.units:
+            for node in known.unit.output_nodes:
+                producers[node].append(known)
+        return dict(producers)
+
+    @cached_property
+    def _outputs_by_food(self) -> Mapping[FoodState, list[ObjectNode]]:
+        outputs: defaultdict[FoodState, list[ObjectNode]] = defaultdict(list)
+        for node in self._producers:
+            for food in food_states((node,), is_utensil=lambda _: False):
+                outputs[food].append(node)
+        return dict(outputs)
+
+
+def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
+    """Answer ``subgraphs`` sorted by name, equal ones once; raises ReadError for two of one name that differ."""
+    by_name: dict[str, Subgraph] = {}
+    for subgraph in subgraphs:
+        if by_name.setdefault(subgraph.name, subgraph).content_key != subgraph.content_key:
+            raise ReadError(
+                f"two different subgraphs are called “{subgraph.name}”",
+                hint="A video has one subgraph: load only one of the files, or rename one of them.",
+            )
+    return tuple(by_name[name] for name in sorted(by_name))
+
+
+def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:
+    """Answer the (node, dish type) of each goal of ``subgraph``, sorted: outputs marked with a dish class.
+
+    A utensil that is marked too (the glass beside the juice) is a vessel of the dish and no goal.
+    """
+    outputs = (p for annotation in subgraph.annotations for p in annotation.unit.outputs)
+    marked = {(p.node, p.dish_type) for p in outputs if p.dish_type and not kitchen.is_utensil(p.node.label)}
+    return tuple(sorted(marked, key=lambda goal: (goal[0].sort_key, goal[1])))
+
+
+def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:
+    """Answer each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
+    source = subgraph.sources[0] if subgraph.sources else None
+    for position, annotation in enumerate(subgraph.annotations):
+        start, end = annotation.timing.start, annotation.timing.end
+        yield annotation.unit, Sighting(subgraph.name, position, source, start, end)
+
+
+def _known_units(subgraphs: Iterable[Subgraph]) -> Iterator[KnownUnit]:
+    """Merge equal units; each is written as its first sighting has it. ``subgraphs`` are sorted by name."""
+    first: dict[str, FunctionalUnit] = {}
+    places: defaultdict[str, list[Sighting]] = defaultdict(list)
+    for subgraph in subgraphs:
+        for unit, sighting in sightings_of(subgraph):
+            first.setdefault(unit.key, unit)
+            places[unit.key].append(sighting)
+    for key in sorted(first):
+        yield KnownUnit(first[key], tuple(places[key]))
