@@ -1,0 +1,245 @@
+"""The answer to a recipe: the task tree, how it differs from what FOON knows, and what was assumed.
+
+Every type here is a plain frozen value with ``to_json`` and ``from_json``; :meth:`PlanResult.to_json` is what
+``foon plan --json`` prints. What JSON has no field for (the star of a motion, which nodes move) takes no part
+in equality: ``seen_in`` names the units that know it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal, Self, cast, get_args
+
+from foon_kg.errors import FoonError
+from foon_kg.json_fields import Fields, JsonObject
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Recipe, Sighting, Subgraph
+from foon_kg.model_json import (
+    node_from_json,
+    node_to_json,
+    recipe_from_json,
+    recipe_to_json,
+    sighting_from_json,
+    sighting_to_json,
+)
+from foon_kg.progress import ProgressLine
+
+Origin = Literal["reference", "foon", "substituted"]
+"""Where a unit comes from: the reference tree, elsewhere in FOON, or a unit of FOON with something substituted."""
+
+SubstitutionKind = Literal["object", "state", "motion"]
+
+
+@dataclass(frozen=True)
+class ReferenceSummary:
+    """The reference tree in figures: its goal, how many ``units``, and how many required foods it covers.
+
+    ``exact`` says that the search proved that no other tree of the goal covers more, or as much in fewer units.
+    """
+
+    goal: ObjectNode
+    units: int
+    overlap: int
+    exact: bool
+
+    def to_json(self) -> JsonObject:
+        """Answer the ``reference`` field of a plan result."""
+        return {"goal": node_to_json(self.goal), "units": self.units, "overlap": self.overlap, "exact": self.exact}
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        goal = node_from_json(fields.nested("goal"))
+        return cls(goal, fields.whole_number("units"), fields.whole_number("overlap"), fields.truth("exact"))
+
+
+@dataclass(frozen=True)
+class PlannedUnit:
+    """One step of the final tree, and where the unit it follows was seen.
+
+    ``accepts_any`` and ``moving`` (the nodes that move in this action) are for the FOON text of the tree.
+    """
+
+    input_nodes: tuple[ObjectNode, ...]
+    motion_node: str
+    output_nodes: tuple[ObjectNode, ...]
+    origin: Origin
+    seen_in: tuple[Sighting, ...]
+    accepts_any: bool = field(default=False, compare=False)
+    moving: frozenset[ObjectNode] = field(default=frozenset(), compare=False)
+
+    @classmethod
+    def of(cls, unit: FunctionalUnit, origin: Origin, seen_in: tuple[Sighting, ...]) -> Self:
+        """Plan ``unit`` as it stands; repeated nodes count once."""
+        moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
+        return cls(unit.input_nodes, unit.motion, unit.output_nodes, origin, seen_in, unit.accepts_any, moving)
+
+    def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
+        """Answer the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
+        inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
+        outputs = tuple(
+            Participant(node, node in self.moving, dish_type if node == goal else None) for node in self.output_nodes
+        )
+        return FunctionalUnit(inputs, self.motion_node, outputs, self.accepts_any)
+
+    def to_json(self) -> JsonObject:
+        """Answer one of the ``units`` of a plan result."""
+        return {
+            "input_nodes": [node_to_json(node) for node in self.input_nodes],
+            "motion_node": self.motion_node,
+            "output_nodes": [node_to_json(node) for node in self.output_nodes],
+            "origin": self.origin,
+            "seen_in": [sighting_to_json(sighting) for sighting in self.seen_in],
+        }
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        return cls(
+            tuple(map(node_from_json, fields.nested_list("input_nodes"))),
+            fields.text("motion_node"),
+            tuple(map(node_from_json, fields.nested_list("output_nodes"))),
+            cast("Origin", fields.one_of("origin", get_args(Origin))),
+            tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
+        )
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """Another equivalent that was considered, with its confidence between 0 and 1."""
+
+    name: str
+    confidence: float
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
+
+    ``object`` is the required food concerned; for an object substitution it equals ``required``.
+    """
+
+    kind: SubstitutionKind
+    object: str
+    required: str
+    equivalent: str
+    confidence: float
+    alternatives: tuple[Alternative, ...] = ()
+
+    def to_json(self) -> JsonObject:
+        """Answer one of the ``substitutions`` of a plan result."""
+        return {
+            "kind": self.kind,
+            "object": self.object,
+            "required": self.required,
+            "equivalent": self.equivalent,
+            "confidence": self.confidence,
+            "alternatives": [{"name": a.name, "confidence": a.confidence} for a in self.alternatives],
+        }
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        return cls(
+            cast("SubstitutionKind", fields.one_of("kind", get_args(SubstitutionKind))),
+            fields.text("object"),
+            fields.text("required"),
+            fields.text("equivalent"),
+            fields.number("confidence"),
+            tuple(Alternative(a.text("name"), a.number("confidence")) for a in fields.nested_list("alternatives")),
+        )
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """A leaf of the tree that is simply taken to be there, and why."""
+
+    node: ObjectNode
+    why: str
+
+    def to_json(self) -> JsonObject:
+        """Answer one of the ``assumptions`` of a plan result."""
+        return {"node": node_to_json(self.node), "why": self.why}
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        return cls(node_from_json(fields.nested("node")), fields.text("why"))
+
+
+@dataclass(frozen=True)
+class PlanResult:
+    """A task tree for ``recipe``: ``units`` in the order of execution, from ``kitchen`` to ``goal``."""
+
+    recipe: Recipe
+    reference: ReferenceSummary
+    goal: ObjectNode
+    units: tuple[PlannedUnit, ...]
+    kitchen: tuple[ObjectNode, ...]
+    substitutions: tuple[Substitution, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
+    progress_lines: tuple[ProgressLine, ...] = ()
+
+    def to_json(self) -> JsonObject:
+        """Answer the result as ``foon plan --json`` prints it."""
+        return {
+            "recipe": recipe_to_json(self.recipe),
+            "reference": self.reference.to_json(),
+            "goal": node_to_json(self.goal),
+            "units": [unit.to_json() for unit in self.units],
+            "kitchen": [node_to_json(node) for node in self.kitchen],
+            "substitutions": [substitution.to_json() for substitution in self.substitutions],
+            "assumptions": [assumption.to_json() for assumption in self.assumptions],
+            "progress_lines": [line.to_json() for line in self.progress_lines],
+        }
+
+    @classmethod
+    def from_json(cls, value: object, where: str = "plan") -> Self:
+        """Read back what :meth:`to_json` wrote. ``where`` names the document in messages; raises ReadError."""
+        fields = Fields(value, where)
+        return cls(
+            recipe_from_json(fields.nested("recipe")),
+            ReferenceSummary.from_json(fields.nested("reference")),
+            node_from_json(fields.nested("goal")),
+            tuple(map(PlannedUnit.from_json, fields.nested_list("units"))),
+            tuple(map(node_from_json, fields.nested_list("kitchen"))),
+            tuple(map(Substitution.from_json, fields.nested_list("substitutions"))),
+            tuple(map(Assumption.from_json, fields.nested_list("assumptions"))),
+            tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
+        )
+
+    def to_subgraph(self) -> Subgraph:
+        """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
+        units = [unit.as_unit() for unit in self.units[:-1]]
+        units += [unit.as_unit(self.goal, self.recipe.dish_type) for unit in self.units[-1:]]
+        sightings = (sighting for unit in self.units for sighting in unit.seen_in)
+        sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
+        name = self.recipe.id or self.recipe.title or self.recipe.dish_type
+        return Subgraph(name, tuple(Annotation(unit) for unit in units), sources)
+
+
+@dataclass(frozen=True)
+class PlanFailure:
+    """There is no tree for ``recipe``: what :class:`~foon_kg.errors.FoonError` said, in the place of a result."""
+
+    recipe: Recipe
+    code: str
+    message: str
+    hint: str = ""
+
+    @classmethod
+    def of(cls, recipe: Recipe, error: FoonError) -> Self:
+        """Keep what ``error`` says about ``recipe``."""
+        return cls(recipe, error.code, error.message, error.hint)
+
+    def to_json(self) -> JsonObject:
+        """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
+        error = {"code": self.code, "message": self.message, "hint": self.hint}
+        return {"recipe": recipe_to_json(self.recipe), "error": error}
+
+    @classmethod
+    def from_json(cls, value: object, where: str = "plan") -> Self:
+        """Read back what :meth:`to_json` wrote. ``where`` names the document in messages; raises ReadError."""
+        fields = Fields(value, where)
+        error = fields.nested("error")
+        recipe = recipe_from_json(fields.nested("recipe"))
+        return cls(recipe, error.text("code"), error.text("message"), error.optional_text("hint") or "")
