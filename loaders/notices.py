@@ -1,0 +1,99 @@
+"""What a reader says about a file that is not quite a FOON: where, what is wrong, and what was done about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from foon_kg.model import Subgraph
+
+
+class Severity(StrEnum):
+    """Whether something of the file is missing from what was read."""
+
+    REJECTED = "rejected"
+    """A unit or the whole file was left out. There is exactly one such notice for each."""
+    ASSUMED = "assumed"
+    """Everything was read; where the file is not clear, the notice says what it was taken to mean."""
+
+
+class NoticeKind(StrEnum):
+    """The stable words by which programs tell notices apart. The comment says what the file has."""
+
+    UNREADABLE_FILE = "unreadable-file"  # no text, no UTF-8, no JSON, not to be opened
+    NO_UNITS = "no-units"  # not one unit could be read
+    SAME_VIDEO = "same-video"  # a second file of the same video
+    BYTE_ORDER_MARK = "byte-order-mark"  # an invisible mark before the first character
+
+    UNIT_WITHOUT_INPUTS = "unit-without-inputs"
+    UNIT_WITHOUT_MOTION = "unit-without-motion"
+    UNIT_WITHOUT_OUTPUTS = "unit-without-outputs"
+    TWO_MOTIONS = "two-motions"  # the separator between two units is missing
+    EMPTY_UNIT = "empty-unit"  # two separators with nothing between them
+    STRAY_STATE = "stray-state"  # a state before the first object
+    UNKNOWN_LINE = "unknown-line"  # neither O, S, M, comment nor separator
+    MISSING_NAME = "missing-name"  # an object or a motion without its name
+
+    MISSING_TAB = "missing-tab"  # under [cooking pan]
+    EMPTY_STATE_COLUMN = "empty-state-column"  # a state with an empty third column
+    EXTRA_COLUMN = "extra-column"  # more columns than the line may have
+    BAD_BRACKETS = "bad-brackets"  # the third column is neither [place] nor {names}
+
+    ODD_FLAG = "odd-flag"  # neither 0 nor 1
+    ODD_CLASS = "odd-class"  # no number from 0 to 29
+    CLASS_ON_INPUT = "class-on-input"  # only what a unit makes can be the goal
+
+    NAME_TWICE = "name-twice"  # {salt,pepper,salt}
+    EMPTY_NAME = "empty-name"  # {salt,,pepper}
+    EMPTY_PLACE = "empty-place"  # on []
+    EMPTY_STATE = "empty-state"  # a state line that says nothing
+    SEVERAL_PLACES = "several-places"  # two different [places] on one object
+    CONTAINS_PLACE = "contains-place"  # contains [bowl]
+    CONTAIN = "contain"  # contain {butter}
+    RELATION_WITH_BRACES = "relation-with-braces"  # in {packet}
+    STATE_WITH_BRACES = "state-with-braces"  # greased {butter}
+    ODD_TIME = "odd-time"  # a time in none of the known forms, or one that cannot be true
+
+    UNKNOWN_FIELD = "unknown-field"  # JSON: a field that no node or unit has
+    BAD_FIELD = "bad-field"  # JSON: a field that is missing or of the wrong type
+
+
+@dataclass(frozen=True)
+class Notice:
+    """One thing that is wrong with a file. ``line`` counts from 1; it is ``None`` where the whole file is meant."""
+
+    file: str
+    line: int | None
+    kind: NoticeKind
+    message: str
+    action: str
+    severity: Severity = Severity.ASSUMED
+
+    def to_json(self) -> dict[str, object]:
+        """Answer the notice as one object of a JSON Lines report."""
+        return {
+            "file": self.file,
+            "line": self.line,
+            "severity": str(self.severity),
+            "kind": str(self.kind),
+            "message": self.message,
+            "action": self.action,
+        }
+
+    def __str__(self) -> str:
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}: {self.message}: {self.action}"
+
+
+@dataclass(frozen=True)
+class ReadResult:
+    """What one file gave: its subgraph, or ``None`` where nothing of it could be used, and everything odd about it."""
+
+    path: str
+    subgraph: Subgraph | None
+    notices: tuple[Notice, ...] = ()
+
+    @property
+    def rejected(self) -> int:
+        """How many units (for an unusable file: one for the file) were left out."""
+        return sum(notice.severity is Severity.REJECTED for notice in self.notices)
