@@ -1,18 +1,31 @@
-"""Progress lines: the life of each ingredient through a task tree."""
+"""Progress lines: the life of each ingredient through a task tree.
+
+A line follows one food from the first node that is or holds it, output to input, unit by unit to the goal: its own
+node for as long as there is one, then the mixtures and vessels that took it up. Other programs print such lines from
+the states of each node one word at a time; here a step is one node and the motion that takes it.
+"""
 
 from __future__ import annotations
 
+import itertools
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Self
+from typing import NamedTuple, Self
 
 from foon_kg.json_fields import Fields, JsonObject
+from foon_kg.kitchen import Kitchen, singular
+from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
+
+_KITCHEN = -1
 
 
 @dataclass(frozen=True)
 class ProgressStep:
     """One stage in the life of an ingredient: how and where it is, and the motion that ends this stage.
 
-    ``object`` is what the ingredient is or has become part of (an onion, then a mixture); JSON has no field for it.
+    ``object`` is what the ingredient is or has become part of (an onion, then a mixture), empty where only the vessel
+    is known; JSON has no field for it.
     """
 
     states: tuple[str, ...]
@@ -49,3 +62,160 @@ class ProgressLine:
             for s in fields.nested_list("steps")
         )
         return cls(fields.text("ingredient"), steps, fields.optional_text("end_product"))
+
+
+def progress_lines(
+    units: Sequence[FunctionalUnit], goal: ObjectNode, foods: Iterable[RequiredIngredient], kitchen: Kitchen
+) -> tuple[ProgressLine, ...]:
+    """Answer a line for each of ``foods`` through the tree ``units`` (in the order of execution), in their order.
+
+    Of all ways from the food to ``goal`` the line takes one that passes the state asked for (if any does), begins in
+    the kitchen, loses sight of the food least often, stays longest with the food's own node, then with foods rather
+    than vessels, and passes most units. A food asked for in two states has two lines where their ways differ. A food
+    that is nowhere in the tree, or does not get to the goal, has a line without steps and without an end product.
+    """
+    stages = _Stages.of(units, goal, kitchen)
+    lines = (_line(food, stages, kitchen) for food in foods)
+    return tuple(dict.fromkeys(lines))
+
+
+class _Stage(NamedTuple):
+    """A node as the unit at place ``made_by`` left it (or as it lies in the kitchen)."""
+
+    made_by: int
+    node: ObjectNode
+
+
+@dataclass(frozen=True)
+class _Stages:
+    """A tree as stages.
+
+    ``uses`` has the places of the units that take each; ``relations`` the usual word between a food and a container.
+    """
+
+    units: Sequence[FunctionalUnit]
+    uses: dict[_Stage, list[int]]
+    goal: _Stage | None
+    relations: dict[str, str]
+
+    @classmethod
+    def of(cls, units: Sequence[FunctionalUnit], goal: ObjectNode, kitchen: Kitchen) -> Self:
+        made: dict[ObjectNode, int] = {}
+        uses: dict[_Stage, list[int]] = {}
+        relations: dict[str, Counter[str]] = {}
+        for place, unit in enumerate(units):
+            for node in unit.input_nodes:
+                uses.setdefault(_Stage(made.get(node, _KITCHEN), node), []).append(place)
+            for node in unit.output_nodes:
+                made[node] = place
+                uses[_Stage(place, node)] = []
+            for node in (*unit.input_nodes, *unit.output_nodes):
+                if node.container and node.relation and kitchen.is_food(node):
+                    relations.setdefault(node.container, Counter())[node.relation] += 1
+        usual = {container: max(sorted(words), key=words.__getitem__) for container, words in relations.items()}
+        return cls(units, uses, _Stage(made[goal], goal) if goal in made else None, usual)
+
+    def after(self, stage: _Stage) -> Iterator[_Stage]:
+        """Answer the stages that the takers of ``stage`` leave."""
+        for place in self.uses[stage]:
+            for node in self.units[place].output_nodes:
+                yield _Stage(place, node)
+
+    def firsts(self, food: str) -> list[list[_Stage]]:
+        """Answer the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others."""
+        held = [stage for stage in self.uses if stage != self.goal and _names(stage.node, food)]
+        made = [stage for stage in held if stage.made_by != _KITCHEN]
+        begun = [s for s in made if not any(_names(node, food) for node in self.units[s.made_by].input_nodes)]
+        return [[stage for stage in held if stage.made_by == _KITCHEN], begun]
+
+
+class _Cost(NamedTuple):
+    """What a way costs, the weightiest first; the signs make the least the best."""
+
+    lost: int = 0
+    turned: int = 0
+    own: int = 0
+    foods: int = 0
+    units: int = 0
+
+
+class _Way(NamedTuple):
+    """A way from a stage to the goal; ties are broken by the earliest units, then by content."""
+
+    cost: _Cost
+    stages: tuple[_Stage, ...]
+
+    @property
+    def rank(self) -> tuple[object, ...]:
+        return (self.cost, [(stage.made_by, stage.node.sort_key) for stage in self.stages])
+
+
+def _line(wanted: RequiredIngredient, stages: _Stages, kitchen: Kitchen) -> ProgressLine:
+    food = singular(wanted.object)
+    through = _ways(food, wanted.state, stages, kitchen)
+    for passes_state, firsts in itertools.product((True, False), stages.firsts(food)):
+        ways = [through[first, passes_state] for first in firsts if (first, passes_state) in through]
+        if ways:
+            best = min(ways, key=lambda way: way.rank)
+            return ProgressLine(wanted.object, _steps(best.stages, stages, kitchen), best.stages[-1].node.label)
+    return ProgressLine(wanted.object, (), None)
+
+
+def _ways(food: str, state: str, stages: _Stages, kitchen: Kitchen) -> dict[tuple[_Stage, bool], _Way]:
+    """Answer the best way of every stage to the goal: with True those that still pass ``state``, with False any.
+
+    A stage is left only for later ones, so that one pass from the last unit backwards sees every way.
+    """
+    best: dict[tuple[_Stage, bool], _Way] = {}
+    for stage in sorted(stages.uses, key=lambda stage: stage.made_by, reverse=True):
+        passes = state in stage.node.states and singular(stage.node.label) == food
+        for wanted in (True, False):
+            ways = [
+                _with(stage, best[after, wanted and not passes], stages.units[after.made_by], food, kitchen)
+                for after in stages.after(stage)
+                if (after, wanted and not passes) in best
+            ]
+            if stage == stages.goal and (passes or not wanted):
+                ways.append(_Way(_Cost(), (stage,)))
+            if ways:
+                best[stage, wanted] = min(ways, key=lambda way: way.rank)
+    return best
+
+
+def _with(stage: _Stage, way: _Way, unit: FunctionalUnit, food: str, kitchen: Kitchen) -> _Way:
+    """Answer ``way`` with ``stage``, which ``unit`` takes, before it."""
+    after = way.stages[0].node
+    carried = _names(after, food) or _carries(stage.node, after, food, kitchen)
+    turned = not carried and kitchen.is_food(after) and after.label not in {node.label for node in unit.input_nodes}
+    cost = _Cost(
+        way.cost.lost + (not carried and not turned),
+        way.cost.turned + turned,
+        way.cost.own - (singular(stage.node.label) == food),
+        way.cost.foods - kitchen.is_food(stage.node),
+        way.cost.units - 1,
+    )
+    return _Way(cost, (stage, *way.stages))
+
+
+def _names(node: ObjectNode, food: str) -> bool:
+    """Whether a node is ``food`` (in the singular) or says that it contains it."""
+    return singular(node.label) == food or any(singular(name) == food for name in node.ingredients)
+
+
+def _carries(before: ObjectNode, after: ObjectNode, food: str, kitchen: Kitchen) -> bool:
+    """Whether the mixture that ``before`` is, or holds in the place of ``food``, is still there in ``after``."""
+    if kitchen.is_food(before):
+        return _names(after, singular(before.label))
+    return kitchen.is_food(after) and not _names(before, food) and _names(before, singular(after.label))
+
+
+def _steps(way: Sequence[_Stage], stages: _Stages, kitchen: Kitchen) -> tuple[ProgressStep, ...]:
+    steps = []
+    for stage, after in itertools.pairwise(way):
+        node, motion = stage.node, stages.units[after.made_by].motion
+        if kitchen.is_food(node):
+            steps.append(ProgressStep(node.states, node.relation, node.container, motion, node.label))
+        else:  # all that is known of a food in a vessel is the vessel: that is its place
+            relation = stages.relations.get(node.label, "in")
+            steps.append(ProgressStep(node.states, relation, node.label, motion))
+    return tuple(steps)
