@@ -1,0 +1,38 @@
+"""What every similarity answers: a matrix of confidences, and out of it the nearest known names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+Confidences = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, order=True)
+class Neighbour:
+    """A known name, and how sure we are (0 to 1) that a cook would accept it for the name asked."""
+
+    name: str
+    confidence: float
+
+
+class Similarity(Protocol):
+    """Says how well known foods can stand for wanted ones."""
+
+    def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
+        """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
+        ...
+
+    def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
+        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name."""
+        ...
+
+
+def best(known: Sequence[str], confidences: Confidences, limit: int) -> tuple[Neighbour, ...]:
+    """Answer the ``limit`` greatest of one row of confidences, best first, ties by name (C9)."""
+    rows = sorted(zip(known, confidences.tolist(), strict=True), key=lambda row: (-row[1], row[0]))
+    return tuple(Neighbour(name, confidence) for name, confidence in rows[: max(limit, 0)])

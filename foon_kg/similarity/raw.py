@@ -1,0 +1,64 @@
+"""Raw cosines, as in the paper: of the food vectors, or of any spaCy pipeline with word vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from foon_kg.errors import UsageError
+from foon_kg.names import canonical
+from foon_kg.similarity.answers import Confidences, Neighbour, best
+from foon_kg.similarity.vectors import Vectors, food_vectors
+
+
+class CosineSimilarity:
+    """The cosine of two names' vectors, 0 where it is negative or a name has none; equal names answer 1."""
+
+    def __init__(self, embed: Callable[[Sequence[str]], Vectors]) -> None:
+        self._embed = embed
+
+    def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
+        """Answer cosines cut to 0..1, one row for each wanted name, one column for each known one."""
+        rows, columns = [canonical(name) for name in wanted], [canonical(name) for name in known]
+        cosines = np.clip(self._embed(rows) @ self._embed(columns).T, 0.0, 1.0)
+        same = np.array([[row == column for column in columns] for row in rows]).reshape(cosines.shape)
+        return np.where(same, 1.0, cosines)
+
+    def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
+        """Answer the ``limit`` known names with the greatest cosine, best first, ties by name."""
+        return best(known, self.matrix([name], known)[0], limit)
+
+
+def cosine_similarity() -> CosineSimilarity:
+    """Answer the raw cosine of the food vectors."""
+    return CosineSimilarity(food_vectors().embed)
+
+
+@lru_cache(maxsize=2)
+def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
+    """Answer the cosine of an installed spaCy pipeline's word vectors, as the paper has it (section III-C).
+
+    Raises ``UsageError`` where spaCy or the pipeline is not installed, or the pipeline has no vectors.
+    """
+    try:
+        import spacy  # noqa: PLC0415 - seconds of import for an extra that few ask for
+    except ImportError as error:
+        raise UsageError("spaCy is not installed.", hint="pip install 'foon-kg[vectors]'", code="vectors") from error
+    try:
+        pipeline = spacy.load(pipeline_name, enable=[])
+    except OSError as error:
+        hint = "Name an installed pipeline with vectors, such as en_core_web_md."
+        raise UsageError(f"No spaCy pipeline {pipeline_name!r}: {error}", hint=hint, code="vectors") from error
+    if not pipeline.vocab.vectors_length:
+        hint = "Small pipelines have none: take a medium or large one."
+        raise UsageError(f"{pipeline_name} has no word vectors.", hint=hint, code="vectors")
+
+    def embed(names: Sequence[str]) -> Vectors:
+        rows = np.array([pipeline.make_doc(name).vector for name in names], dtype=np.float64)
+        rows = rows.reshape(len(names), pipeline.vocab.vectors_length)
+        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
+        return rows / np.where(lengths == 0, 1.0, lengths)
+
+    return CosineSimilarity(embed)

@@ -1,0 +1,53 @@
+"""Food words as vectors: a GloVe of 35 numbers a word stem, learnt from recipes (``data/food-vectors.npz``)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.resources import files
+
+import numpy as np
+import numpy.typing as npt
+
+Vectors = npt.NDArray[np.float64]
+
+_WORD = re.compile(r"[a-z]+")
+
+
+@lru_cache(maxsize=65_536)
+def stem(word: str) -> str:
+    """Answer the English Snowball stem, under which the vectors are kept."""
+    from snowballstemmer import stemmer  # noqa: PLC0415 - 50 ms that a program asking no word need not spend
+
+    return str(stemmer("english").stemWord(word))
+
+
+@dataclass(frozen=True)
+class FoodVectors:
+    """A vector for each known stem."""
+
+    vectors: Vectors
+    places: dict[str, int]
+    _embedded: dict[str, Vectors] = field(default_factory=dict, compare=False)
+
+    def embed(self, names: Sequence[str]) -> Vectors:
+        """Answer one row of length 1 for each name: the mean of its words. Zeros where no word is known."""
+        rows = [self._embedded[name] if name in self._embedded else self._remember(name) for name in names]
+        return np.array(rows).reshape(len(names), self.vectors.shape[1])
+
+    def _remember(self, name: str) -> Vectors:
+        places = [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
+        mean = self.vectors[places].mean(axis=0) if places else np.zeros(self.vectors.shape[1])
+        self._embedded[name] = mean / (np.linalg.norm(mean) or 1.0)
+        return self._embedded[name]
+
+
+@lru_cache(maxsize=1)
+def food_vectors() -> FoodVectors:
+    """Answer the vectors that ship with foon-kg, read once."""
+    path = files("foon_kg.data").joinpath("food-vectors.npz")
+    with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
+        stems = archive["stems"].tobytes().decode().split("\n")
+        return FoodVectors(archive["vectors"].astype(np.float64), {s: place for place, s in enumerate(stems)})
