@@ -1,0 +1,89 @@
+"""What a rule has before it when it judges a tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.kitchen import Kitchen, singular
+from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.validation.derivation import Derivation, derive
+from foon_kg.validation.foon import KnownFoon
+from foon_kg.validation.tree import TaskTree, TreeUnit
+
+
+@dataclass(frozen=True)
+class Case:
+    """A tree with the FOON it should come from (``None`` where there is none at hand) and the kitchen."""
+
+    tree: TaskTree
+    foon: KnownFoon | None
+    kitchen: Kitchen
+
+    @property
+    def recipe(self) -> Recipe | None:
+        """The recipe asked, where it is known."""
+        return self.tree.recipe
+
+    @property
+    def required(self) -> tuple[RequiredIngredient, ...]:
+        """What the recipe asks for; nothing where there is none."""
+        return self.recipe.ingredients if self.recipe else ()
+
+    @cached_property
+    def required_names(self) -> frozenset[str]:
+        """The required foods, in the singular."""
+        return frozenset(singular(wanted.object) for wanted in self.required)
+
+    @cached_property
+    def goal(self) -> ObjectNode | None:
+        """The goal that the tree names; for unmarked FOON text the richest food that its last unit outputs."""
+        if self.tree.goal is not None or not self.tree.units:
+            return self.tree.goal
+        foods = [node for node in self.tree.units[-1].output_nodes if self.kitchen.is_food(node)]
+        return max(foods, key=lambda node: (len(node.ingredients), node.sort_key), default=None)
+
+    @cached_property
+    def food_leaves(self) -> tuple[ObjectNode, ...]:
+        """The leaves that are foods."""
+        return tuple(node for node in self.tree.leaves if self.kitchen.is_food(node))
+
+    @cached_property
+    def derivations(self) -> tuple[Derivation | None, ...]:
+        """How each unit comes from the FOON, by the best of the units it names; ``None`` where none is known."""
+        return tuple(self._derivation(unit) for unit in self.tree.units)
+
+    def sources(self, unit: TreeUnit) -> tuple[FunctionalUnit, ...]:
+        """Answer the units of the FOON that ``unit`` names; for a tree that cannot name any, those of its motion."""
+        if self.foon is None:
+            return ()
+        if unit.seen_in is None and unit.identity in self.foon.by_key:
+            return (self.foon.by_key[unit.identity],)
+        if unit.seen_in is None:
+            return tuple(s for s in self.foon.by_motion.get(unit.motion, ()) if _overlaps(unit, s))
+        places = ((sighting.video, sighting.position) for sighting in unit.seen_in)
+        named = (self.foon.by_sighting.get(place) for place in places)
+        return tuple({source.key: source for source in named if source is not None}.values())
+
+    def compare(self, unit: TreeUnit) -> Iterator[Derivation]:
+        """Derive ``unit`` from each of its sources."""
+        declared = self.tree.substitutions or ()
+        return (derive(unit, source, declared, self.kitchen) for source in self.sources(unit))
+
+    def _derivation(self, unit: TreeUnit) -> Derivation | None:
+        return min(self.compare(unit), key=lambda found: (found.cost, found.source.key), default=None)
+
+    def is_required_or_free(self, name: str) -> bool:
+        """Whether a food may come from the kitchen."""
+        return singular(name) in self.required_names or self.kitchen.is_free(name)
+
+    def names_of(self, nodes: Iterable[ObjectNode]) -> frozenset[str]:
+        """Answer the foods that ``nodes`` are or hold, in the singular."""
+        names = [node.label for node in nodes if self.kitchen.is_food(node)]
+        names += [name for node in nodes for name in self.kitchen.foods_in(node)]
+        return frozenset(map(singular, names))
+
+
+def _overlaps(unit: TreeUnit, source: FunctionalUnit) -> bool:
+    return not {node.label for node in unit.output_nodes}.isdisjoint(node.label for node in source.output_nodes)

@@ -1,0 +1,115 @@
+"""The FOON as the judge looks things up in it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.kitchen import Kitchen, singular
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
+
+
+@dataclass(frozen=True)
+class KnownFoon:
+    """The units of a universal FOON and its goals.
+
+    ``goals`` may be left out: the dish classes that the units themselves carry are used then.
+    """
+
+    units: tuple[KnownUnit, ...]
+    goals: tuple[Goal, ...] = ()
+
+    @classmethod
+    def of(cls, units: Iterable[KnownUnit], goals: Iterable[Goal] = ()) -> KnownFoon:
+        """Keep ``units`` sorted by key, so that no answer depends on their order."""
+        return cls(tuple(sorted(units, key=lambda known: known.unit.key)), tuple(goals) or ())
+
+    @cached_property
+    def by_sighting(self) -> Mapping[tuple[str, int], FunctionalUnit]:
+        """The unit at each (video, place)."""
+        return {(s.video, s.position): known.unit for known in self.units for s in known.seen_in}
+
+    @cached_property
+    def by_key(self) -> Mapping[tuple[object, ...], FunctionalUnit]:
+        """The unit with each set of inputs, motion and set of outputs."""
+        return {
+            (frozenset(u.input_nodes), u.motion, frozenset(u.output_nodes)): u for u in (k.unit for k in self.units)
+        }
+
+    @cached_property
+    def by_motion(self) -> Mapping[str, tuple[FunctionalUnit, ...]]:
+        """The units of each motion."""
+        found: defaultdict[str, list[FunctionalUnit]] = defaultdict(list)
+        for known in self.units:
+            found[known.unit.motion].append(known.unit)
+        return {motion: tuple(units) for motion, units in found.items()}
+
+    @cached_property
+    def _made(self) -> frozenset[ObjectNode]:
+        return frozenset(
+            node for known in self.units for node in known.unit.output_nodes if node not in known.unit.input_nodes
+        )
+
+    def makes(self, node: ObjectNode) -> bool:
+        """Whether some unit outputs ``node`` without having taken it."""
+        return node in self._made
+
+    @cached_property
+    def _processed_alone(self) -> frozenset[tuple[str, str]]:
+        utensils = Kitchen.default()
+        found = set()
+        for known in self.units:
+            foods = [node for node in known.unit.input_nodes if utensils.is_food(node)]
+            if len({food.label for food in foods}) != 1:
+                continue
+            before = {state for food in foods for state in food.states}
+            for node in known.unit.output_nodes:
+                if node.label == foods[0].label:
+                    found |= {(singular(node.label), state) for state in set(node.states) - before}
+        return frozenset(found)
+
+    def processes(self, label: str, state: str) -> bool:
+        """Whether some unit brings the food ``label`` into ``state`` with no other food taking part."""
+        return (singular(label), state) in self._processed_alone
+
+    @cached_property
+    def end_products(self) -> Mapping[str, frozenset[str]]:
+        """The labels of the end products of each dish type."""
+        found: defaultdict[str, set[str]] = defaultdict(set)
+        for goal in self.goals:
+            found[goal.dish_type].add(goal.node.label)
+        if not self.goals:
+            for known in self.units:
+                for participant in known.unit.outputs:
+                    if participant.dish_type:
+                        found[participant.dish_type].add(participant.node.label)
+        return {dish_type: frozenset(labels) for dish_type, labels in found.items()}
+
+    @cached_property
+    def food_names(self) -> frozenset[str]:
+        """The names, in the singular, of the foods that a kitchen may have; no mixtures and no end products."""
+        kitchen = Kitchen.default()
+        nodes = {node for known in self.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+        bought = {
+            singular(node.label)
+            for node in nodes
+            if kitchen.is_food(node) and node.states and not node.ingredients and not kitchen.processed_states(node)
+        }
+        return frozenset(bought) - {singular(x) for labels in self.end_products.values() for x in labels}
+
+    def videos_of(self, goal: ObjectNode) -> tuple[str, ...]:
+        """Answer the videos that end in ``goal``, sorted; where none is marked, those that make it."""
+        marked = {video for known in self.goals if known.node == goal for video in known.videos}
+        made = {s.video for known in self.units if goal in known.unit.output_nodes for s in known.seen_in}
+        return tuple(sorted(marked or made))
+
+    @cached_property
+    def video_units(self) -> Mapping[str, frozenset[int]]:
+        """The places of the units of each video."""
+        found: defaultdict[str, set[int]] = defaultdict(set)
+        for known in self.units:
+            for sighting in known.seen_in:
+                found[sighting.video].add(sighting.position)
+        return {video: frozenset(places) for video, places in found.items()}

@@ -1,0 +1,184 @@
+"""The sense measures that follow a food through the tree: S1 to S4 and S7.
+
+A food *joins others* where an output of a unit that takes it holds, beside it, another food that is not free. A unit
+that takes several foods and keeps them apart (two foods on one board) joins nothing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.kitchen import singular, words
+from foon_kg.model import ObjectNode
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.validation.tree import TreeUnit
+from foon_kg.validation.words import HEATS, MIXES, OPENS, has_word
+
+
+@dataclass(frozen=True)
+class Joining:
+    """Where one food comes together with others: the place of the unit, and the nodes of the food there."""
+
+    food: str
+    place: int
+    nodes: tuple[ObjectNode, ...]
+
+
+def fresh(case: Case) -> Iterator[Finding]:
+    """S1: no unit takes a food, or a vessel with food, that an earlier unit moved or changed.
+
+    Storage and the foods of the kitchen are not asked: a second helping of salt is S4's matter. What a unit puts back,
+    or makes again, is fresh again.
+    """
+    gone: dict[ObjectNode, int] = {}
+    leaves = set(case.tree.leaves)
+    for place, unit in enumerate(case.tree.units):
+        for node in unit.input_nodes:
+            if node in gone:
+                yield Finding("S1", f"unit {gone[node]} moved or changed it before", place, node)
+        for node in unit.used_up:
+            if _holds_food(case, node) and not (node in leaves and _inexhaustible(case, node)):
+                gone.setdefault(node, place)
+        for node in unit.output_nodes:
+            gone.pop(node, None)
+
+
+def _holds_food(case: Case, node: ObjectNode) -> bool:
+    return case.kitchen.is_food(node) or bool(case.kitchen.foods_in(node))
+
+
+def _inexhaustible(case: Case, node: ObjectNode) -> bool:
+    return case.kitchen.is_food(node) or case.kitchen.is_storage(node.label)
+
+
+def joinings(case: Case) -> tuple[Joining, ...]:
+    """Answer where each required food joins others for the first time, and again for each time it is taken anew."""
+    found = []
+    for place, unit in enumerate(case.tree.units):
+        for food in sorted(case.required_names):
+            nodes = tuple(node for node in unit.input_nodes if singular(node.label) == food)
+            if _comes_alone(case, unit, food) and _is_with_others(case, unit, food):
+                found.append(Joining(food, place, nodes))
+    return tuple(found)
+
+
+def _comes_alone(case: Case, unit: TreeUnit, food: str) -> bool:
+    """Whether an input is the food, or holds it and nothing else that counts."""
+    return any(
+        food in names and not _others(case, names, food)
+        for names in (case.names_of((node,)) for node in unit.input_nodes)
+    )
+
+
+def _is_with_others(case: Case, unit: TreeUnit, food: str) -> bool:
+    already = {node for node in unit.input_nodes if _others(case, case.names_of((node,)), food)}
+    for node in unit.output_nodes:
+        names = case.names_of((node,))
+        if node not in already and food in names and _others(case, names, food):
+            return True
+    return False
+
+
+def _others(case: Case, names: frozenset[str], food: str) -> set[str]:
+    return {name for name in names if name != food and not case.kitchen.is_free(name)}
+
+
+def in_time(case: Case) -> Iterator[Finding]:
+    """S2: a food joins others no later than the last unit that mixes or heats, unless FOON's unit takes it there."""
+    units = case.tree.units
+    working = [
+        place
+        for place, unit in enumerate(units)
+        if has_word(unit.motion, MIXES | HEATS) and case.names_of(unit.input_nodes)
+    ]
+    if not working:
+        return
+    equivalents = {
+        singular(e.required): e.equivalent or "" for e in case.tree.substitutions or () if e.kind == "object"
+    }
+    for joining in joinings(case):
+        if joining.place <= working[-1]:
+            continue
+        known = case.derivations[joining.place]
+        taken = case.names_of(known.source.input_nodes) if known else frozenset()
+        if taken.isdisjoint({joining.food, singular(equivalents.get(joining.food, joining.food))}):
+            yield Finding("S2", f"{joining.food} joins others after the last mixing or heating", joining.place)
+
+
+def opened(case: Case) -> Iterator[Finding]:
+    """S3: a food asked whole is cracked, peeled, opened or cut before it joins others, where FOON has a unit for it."""
+    known = _can_be_opened(case)
+    asked = {singular(w.object) for w in case.required if _is_whole(w.state)} & known
+    for joining in joinings(case):
+        if joining.food in asked and not _opened_before(case, joining):
+            yield Finding(
+                "S3", f"{joining.food} joins others as a whole, and FOON has a unit that opens it", joining.place
+            )
+
+
+def _is_whole(state: str) -> bool:
+    return "whole" in words(state)
+
+
+def _can_be_opened(case: Case) -> frozenset[str]:
+    found = set()
+    for known in case.foon.units if case.foon else ():
+        if has_word(known.unit.motion, OPENS):
+            changed = set(known.unit.input_nodes) - set(known.unit.output_nodes)
+            found |= {singular(node.label) for node in changed if case.kitchen.is_food(node)}
+    return frozenset(found)
+
+
+def _opened_before(case: Case, joining: Joining) -> bool:
+    for unit in case.tree.units[: joining.place + 1]:
+        if has_word(unit.motion, OPENS) and any(singular(node.label) == joining.food for node in unit.used_up):
+            return True
+    return False
+
+
+def thrifty(case: Case) -> Iterator[Finding]:
+    """S4: a required food is taken from the kitchen, vessels apart, no more often than it was asked.
+
+    A unit takes a leaf when it uses it up; what it puts back as it was stays in the kitchen.
+    """
+    asked = Counter(singular(wanted.object) for wanted in case.required)
+    takes: Counter[str] = Counter()
+    for place, unit in enumerate(case.tree.units):
+        for node in unit.used_up:
+            name = singular(node.label)
+            if node not in case.tree.makers and case.kitchen.is_food(node) and name in asked:
+                takes[name] += 1
+                if takes[name] > asked[name]:
+                    yield Finding("S4", f"taken {takes[name]} times, asked {asked[name]} times", place, node)
+
+
+@dataclass(frozen=True)
+class _States:
+    """The states in which each food is seen where it joins others."""
+
+    case: Case
+
+    @cached_property
+    def at_joining(self) -> dict[str, set[str]]:
+        seen: dict[str, set[str]] = {}
+        for joining in joinings(self.case):
+            unit = self.case.tree.units[joining.place]
+            there = (*joining.nodes, *(n for n in unit.output_nodes if singular(n.label) == joining.food))
+            if there:
+                seen.setdefault(joining.food, set()).update(state for node in there for state in node.states)
+        return seen
+
+
+def state_kept(case: Case) -> Iterator[Finding]:
+    """S7: a food still has each processed state that was asked where it joins the others (before or in that unit)."""
+    seen = _States(case).at_joining
+    for wanted in sorted(set(case.required)):
+        food = singular(wanted.object)
+        if not wanted.state or case.kitchen.is_start_state(wanted.object, wanted.state) or food not in seen:
+            continue
+        if wanted.state not in seen[food]:
+            yield Finding("S7", f"{wanted.object} was asked {wanted.state} and is not so where it joins the others")

@@ -1,0 +1,167 @@
+"""A task tree as the judge reads it: from the JSON of a plan result, or from FOON text of anyone.
+
+The judge has a reader of its own, so that a result that its planner's types would refuse (a substitution without a
+confidence) is told apart by rule and not by a parse error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Self
+
+from foon_kg.json_fields import Fields
+from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, Sighting, Subgraph
+from foon_kg.model_json import node_from_json, recipe_from_json, sighting_from_json
+
+
+@dataclass(frozen=True)
+class TreeUnit:
+    """One step. ``origin`` and ``seen_in`` are ``None`` where the source of the tree cannot say them."""
+
+    input_nodes: tuple[ObjectNode, ...]
+    motion: str
+    output_nodes: tuple[ObjectNode, ...]
+    origin: str | None = None
+    seen_in: tuple[Sighting, ...] | None = None
+
+    @cached_property
+    def identity(self) -> tuple[object, ...]:
+        """What is done to what: equal for two units that are the same."""
+        return (frozenset(self.input_nodes), self.motion, frozenset(self.output_nodes))
+
+    @cached_property
+    def new_outputs(self) -> tuple[ObjectNode, ...]:
+        """The outputs that are no inputs: what the step makes."""
+        return tuple(node for node in self.output_nodes if node not in self.input_nodes)
+
+    @cached_property
+    def used_up(self) -> tuple[ObjectNode, ...]:
+        """The inputs that are no outputs: what the step moves or changes."""
+        return tuple(node for node in self.input_nodes if node not in self.output_nodes)
+
+
+@dataclass(frozen=True)
+class Substituted:
+    """An entry of ``substitutions``; ``None`` and ``""`` stand for what it does not say."""
+
+    kind: str
+    object: str
+    required: str
+    equivalent: str | None
+    confidence: float | None
+    alternatives: tuple[tuple[str, float | None], ...] | None
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read an entry; only what it does say must have the right type."""
+        alternatives = None
+        if "alternatives" in fields:
+            entries = fields.nested_list("alternatives")
+            alternatives = tuple((a.optional_text("name") or "", a.optional_number("confidence")) for a in entries)
+        return cls(
+            fields.optional_text("kind") or "",
+            fields.optional_text("object") or "",
+            fields.optional_text("required") or "",
+            fields.optional_text("equivalent"),
+            fields.optional_number("confidence"),
+            alternatives,
+        )
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """An entry of ``assumptions``."""
+
+    node: ObjectNode
+    why: str
+
+
+@dataclass(frozen=True)
+class TaskTree:
+    """A tree to be judged. ``None`` (and an ``error``) stands for what its source does not say.
+
+    ``kitchen`` is ``None`` for FOON text, and so are ``substitutions`` and ``assumptions``: nothing is claimed there.
+    """
+
+    name: str
+    units: tuple[TreeUnit, ...]
+    goal: ObjectNode | None = None
+    recipe: Recipe | None = None
+    kitchen: tuple[ObjectNode, ...] | None = None
+    substitutions: tuple[Substituted, ...] | None = None
+    assumptions: tuple[Assumed, ...] | None = None
+    reference_goal: ObjectNode | None = None
+    error: str | None = None
+
+    @classmethod
+    def from_json(cls, value: object, where: str = "plan") -> TaskTree:
+        """Read a plan result (design.md section 6); raises ReadError where a field has the wrong type."""
+        fields = Fields(value, where)
+        recipe = recipe_from_json(fields.nested("recipe"))
+        name = recipe.id or recipe.title or where
+        if "error" in fields:
+            return cls(name, (), recipe=recipe, error=fields.nested("error").text("message"))
+        reference = fields.nested("reference") if "reference" in fields else None
+        return cls(
+            name,
+            tuple(map(_unit, fields.nested_list("units"))),
+            node_from_json(fields.nested("goal")),
+            recipe,
+            tuple(map(node_from_json, fields.nested_list("kitchen"))),
+            tuple(map(Substituted.from_json, fields.nested_list("substitutions"))),
+            tuple(
+                Assumed(node_from_json(entry.nested("node")), entry.optional_text("why") or "")
+                for entry in fields.nested_list("assumptions")
+            ),
+            node_from_json(reference.nested("goal")) if reference is not None else None,
+        )
+
+    @classmethod
+    def from_subgraph(cls, subgraph: Subgraph, recipe: Recipe | None = None) -> TaskTree:
+        """Read a tree from FOON text: its goal is the output of the last unit that is marked with a dish class."""
+        units = [annotation.unit for annotation in subgraph.annotations]
+        marked = [p.node for unit in units[-1:] for p in unit.outputs if p.dish_type]
+        return cls(subgraph.name, tuple(map(_bare, units)), marked[0] if marked else None, recipe)
+
+    @cached_property
+    def makers(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that output each node."""
+        return _places([unit.output_nodes for unit in self.units])
+
+    @cached_property
+    def takers(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that take each node."""
+        return _places([unit.input_nodes for unit in self.units])
+
+    @cached_property
+    def leaves(self) -> tuple[ObjectNode, ...]:
+        """The inputs that no unit of the tree outputs, in the order of their first use."""
+        return tuple(node for node in self.takers if node not in self.makers)
+
+    @cached_property
+    def nodes(self) -> tuple[ObjectNode, ...]:
+        """Every object node of the tree, in the order of appearance."""
+        return tuple(dict.fromkeys(n for unit in self.units for n in (*unit.input_nodes, *unit.output_nodes)))
+
+
+def _unit(fields: Fields) -> TreeUnit:
+    return TreeUnit(
+        tuple(dict.fromkeys(map(node_from_json, fields.nested_list("input_nodes")))),
+        fields.text("motion_node"),
+        tuple(dict.fromkeys(map(node_from_json, fields.nested_list("output_nodes")))),
+        fields.optional_text("origin"),
+        tuple(map(sighting_from_json, fields.nested_list("seen_in"))) if "seen_in" in fields else (),
+    )
+
+
+def _bare(unit: FunctionalUnit) -> TreeUnit:
+    return TreeUnit(unit.input_nodes, unit.motion, unit.output_nodes)
+
+
+def _places(sides: list[tuple[ObjectNode, ...]]) -> dict[ObjectNode, tuple[int, ...]]:
+    places: dict[ObjectNode, tuple[int, ...]] = {}
+    for place, nodes in enumerate(sides):
+        for node in nodes:
+            places[node] = (*places.get(node, ()), place)
+    return places
