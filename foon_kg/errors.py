@@ -7,6 +7,7 @@
     ├── NoTreeError           there is no task tree, and why                 (exit code 3)
     ├── ReadError             a file cannot be read as what it claims to be
     │   └── ToleranceError    more of it was rejected than was allowed
+    ├── FormatError           a FOON holds something that the asked file format cannot say
     ├── GraphError            the database refused, is unreachable or holds something else
     │   ├── SchemaError       its schema is older or newer than this program
     │   └── WriteRefused      a read-only question tried to write or to reach outside the graph
@@ -59,6 +60,12 @@ class ToleranceError(ReadError):
     """More units of the input were rejected than the caller was ready to accept."""
 
     code = "tolerance"
+
+
+class FormatError(FoonError):
+    """What should be written cannot be said in that format: it would be read back as something else."""
+
+    code = "format"
 
 
 class GraphError(FoonError):

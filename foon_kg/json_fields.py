@@ -31,6 +31,11 @@ class Fields:
     def __contains__(self, name: str) -> bool:
         return name in self._values
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the fields that are there, sorted."""
+        return tuple(sorted(self._values))
+
     def text(self, name: str) -> str:
         """Answer the text of a field."""
         return self._as_text(name, self._value(name))
@@ -75,6 +80,10 @@ class Fields:
     def nested_list(self, name: str) -> list[Fields]:
         """Answer the objects of a list, in order."""
         return [Fields(value, f"{self.where}: {name}[{place}]") for place, value in enumerate(self._list(name))]
+
+    def items(self, name: str) -> list[object]:
+        """Answer the items of a list, of whatever type they are."""
+        return list(self._list(name))
 
     def one_of(self, name: str, allowed: tuple[str, ...]) -> str:
         """Answer the text of a field that must be one of ``allowed``."""

@@ -1,8 +1,37 @@
-"""Read and write FOONs: text in both dialects, and JSON."""
+"""FOONs as files: text in both dialects, and JSON.
+
+>>> from pathlib import Path
+>>> from foon_kg.loaders import read_path
+>>> for result in read_path(Path("subgraphs")):  # doctest: +SKIP
+...     print(result.path, len(result.subgraph.annotations), result.notices)
+
+Reading never stops at a defect: a unit that cannot be understood is left out, the rest of its file is kept, and a
+:class:`Notice` says file, line, what is wrong and what was done about it. Writing is the strict side: what would not
+be read back as the same raises :class:`~foon_kg.errors.FormatError`.
+"""
 
 from __future__ import annotations
 
+from foon_kg.loaders.json_reader import read_json
+from foon_kg.loaders.json_writer import write_json
 from foon_kg.loaders.notices import Notice, NoticeKind, ReadResult, Severity
 from foon_kg.loaders.paths import read_path, read_paths
+from foon_kg.loaders.report import count_by_kind, summary, write_report
+from foon_kg.loaders.text_reader import read_text
+from foon_kg.loaders.text_writer import write_text
 
-__all__ = ["Notice", "NoticeKind", "ReadResult", "Severity", "read_path", "read_paths"]
+__all__ = [
+    "Notice",
+    "NoticeKind",
+    "ReadResult",
+    "Severity",
+    "count_by_kind",
+    "read_json",
+    "read_path",
+    "read_paths",
+    "read_text",
+    "summary",
+    "write_json",
+    "write_report",
+    "write_text",
+]

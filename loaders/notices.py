@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from foon_kg.model import Subgraph
+from foon_kg.model import Annotation, Subgraph
 
 
 class Severity(StrEnum):
-    """Whether something of the file is missing from what was read."""
+    """Whether a unit is missing from what was read.
+
+    ``REJECTED``: a unit or the whole file was left out; there is exactly one such notice for each.
+    ``ASSUMED``: the unit was read; the notice says what an unclear place was taken to mean.
+    """
 
     REJECTED = "rejected"
-    """A unit or the whole file was left out. There is exactly one such notice for each."""
     ASSUMED = "assumed"
-    """Everything was read; where the file is not clear, the notice says what it was taken to mean."""
 
 
 class NoticeKind(StrEnum):
@@ -95,5 +98,58 @@ class ReadResult:
 
     @property
     def rejected(self) -> int:
-        """How many units (for an unusable file: one for the file) were left out."""
+        """How many units were left out; an unusable file counts as one."""
         return sum(notice.severity is Severity.REJECTED for notice in self.notices)
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Something odd about a line or a field, and what it was taken to mean."""
+
+    kind: NoticeKind
+    message: str
+    action: str
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Why a line or a field cannot be understood, and with it its unit."""
+
+    kind: NoticeKind
+    message: str
+
+
+class Journal:
+    """The notices of one file while it is read."""
+
+    def __init__(self, file: str) -> None:
+        self._file = file
+        self._notices: list[Notice] = []
+
+    def remark(self, line: int | None, remark: Remark) -> None:
+        """Note something odd that was read all the same."""
+        self._notices.append(Notice(self._file, line, remark.kind, remark.message, remark.action))
+
+    def reject(self, line: int | None, problem: Problem) -> None:
+        """Note that a unit is left out."""
+        self._add_rejected(line, problem, "unit rejected")
+
+    def reject_file(self, line: int | None, problem: Problem) -> ReadResult:
+        """Answer the result of a file that cannot be used at all."""
+        self._add_rejected(line, problem, "file rejected")
+        return self._ended(None)
+
+    def result(self, name: str, annotations: Sequence[Annotation], sources: Sequence[str]) -> ReadResult:
+        """Answer what was read. A file without any unit is rejected: it is hardly a FOON."""
+        if annotations:
+            return self._ended(Subgraph(name, tuple(annotations), tuple(sources)))
+        if any(notice.severity is Severity.REJECTED for notice in self._notices):
+            return self._ended(None)
+        return self.reject_file(None, Problem(NoticeKind.NO_UNITS, "no functional unit in it"))
+
+    def _ended(self, subgraph: Subgraph | None) -> ReadResult:
+        in_order = sorted(self._notices, key=lambda notice: notice.line or 0)
+        return ReadResult(self._file, subgraph, tuple(in_order))
+
+    def _add_rejected(self, line: int | None, problem: Problem, action: str) -> None:
+        self._notices.append(Notice(self._file, line, problem.kind, problem.message, action, Severity.REJECTED))

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from foon_kg.errors import ReadError
+from foon_kg.loaders.json_reader import read_json
 from foon_kg.loaders.notices import Notice, NoticeKind, ReadResult, Severity
 from foon_kg.loaders.text_reader import TextReader
 
@@ -105,6 +106,8 @@ def _read_file(path: Path, reader: TextReader) -> ReadResult:
 
 
 def _read_text_or_json(path: Path, text: str, name: str, reader: TextReader) -> ReadResult:
+    if path.suffix.lower() == ".json":
+        return read_json(text, name, str(path))
     return reader.read(text, name, str(path))
 
 

@@ -1,6 +1,7 @@
-"""One line of a FOON text file at a time: what an ``O``, an ``S`` and a motion's verb say.
+"""One line of a FOON text file at a time: what it says, and what is odd about how it says it.
 
-Nothing here knows of files or units. What is odd about a line is answered beside what was read, as remarks.
+Nothing here knows of files, line numbers or units. The two dialects differ only in the first column, which may
+carry an id (``O278``, ``S41``, ``M92``).
 """
 
 from __future__ import annotations
@@ -8,32 +9,21 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from foon_kg.loaders.notices import NoticeKind
+from foon_kg.loaders.notices import NoticeKind, Problem, Remark
 from foon_kg.model import DISH_TYPES
 
-_BRACKETED = re.compile(r"([^\[{]*)([\[{].*)")
-_PLACE = re.compile(r"\[([^\[\]{}]*)\]")
-_NAMES = re.compile(r"\{([^\[\]{}]*)\}")
-RELATIONS = frozenset({"in", "on", "under", "with", "from", "over", "below", "attached", "attached to"})
+RELATIONS = frozenset({"attached", "attached to", "below", "from", "in", "on", "over", "under", "with"})
 """Words that only ever say where something is; beside braces they still do."""
 
+_WITH_COLUMNS = re.compile(r"([OSM])[0-9]*\t(.*)", re.DOTALL)
+_SOURCE = re.compile(r"#\s*source:(.*)", re.IGNORECASE | re.DOTALL)
+_TAB_MISSING = re.compile(r"([^\[{]*)([\[{].*)")
+_PLACE = re.compile(r"\[([^\[\]{}]*)\]")
+_NAMES = re.compile(r"\{([^\[\]{}]*)\}")
+_SHOWN = 60  # characters of a line that are enough to find it by
 
-class BadLine(Exception):  # noqa: N818  # a signal between two modules, not an error that anyone sees
-    """The line cannot be understood, so its unit cannot be."""
-
-    def __init__(self, kind: NoticeKind, message: str) -> None:
-        super().__init__(message)
-        self.kind = kind
-        self.message = message
-
-
-@dataclass(frozen=True)
-class Remark:
-    """Something odd about a line and how it was read."""
-
-    kind: NoticeKind
-    message: str
-    action: str
+Place = tuple[str | None, str | None]
+"""A relation and a container: ``("in", "bowl")``."""
 
 
 @dataclass(frozen=True)
@@ -46,14 +36,41 @@ class ObjectLine:
     remarks: tuple[Remark, ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class StateLine:
-    """``S<TAB>…``: at most one state, the names in braces, or a place (relation and container)."""
+    """``S<TAB>…``: a state, the names in braces (with or without a state), or a place."""
 
     state: str | None = None
     ingredients: tuple[str, ...] = ()
-    place: tuple[str | None, str | None] | None = None
+    place: Place | None = None
     remarks: tuple[Remark, ...] = ()
+
+
+@dataclass(frozen=True)
+class MotionLine:
+    """``M<TAB>verb[*]<TAB>times``."""
+
+    motion: str
+    accepts_any: bool
+    time_columns: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class SourceLine:
+    """``# Source:<TAB>address``."""
+
+    address: str
+
+
+@dataclass(frozen=True)
+class Separator:
+    """``//``, the line between two units."""
+
+    remarks: tuple[Remark, ...] = ()
+
+
+Line = ObjectLine | StateLine | MotionLine | SourceLine | Separator | Problem | None
+"""What a line says; ``None`` for comments and blank lines, which say nothing."""
 
 
 def fold(text: str) -> str:
@@ -61,99 +78,104 @@ def fold(text: str) -> str:
     return " ".join(text.split())
 
 
-def read_object_line(columns: list[str]) -> ObjectLine:
-    """Read the columns after the ``O``. Raises ``BadLine`` where the object has no name."""
-    label, flag, dish_class, *more = (*map(fold, columns), "", "", "")
+def read_line(text: str) -> Line:
+    """Read one line, without its line end."""
+    if match := _WITH_COLUMNS.fullmatch(text):
+        columns = [fold(column) for column in match[2].split("\t")]
+        return _READERS[match[1]](columns)
+    if text.startswith("//"):
+        beside = fold(text.removeprefix("//"))
+        return Separator(_extra_columns([beside], "text beside a separator"))
+    if source := _SOURCE.fullmatch(text):
+        return SourceLine(fold(source[1]))
+    if text.startswith("#") or not text.strip():
+        return None
+    shown = text if len(text) <= _SHOWN else text[:_SHOWN] + "…"
+    return Problem(NoticeKind.UNKNOWN_LINE, f"no line of a FOON (columns are separated by tabs): {shown!r}")
+
+
+def _extra_columns(columns: list[str], what: str) -> tuple[Remark, ...]:
+    return tuple(Remark(NoticeKind.EXTRA_COLUMN, f"{what}: {column!r}", "left out") for column in columns if column)
+
+
+def _object_line(columns: list[str]) -> ObjectLine | Problem:
+    label, flag, dish_class, *more = (*columns, "", "")
     if not label:
-        raise BadLine(NoticeKind.MISSING_NAME, "an object without a name")
-    remarks = _flag_remarks(flag) + _extra_remarks(more)
-    dish_type = None
-    if dish_class:
-        dish_type = _dish_type(dish_class)
-        if dish_type is None:
-            remarks.append(Remark(NoticeKind.ODD_CLASS, f"{dish_class!r} is no dish class (0-29)", "read as none"))
-    return ObjectLine(label, flag.isdecimal() and flag.strip("0") != "", dish_type, tuple(remarks))
+        return Problem(NoticeKind.MISSING_NAME, "an object without a name")
+    moving = flag.isdecimal() and int(flag[:9]) > 0
+    remarks = _extra_columns(more, "a column too many")
+    if flag not in {"0", "1"}:
+        action = "read as 1, it moves" if moving else "read as 0, it does not move"
+        remarks += (Remark(NoticeKind.ODD_FLAG, f"the flag is {flag!r}, neither 0 nor 1", action),)
+    dish_type = _DISH_CLASSES.get(dish_class)
+    if dish_class and dish_type is None:
+        message = f"{dish_class!r} is no dish class, a number from 0 to {len(DISH_TYPES) - 1}"
+        remarks += (Remark(NoticeKind.ODD_CLASS, message, "left out"),)
+    return ObjectLine(label, moving, dish_type, remarks)
 
 
-def _flag_remarks(flag: str) -> list[Remark]:
-    if flag in {"0", "1"}:
-        return []
-    moving = flag.isdecimal() and flag.strip("0") != ""
-    action = "read as 1, it moves" if moving else "read as 0, it does not move"
-    return [Remark(NoticeKind.ODD_FLAG, f"the flag is {flag!r}, neither 0 nor 1", action)]
+_DISH_CLASSES = {str(number): dish_type for number, dish_type in enumerate(DISH_TYPES)}
 
 
-def _extra_remarks(columns: list[str]) -> list[Remark]:
-    extra = [column for column in columns if column]
-    if not extra:
-        return []
-    return [Remark(NoticeKind.EXTRA_COLUMN, f"a column too many: {extra[0]!r}", "left out")]
+def _motion_line(columns: list[str]) -> MotionLine | Problem:
+    motion = columns[0].removesuffix("*").rstrip()
+    if not motion:
+        return Problem(NoticeKind.MISSING_NAME, "a motion without a name")
+    return MotionLine(motion, columns[0].endswith("*"), tuple(columns[1:]))
 
 
-def _dish_type(number: str) -> str | None:
-    known = number.isascii() and number.isdecimal() and len(number) <= 2 and int(number) < len(DISH_TYPES)  # noqa: PLR2004  # 0-29 has two digits
-    return DISH_TYPES[int(number)] if known else None
-
-
-def read_state_line(columns: list[str]) -> StateLine:
-    """Read the columns after the ``S``. Raises ``BadLine`` where the brackets cannot be understood."""
-    word, bracketed, *more = (*map(fold, columns), "", "")
-    remarks = _extra_remarks(more)
-    if not bracketed and (joined := _BRACKETED.fullmatch(word)):
-        remarks.append(Remark(NoticeKind.MISSING_TAB, f"no tab in {word!r}", "read as if it were there"))
-        word, bracketed = fold(joined[1]), joined[2]
+def _state_line(columns: list[str]) -> StateLine | Problem:
+    word, bracketed, *more = (*columns, "")
+    remarks = _extra_columns(more, "a column too many")
+    if not bracketed and (joined := _TAB_MISSING.fullmatch(word)):
+        remarks += (Remark(NoticeKind.MISSING_TAB, f"no tab in {word!r}", "read as if it were there"),)
+        word, bracketed = joined[1].rstrip(), joined[2]
     if not bracketed:
-        return _bare_state(word, remarks, third_column=len(columns) > 1)
+        return _plain_state(word, remarks, has_third_column=len(columns) > 1)
     if place := _PLACE.fullmatch(bracketed):
-        return _place(word, fold(place[1]), remarks)
+        return _place(word, place[1].strip(), remarks)
     if names := _NAMES.fullmatch(bracketed):
-        return _names(word, names[1].split(","), remarks)
-    raise BadLine(NoticeKind.BAD_BRACKETS, f"{bracketed!r} is neither [a place] nor {{names}}")
+        return _braces(word, names[1], remarks)
+    return Problem(NoticeKind.BAD_BRACKETS, f"{bracketed!r} is neither [a place] nor {{names}}")
 
 
-def _bare_state(word: str, remarks: list[Remark], *, third_column: bool) -> StateLine:
+def _plain_state(word: str, remarks: tuple[Remark, ...], *, has_third_column: bool) -> StateLine:
     if not word:
-        remarks.append(Remark(NoticeKind.EMPTY_STATE, "a state line that says nothing", "left out"))
-    elif third_column:
-        remarks.append(
-            Remark(NoticeKind.EMPTY_STATE_COLUMN, f"nothing after {word!r} and its tab", "read as a plain state")
-        )
-    return StateLine(state=word or None, remarks=tuple(remarks))
+        remarks += (Remark(NoticeKind.EMPTY_STATE, "a state line that says nothing", "left out"),)
+    elif has_third_column:
+        message = f"a tab and nothing after {word!r}"
+        remarks += (Remark(NoticeKind.EMPTY_STATE_COLUMN, message, "read as a plain state"),)
+    return StateLine(state=word or None, remarks=remarks)
 
 
-def _place(word: str, container: str, remarks: list[Remark]) -> StateLine:
+def _place(word: str, container: str, remarks: tuple[Remark, ...]) -> StateLine:
     if not container:
-        remarks.append(Remark(NoticeKind.EMPTY_PLACE, f"{word or 'a place'} [] names no place", "kept without one"))
+        remarks += (Remark(NoticeKind.EMPTY_PLACE, f"'{word} []' names no place", "kept without a container"),)
     if word == "contains":
-        remarks.append(Remark(NoticeKind.CONTAINS_PLACE, f"contains [{container}]", "read as the relation 'contains'"))
-    return StateLine(place=(word or None, container or None), remarks=tuple(remarks))
+        message = f"'contains [{container}]' where names stand in {{}}"
+        remarks += (Remark(NoticeKind.CONTAINS_PLACE, message, "read as a place with the relation 'contains'"),)
+    return StateLine(place=(word or None, container or None), remarks=remarks)
 
 
-def _names(word: str, names: list[str], remarks: list[Remark]) -> StateLine:
+def _braces(word: str, inside: str, remarks: tuple[Remark, ...]) -> StateLine:
     if word in RELATIONS:
-        remarks.append(
-            Remark(NoticeKind.RELATION_WITH_BRACES, f"{word} {{{','.join(names)}}}", "read as a place in []")
-        )
-        return _place(word, fold(" ".join(names)), remarks)
-    names = [fold(name) for name in names]
+        message = f"'{word} {{{inside}}}' where a place stands in []"
+        remarks += (Remark(NoticeKind.RELATION_WITH_BRACES, message, "read as a place"),)
+        return _place(word, inside.strip(), remarks)
+    names = [name.strip() for name in inside.split(",")]
     ingredients = tuple(name for name in names if name)
     if len(ingredients) < len(names):
-        remarks.append(Remark(NoticeKind.EMPTY_NAME, "an empty name in {}", "left out"))
-    if twice := sorted({name for name in ingredients if ingredients.count(name) > 1}):
-        remarks.append(Remark(NoticeKind.NAME_TWICE, f"twice in {{}}: {', '.join(twice)}", "read once"))
-    state = _word_beside_braces(word, remarks)
-    return StateLine(state=state, ingredients=ingredients, remarks=tuple(remarks))
-
-
-def _word_beside_braces(word: str, remarks: list[Remark]) -> str | None:
+        remarks += (Remark(NoticeKind.EMPTY_NAME, f"an empty name in {{{inside}}}", "left out"),)
+    twice = [name for name in dict.fromkeys(ingredients) if ingredients.count(name) > 1]
+    if twice:
+        remarks += (Remark(NoticeKind.NAME_TWICE, f"more than once in {{}}: {', '.join(twice)}", "read once"),)
     if word == "contains":
-        return None
+        return StateLine(ingredients=ingredients, remarks=remarks)
     if word in {"contain", ""}:
-        remarks.append(Remark(NoticeKind.CONTAIN, f"{word!r} beside {{}}", "read as contains"))
-        return None
-    remarks.append(
-        Remark(
-            NoticeKind.STATE_WITH_BRACES, f"{word!r} beside {{}}", f"read as the state {word!r} and what it contains"
-        )
-    )
-    return word
+        remarks += (Remark(NoticeKind.CONTAIN, f"{word!r} before {{}}", "read as 'contains'"),)
+        return StateLine(ingredients=ingredients, remarks=remarks)
+    remarks += (Remark(NoticeKind.STATE_WITH_BRACES, f"{word!r} before {{}}", "read as a state and as 'contains'"),)
+    return StateLine(state=word, ingredients=ingredients, remarks=remarks)
+
+
+_READERS = {"O": _object_line, "S": _state_line, "M": _motion_line}

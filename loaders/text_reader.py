@@ -1,213 +1,197 @@
-"""Read a FOON subgraph from text, in both dialects: plain lines, and lines with ids (``O278``, ``S41``, ``M92``)."""
+"""Read a FOON subgraph from text, in both dialects."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
 
-from foon_kg.loaders.notices import Notice, NoticeKind, ReadResult, Severity
-from foon_kg.loaders.text_lines import BadLine, ObjectLine, Remark, StateLine, fold, read_object_line, read_state_line
+from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark
+from foon_kg.loaders.text_lines import (
+    Line,
+    MotionLine,
+    ObjectLine,
+    Place,
+    Separator,
+    SourceLine,
+    StateLine,
+    read_line,
+)
 from foon_kg.loaders.times import counts_hours, read_timing
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
-_LINE = re.compile(r"([OSM])[0-9]*\t(.*)", re.DOTALL)
-_SOURCE = re.compile(r"#\s*source:\s*(.*)", re.IGNORECASE)
+
+
+def read_text(text: str, name: str, file: str) -> ReadResult:
+    """Answer the subgraph ``name`` that ``text`` says; ``file`` is what notices call it.
+
+    A unit that cannot be read is left out and reported; every other unit is kept, in its order. Never raises.
+    """
+    return TextReader().read(text, name, file)
+
+
+class TextReader:
+    """Reads one text after another. Equal nodes of all of them are one object, which saves room and time."""
+
+    def __init__(self) -> None:
+        self._lines: dict[str, Line] = {}
+        self._nodes: dict[tuple[object, ...], tuple[ObjectNode, Remark | None]] = {}
+        self._one_of_equals: dict[ObjectNode, ObjectNode] = {}
+
+    def read(self, text: str, name: str, file: str) -> ReadResult:
+        """Answer what :func:`read_text` answers."""
+        journal = Journal(file)
+        lines = [self._line(line) for line in _LINE_END.split(text)]
+        hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
+        read = [self._annotation(draft, journal, hours=hours) for draft in _drafts(lines, journal)]
+        annotations = [annotation for annotation in read if annotation is not None]
+        sources = [line.address for line in lines if isinstance(line, SourceLine) and line.address]
+        return journal.result(name, annotations, sources)
+
+    def _line(self, text: str) -> Line:
+        if text not in self._lines:
+            self._lines[text] = read_line(text)
+        return self._lines[text]
+
+    def _annotation(self, draft: _UnitDraft, journal: Journal, *, hours: bool) -> Annotation | None:
+        """Answer the unit that a draft makes, ``None`` (and a word in the journal) where it makes none."""
+        draft.remark(journal)
+        problem = draft.problem or draft.missing()
+        if problem is not None or draft.motion is None:
+            line, reason = problem or (draft.last_line, _NO_MOTION)
+            journal.reject(line, reason)
+            return None
+        timing, odd = read_timing(draft.motion.time_columns, hours=hours)
+        for remark in odd:
+            journal.remark(draft.motion_at, remark)
+        unit = FunctionalUnit(
+            tuple(self._participant(one, journal) for one in draft.inputs),
+            draft.motion.motion,
+            tuple(self._participant(one, journal) for one in draft.outputs),
+            draft.motion.accepts_any,
+        )
+        return Annotation(unit, timing)
+
+    def _participant(self, draft: _ObjectDraft, journal: Journal) -> Participant:
+        key = (draft.head.label, *draft.states)
+        if key not in self._nodes:
+            node, remark = _node(draft.head.label, draft.states)
+            self._nodes[key] = self._one_of_equals.setdefault(node, node), remark
+        node, remark = self._nodes[key]
+        if remark:
+            journal.remark(draft.lines[-1], remark)
+        return Participant(node, draft.head.moving, draft.head.dish_type)
+
+
+_NO_MOTION = Problem(NoticeKind.UNIT_WITHOUT_MOTION, "a unit without a motion")
+_NO_INPUTS = Problem(NoticeKind.UNIT_WITHOUT_INPUTS, "a unit without inputs")
+_NO_OUTPUTS = Problem(NoticeKind.UNIT_WITHOUT_OUTPUTS, "a unit without outputs")
+_TWO_MOTIONS = Problem(NoticeKind.TWO_MOTIONS, "a second motion in one unit; is a // missing before it?")
+_STRAY_STATE = Problem(NoticeKind.STRAY_STATE, "a state that follows no object")
+_EMPTY_UNIT = Remark(NoticeKind.EMPTY_UNIT, "nothing between two separators", "left out")
 
 
 @dataclass
 class _ObjectDraft:
-    line: int
+    """An object line with the state lines below it; ``lines`` are their numbers, the object's own first."""
+
     head: ObjectLine
-    states: list[tuple[int, StateLine]] = field(default_factory=list)
+    states: list[StateLine]
+    lines: list[int]
+
+    def remark(self, journal: Journal) -> None:
+        remarks = (self.head.remarks, *(state.remarks for state in self.states))
+        for number, on_this_line in zip(self.lines, remarks, strict=True):
+            for remark in on_this_line:
+                journal.remark(number, remark)
 
 
 @dataclass
 class _UnitDraft:
-    """The lines of one unit while they are read; ``fatal`` is the first reason why it cannot be one."""
+    """The lines between two separators. ``problem`` is the first line that spoils the unit, and why."""
 
     inputs: list[_ObjectDraft] = field(default_factory=list)
+    motion: MotionLine | None = None
     outputs: list[_ObjectDraft] = field(default_factory=list)
-    motion: list[str] | None = None
-    motion_line: int = 0
-    fatal: tuple[int, BadLine] | None = None
+    problem: tuple[int, Problem] | None = None
+    motion_at: int = 0
+    last_line: int = 0
 
-    @property
-    def is_empty(self) -> bool:
-        return not (self.inputs or self.outputs or self.motion is not None or self.fatal)
-
-
-class TextReader:
-    """Reads one text after another; equal nodes of all of them are one object, which saves room and time."""
-
-    def __init__(self) -> None:
-        self._nodes: dict[ObjectNode, ObjectNode] = {}
-        self._state_lines: dict[str, StateLine] = {}
-
-    def read(self, text: str, name: str, file: str) -> ReadResult:
-        """Answer the subgraph ``name`` that ``text`` says; ``file`` is how notices call it.
-
-        A unit that cannot be read is left out and reported; every other unit is kept, in order.
-        """
-        return _TextReading(name, file, self._nodes, self._state_lines).result(text)
-
-
-class _TextReading:
-    def __init__(
-        self, name: str, file: str, nodes: dict[ObjectNode, ObjectNode], state_lines: dict[str, StateLine]
-    ) -> None:
-        self._name = name
-        self._file = file
-        self._nodes = nodes
-        self._state_lines = state_lines
-        self._notices: list[Notice] = []
-        self._sources: list[str] = []
-        self._annotations: list[Annotation] = []
-        self._hours = False
-
-    def result(self, text: str) -> ReadResult:
-        lines = _LINE_END.split(text)
-        self._hours = counts_hours(line.partition("\t")[2] for line in lines if line.startswith("M"))
-        draft = _UnitDraft()
-        separators = 0
-        for number, line in enumerate(lines, 1):
-            if line.startswith("//"):
-                self._separator(line, number)
-                self._close(draft, number, after_separator=separators > 0)
-                separators += 1
-                draft = _UnitDraft()
-            else:
-                self._take(draft, line, number)
-        if not draft.is_empty:
-            self._close(draft, len(lines) - (lines[-1] == ""), after_separator=True)
-        return self._answer()
-
-    def _answer(self) -> ReadResult:
-        notices = tuple(sorted(self._notices, key=lambda notice: notice.line or 0))
-        if not self._annotations:
-            if not any(notice.severity is Severity.REJECTED for notice in notices):
-                nothing = Notice(
-                    self._file,
-                    None,
-                    NoticeKind.NO_UNITS,
-                    "no functional unit in it",
-                    "file rejected",
-                    Severity.REJECTED,
-                )
-                notices = (nothing, *notices)
-            return ReadResult(self._file, None, notices)
-        subgraph = Subgraph(self._name, tuple(self._annotations), tuple(self._sources))
-        return ReadResult(self._file, subgraph, notices)
-
-    def _separator(self, line: str, number: int) -> None:
-        if line.rstrip() != "//":
-            self._say(number, Remark(NoticeKind.EXTRA_COLUMN, f"text beside a separator: {fold(line)!r}", "left out"))
-
-    def _take(self, draft: _UnitDraft, line: str, number: int) -> None:
-        match = _LINE.fullmatch(line)
-        if match is None:
-            self._take_other(draft, line, number)
-            return
-        columns = match[2].split("\t")
-        try:
-            if match[1] == "S":
-                self._take_state(draft, match[2], columns, number)
-            elif match[1] == "O":
-                head = read_object_line(columns)
-                (draft.inputs if draft.motion is None else draft.outputs).append(_ObjectDraft(number, head))
-            elif draft.motion is not None:
-                raise BadLine(NoticeKind.TWO_MOTIONS, "a second motion in one unit (is a // missing?)")  # noqa: TRY301  # one place turns a bad line into a rejected unit
-            else:
-                draft.motion, draft.motion_line = columns, number
-        except BadLine as problem:
-            draft.fatal = draft.fatal or (number, problem)
-
-    def _take_other(self, draft: _UnitDraft, line: str, number: int) -> None:
-        if source := _SOURCE.fullmatch(line):
-            self._sources += [fold(source[1])] if source[1].strip() else []
-        elif line.strip() and not line.startswith("#") and draft.fatal is None:
-            shown = line if len(line) < 60 else line[:57] + "..."  # noqa: PLR2004  # enough to find it by
-            message = f"{shown!r} is no line of a FOON (columns are separated by tabs)"
-            draft.fatal = (number, BadLine(NoticeKind.UNKNOWN_LINE, message))
-
-    def _take_state(self, draft: _UnitDraft, text: str, columns: list[str], number: int) -> None:
-        objects = draft.inputs if draft.motion is None else draft.outputs
-        if not objects:
-            raise BadLine(NoticeKind.STRAY_STATE, "a state before the first object")
-        known = self._state_lines.get(text)
-        if known is None:
-            known = self._state_lines[text] = read_state_line(columns)
-        objects[-1].states.append((number, known))
-
-    def _close(self, draft: _UnitDraft, number: int, *, after_separator: bool) -> None:
-        """End a unit at line ``number``: keep it, or say why not."""
-        if draft.is_empty:
-            if after_separator:
-                self._say(number, Remark(NoticeKind.EMPTY_UNIT, "nothing between two separators", "left out"))
-            return
-        inputs = tuple(self._participant(one) for one in draft.inputs)
-        outputs = tuple(self._participant(one) for one in draft.outputs)
-        for one, participant in zip(draft.inputs, inputs, strict=True):
-            if participant.dish_type is not None:
-                message = f"an input with the dish class {participant.dish_type}"
-                self._say(one.line, Remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal"))
-        motion = fold(draft.motion[0]) if draft.motion else ""
-        line, problem = draft.fatal or (number, _missing(draft, motion))
-        if problem is not None:
-            line = line if draft.fatal or problem.kind is not NoticeKind.MISSING_NAME else draft.motion_line
-            self._notices.append(
-                Notice(self._file, line, problem.kind, problem.message, "unit rejected", Severity.REJECTED)
+    def take(self, number: int, line: ObjectLine | StateLine | MotionLine | Problem) -> None:
+        objects = self.inputs if self.motion is None else self.outputs
+        if isinstance(line, ObjectLine):
+            objects.append(_ObjectDraft(line, [], [number]))
+        elif isinstance(line, StateLine) and objects:
+            objects[-1].states.append(line)
+            objects[-1].lines.append(number)
+        elif isinstance(line, MotionLine) and self.motion is None:
+            self.motion, self.motion_at = line, number
+        elif self.problem is None:
+            spoiled = (
+                line if isinstance(line, Problem) else _STRAY_STATE if isinstance(line, StateLine) else _TWO_MOTIONS
             )
-            return
-        timing, odd = read_timing((draft.motion or [])[1:], hours=self._hours)
-        for words in odd:
-            self._say(
-                draft.motion_line, Remark(NoticeKind.ODD_TIME, f"odd time: {words}", "kept as far as it is clear")
-            )
-        unit = FunctionalUnit(inputs, motion.removesuffix("*").rstrip(), outputs, accepts_any=motion.endswith("*"))
-        self._annotations.append(Annotation(unit, timing))
+            self.problem = (number, spoiled)
 
-    def _participant(self, draft: _ObjectDraft) -> Participant:
-        head = draft.head
-        for remark in head.remarks:
-            self._say(draft.line, remark)
-        for number, line in draft.states:
+    def missing(self) -> tuple[int, Problem] | None:
+        """Answer what the unit lacks, at the line where it ends."""
+        if self.motion is None:
+            return self.last_line, _NO_MOTION
+        if not self.inputs:
+            return self.last_line, _NO_INPUTS
+        return None if self.outputs else (self.last_line, _NO_OUTPUTS)
+
+    def remark(self, journal: Journal) -> None:
+        for one in (*self.inputs, *self.outputs):
+            one.remark(journal)
+        for one in self.inputs:
+            if one.head.dish_type is not None:
+                message = f"an input with the dish class {one.head.dish_type!r}"
+                journal.remark(one.lines[0], Remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal"))
+
+
+def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
+    """Answer the units of a file; what is odd about its separators goes into the journal."""
+    drafts: list[_UnitDraft] = []
+    draft: _UnitDraft | None = None
+    after_separator = False
+    for number, line in enumerate(lines, 1):
+        if isinstance(line, Separator):
             for remark in line.remarks:
-                self._say(number, remark)
-        node = self._node(draft)
-        return Participant(self._nodes.setdefault(node, node), head.moving, head.dish_type)
-
-    def _node(self, draft: _ObjectDraft) -> ObjectNode:
-        lines = [line for _, line in draft.states]
-        places = [(number, line.place) for number, line in draft.states if line.place is not None]
-        relation, container = places[-1][1] if places else (None, None)
-        earlier = [(number, place) for number, place in places if place != (relation, container)]
-        states = [line.state for line in lines if line.state is not None]
-        for _, place in earlier:
-            states.append(place_as_state(*place))
-        if earlier:
-            words = " and ".join(place_as_state(*place) for _, place in [*earlier, places[-1]])
-            action = "the last is the place, the others are kept as states"
-            self._say(places[-1][0], Remark(NoticeKind.SEVERAL_PLACES, f"{draft.head.label} is {words}", action))
-        ingredients = (name for line in lines for name in line.ingredients)
-        return ObjectNode(draft.head.label, tuple(states), tuple(ingredients), relation, container)
-
-    def _say(self, line: int, remark: Remark) -> None:
-        self._notices.append(Notice(self._file, line, remark.kind, remark.message, remark.action))
+                journal.remark(number, remark)
+            if draft is not None:
+                draft.last_line = number
+            elif after_separator:
+                journal.remark(number, _EMPTY_UNIT)
+            draft, after_separator = None, True
+        elif line is not None and not isinstance(line, SourceLine):
+            if draft is None:
+                draft = _UnitDraft()
+                drafts.append(draft)
+            draft.take(number, line)
+            draft.last_line = number
+    return drafts
 
 
-def place_as_state(relation: str | None, container: str | None) -> str:
+def _node(label: str, lines: list[StateLine]) -> tuple[ObjectNode, Remark | None]:
+    """Answer the object node that an object's lines make, and what is odd about its places.
+
+    Of several different places the last counts, as in the JSON that the FOON's authors made of these files;
+    the others are kept as states.
+    """
+    places = [line.place for line in lines if line.place is not None]
+    place = places[-1] if places else (None, None)
+    others = list(dict.fromkeys(other for other in places if other != place))
+    states = [line.state for line in lines if line.state is not None]
+    states += [place_as_state(other) for other in others]
+    ingredients = [name for line in lines for name in line.ingredients]
+    remark = None
+    if others:
+        message = f"{label!r} has several places: {', '.join(place_as_state(one) for one in (*others, place))}"
+        remark = Remark(NoticeKind.SEVERAL_PLACES, message, "the last is its place, the others are kept as states")
+    return ObjectNode(label, tuple(states), tuple(ingredients), *place), remark
+
+
+def place_as_state(place: Place) -> str:
     """Answer the state that keeps a place beside another one: ``with [rind]``."""
+    relation, container = place
     return f"{relation or ''} [{container or ''}]".lstrip()
-
-
-def _missing(draft: _UnitDraft, motion: str) -> BadLine | None:
-    if draft.motion is None:
-        return BadLine(NoticeKind.UNIT_WITHOUT_MOTION, "a unit without a motion")
-    if not motion.removesuffix("*").strip():
-        return BadLine(NoticeKind.MISSING_NAME, "a motion without a name")
-    if not draft.inputs:
-        return BadLine(NoticeKind.UNIT_WITHOUT_INPUTS, "a unit without inputs")
-    if not draft.outputs:
-        return BadLine(NoticeKind.UNIT_WITHOUT_OUTPUTS, "a unit without outputs")
-    return None

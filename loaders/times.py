@@ -1,8 +1,8 @@
 """Times as annotators wrote them, and back.
 
 Known forms: ``<1:10-1:11>``, ``<1:10,1:11>``, ``<0:46-0:48,0:52-0:54>``, ``<Assumed>``, and two columns
-``1:10<TAB>1:11``. A third part is ambiguous in the wild: ``0:01:20`` counts hours where the file mostly does so,
-and ``2:41:50`` means two minutes, 41 seconds and 50 hundredths beside times of two parts.
+``1:10<TAB>1:11``. A third part is ambiguous in the wild: ``0:01:20`` is h:mm:ss in a file that mostly writes so,
+while ``2:41:50`` among times of two parts is two minutes, 41 seconds and 50 hundredths.
 """
 
 from __future__ import annotations
@@ -10,112 +10,125 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
+from itertools import zip_longest
+from typing import TypeGuard
 
+from foon_kg.loaders.notices import NoticeKind, Remark
 from foon_kg.model import Timing
 
-_CLOCK = re.compile(r"(?:(\d{1,9}):)?(?:(\d{1,9}):)?(\d{1,9}(?:\.\d{1,30})?)", re.ASCII)
-_THREE_PARTS = re.compile(r"\d+:\d+:\d+", re.ASCII)
-_TWO_PARTS = re.compile(r"(?<![:\d])\d+:\d+(?![:\d])", re.ASCII)
+_CLOCK = re.compile(r"(?:([0-9]{1,9}):)?(?:([0-9]{1,9}):)?([0-9]{1,9}(?:\.[0-9]{1,30})?)")
+_TIMES = re.compile(r"[0-9]+(?::[0-9]+)+")
+_ASSUMED = "assumed"
+_MINUTE = 60
+_LATEST = 1e9  # seconds; what is later is no time of a video
 
 
 def counts_hours(columns: Iterable[str]) -> bool:
-    """Answer whether a file, given all its time columns, writes h:mm:ss: it has more times of three parts than of two."""
-    text = "\n".join(columns)
-    return len(_THREE_PARTS.findall(text)) > len(_TWO_PARTS.findall(text))
+    """Answer whether a file with these time columns writes h:mm:ss: more of its times have three parts than two."""
+    times: list[str] = _TIMES.findall("\n".join(columns))
+    colons = [time.count(":") for time in times]
+    return sum(count > 1 for count in colons) > sum(count == 1 for count in colons)
+
+
+def read_timing(columns: Sequence[str], *, hours: bool = False) -> tuple[Timing, tuple[Remark, ...]]:
+    """Answer the time that the last columns of a motion line say, and what is odd about how they say it.
+
+    ``hours``: the file counts hours (see :func:`counts_hours`). What cannot be read is left out and remarked on;
+    an end before its start is kept as it was written.
+    """
+    text = ",".join(column for column in columns if column)
+    reading = _Reading(hours=hours)
+    if text:
+        reading.read(text)
+    return Timing(tuple(reading.spans), reading.assumed), tuple(reading.remarks)
 
 
 class _Reading:
-    """The reading of one motion's time columns: the spans so far and what was odd."""
+    """The reading of one motion's time: what is known so far, and what was odd."""
 
     def __init__(self, *, hours: bool) -> None:
-        self.hours = hours
+        self._hours = hours
         self.assumed = False
         self.spans: list[tuple[float, float]] = []
-        self.odd: list[str] = []
+        self.remarks: list[Remark] = []
 
-    def token(self, text: str) -> None:
-        """Take one comma-separated part: ``Assumed`` or a span with a dash."""
-        if text.casefold() == "assumed":
-            self.assumed = True
-        elif text and "assumed".startswith(text.casefold()):
-            self.assumed = True
-            self.odd.append(f"{text!r} read as Assumed")
-        else:
-            start, dash, end = text.partition("-")
-            self.span(start, end if dash else "")
+    def read(self, text: str) -> None:
+        bare = text.strip("<>[]")
+        if text not in {bare, f"<{bare}>"}:
+            self._odd(f"the brackets of {text!r} do not match", "left out")
+        lone: list[str] = []
+        for part in (part.strip() for part in bare.split(",")):
+            if part[:1].isalpha():
+                self._word(part)
+            elif "-" in part:
+                start, _, end = part.rstrip("-").partition("-")
+                if part.endswith("-"):
+                    self._odd(f"{part!r} ends in a dash", "left out")
+                self._span(start, end)
+            else:
+                lone.append(part)
+        self._pairs(lone)
 
-    def span(self, start_text: str, end_text: str) -> None:
-        """Take a span; a lone time is a moment, a time that cannot be read is left out."""
-        start, end = self.seconds(start_text), self.seconds(end_text)
-        if start is None and end is None:
-            return
-        if start is None or end is None:
-            moment = end if start is None else start
-            self.odd.append("only one end of the span is readable, taken as a moment")
-            start = end = moment
-        if start is None or end is None:
-            return
-        if end < start:
-            self.odd.append("the end is before the start, kept as written")
-        self.spans.append((start, end))
+    def _word(self, word: str) -> None:
+        self.assumed = self.assumed or _ASSUMED.startswith(word.casefold())
+        if not _ASSUMED.startswith(word.casefold()):
+            self._odd(f"{word!r} is no time", "left out")
+        elif word.casefold() != _ASSUMED:
+            self._odd(f"{word!r} for a time", "read as Assumed")
 
-    def seconds(self, text: str) -> float | None:
-        """Answer a clock time in seconds, ``None`` where it cannot be read."""
+    def _pairs(self, times: list[str]) -> None:
+        """Take times without a dash: ``1:10,1:11`` is one span."""
+        if len(times) > 2:  # noqa: PLR2004  # a start and an end
+            self._odd(f"{len(times)} times without a dash", "read in pairs")
+        for start, end in zip_longest(times[::2], times[1::2], fillvalue=""):
+            self._span(start, end)
+
+    def _span(self, start_text: str, end_text: str) -> None:
+        known = [time for time in (self._seconds(start_text), self._seconds(end_text)) if time is not None]
+        if len(known) == 1:
+            self._odd(f"only one time in '{start_text}-{end_text}'", "read as a moment")
+        if known:
+            self.spans.append((known[0], known[-1]))
+            if known[-1] < known[0]:
+                self._odd(f"'{start_text}-{end_text}' ends before it starts", "kept as written")
+
+    def _seconds(self, text: str) -> float | None:
+        """Answer a clock time in seconds, ``None`` where it is none."""
         match = _CLOCK.fullmatch(text.strip())
         if match is None:
-            self.odd.append(f"{text.strip()!r} is no time" if text.strip() else "a time is missing")
+            if text.strip():
+                self._odd(f"{text.strip()!r} is no time", "left out")
             return None
-        first, second, last = match.groups()
-        if second is not None and not self.hours:
-            self.odd.append(f"the last part of {match[0]} read as hundredths of a second")
-            return float(60 * int(first) + int(second) + Decimal(last) / 100)
-        minutes = (60 * int(first) + int(second)) if second is not None else int(first or 0)
-        if first is not None and (Decimal(last) >= 60 or (second is not None and int(second) >= 60)):
-            self.odd.append(f"{match[0]} has 60 seconds or minutes, or more")
-        return float(60 * minutes + Decimal(last))
+        first, second, last = match[1] or "0", match[2], Decimal(match[3])
+        if second is not None and not self._hours:
+            self._odd(f"{match[0]!r} has three parts", "the last read as hundredths of a second")
+            return float(_MINUTE * int(first) + int(second) + last / 100)
+        minutes = int(first) if second is None else _MINUTE * int(first) + int(second)
+        if (match[1] and last >= _MINUTE) or (second is not None and int(second) >= _MINUTE):
+            self._odd(f"{match[0]!r} has {_MINUTE} or more of a unit", "added up")
+        return float(_MINUTE * minutes + last)
+
+    def _odd(self, message: str, action: str) -> None:
+        self.remarks.append(Remark(NoticeKind.ODD_TIME, message, action))
 
 
-def read_timing(columns: Sequence[str], *, hours: bool = False) -> tuple[Timing, tuple[str, ...]]:
-    """Answer the time that a motion line's last columns say, and what is odd about how they say it.
-
-    ``hours``: the file counts hours (see ``counts_hours``).
-    """
-    text = ",".join(column.strip() for column in columns if column.strip())
-    if not text:
-        return Timing(), ()
-    reading = _Reading(hours=hours)
-    bare = text.strip("<>[]")
-    if text != bare and text != f"<{bare}>":
-        reading.odd.append(f"brackets of {text!r} do not match")
-    parts = [part.strip() for part in bare.split(",")]
-    if any("-" in part or part[:1].casefold() == "a" for part in parts) or not bare:
-        _read_listed(reading, parts)
-    else:
-        _read_paired(reading, parts)
-    return Timing(tuple(reading.spans), reading.assumed), tuple(reading.odd)
-
-
-def _read_listed(reading: _Reading, parts: list[str]) -> None:
-    for part in parts:
-        reading.token(part)
-
-
-def _read_paired(reading: _Reading, parts: list[str]) -> None:
-    if len(parts) > 2:  # noqa: PLR2004  # a start and an end
-        reading.odd.append("more than two times without a dash, read in pairs")
-    for start in range(0, len(parts), 2):
-        reading.span(parts[start], parts[start + 1] if start + 1 < len(parts) else "")
+def is_time(value: object) -> TypeGuard[float]:
+    """Answer whether ``value`` is a number of seconds that may stand in a video."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < _LATEST
 
 
 def write_timing(timing: Timing) -> str:
-    """Answer the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``, or nothing."""
+    """Answer the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``, or nothing where nothing is known."""
     parts = ["Assumed"] if timing.assumed else []
     parts += [f"{_clock(start)}-{_clock(end)}" for start, end in timing.spans]
     return f"<{','.join(parts)}>" if parts else ""
 
 
 def _clock(seconds: float) -> str:
+    """Answer m:ss, with as many decimals as it takes to be read back the same."""
+    if not is_time(seconds):
+        return repr(seconds)  # no clock time; who writes it finds out by reading it back
     exact = Decimal(repr(float(seconds)))
-    minutes = int(exact // 60)
-    rest = f"{exact - 60 * minutes:f}".removesuffix(".0")
-    return f"{minutes}:{'0' if Decimal(rest) < 10 else ''}{rest}"  # noqa: PLR2004  # seconds have two digits
+    minutes = exact // _MINUTE
+    whole, _, decimals = f"{exact - _MINUTE * minutes:f}".partition(".")
+    return f"{minutes}:{whole:0>2}" + (f".{decimals}" if decimals.strip("0") else "")

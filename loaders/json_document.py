@@ -1,0 +1,139 @@
+"""The outer shape of a JSON subgraph, with the line on which each unit begins."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+_SPACE = " \t\r\n"
+
+
+class BadDocument(Exception):  # noqa: N818  # the readers turn it into a notice
+    """The text is no JSON or has no list of units; ``line`` is where."""
+
+    def __init__(self, message: str, line: int | None) -> None:
+        super().__init__(message)
+        self.message = message
+        self.line = line
+
+
+@dataclass
+class Document:
+    """The units as (line, value), and the other fields of the file."""
+
+    units: list[tuple[int, object]] = field(default_factory=list)
+    fields: dict[str, object] = field(default_factory=dict)
+
+
+def parse_document(text: str) -> Document:
+    """Answer the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``BadDocument`` for anything else."""
+    cursor = _Cursor(text)
+    document = Document()
+    if cursor.peek() == "[":
+        document.units = list(cursor.items())
+    elif cursor.peek() == "{":
+        _read_fields(cursor, document)
+    else:
+        cursor.fail("no JSON list or object of units")
+    if cursor.peek():
+        cursor.fail("something follows the end of the JSON")
+    return document
+
+
+def _read_fields(cursor: _Cursor, document: Document) -> None:
+    seen: set[str] = set()
+    for name in cursor.names():
+        if name in seen:
+            cursor.fail(f"the field {name!r} is there twice")
+        seen.add(name)
+        if name == "units" and cursor.peek() == "[":
+            document.units = list(cursor.items())
+        else:
+            document.fields[name] = cursor.value()
+    if "units" not in seen or "units" in document.fields:
+        cursor.fail('no list of "units" in it')
+
+
+class _Cursor:
+    """A place in a JSON text. Values are decoded whole, so that only the outermost brackets are walked by hand."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._at = 0
+        self._line = 1
+        self._counted = 0
+        self._decoder = json.JSONDecoder(object_pairs_hook=_without_repetition, parse_constant=_refuse_constant)
+
+    @property
+    def line(self) -> int:
+        self._line += self._text.count("\n", self._counted, self._at)
+        self._counted = self._at
+        return self._line
+
+    def fail(self, message: str) -> NoReturn:
+        raise BadDocument(message, self.line)
+
+    def peek(self) -> str:
+        """Go to the next character that is no white space and answer it; nothing at the end."""
+        while self._text[self._at : self._at + 1] in _SPACE and self._at < len(self._text):
+            self._at += 1
+        return self._text[self._at : self._at + 1]
+
+    def value(self) -> object:
+        """Decode the value that begins here and go behind it."""
+        self.peek()
+        try:
+            value, self._at = self._decoder.raw_decode(self._text, self._at)
+        except json.JSONDecodeError as error:
+            raise BadDocument(f"not JSON: {error.msg}", error.lineno) from error
+        except ValueError as error:
+            raise BadDocument(f"in the value that begins here: {error}", self.line) from error
+        except RecursionError as error:
+            raise BadDocument("the value that begins here is nested too deeply", self.line) from error
+        return value
+
+    def items(self) -> Iterator[tuple[int, object]]:
+        """Answer the items of the list that begins here, each with its line."""
+        for _ in self._between("[", "]"):
+            yield self.line, self.value()
+
+    def names(self) -> Iterator[str]:
+        """Answer the names of the object that begins here; after each the cursor is before its value."""
+        for _ in self._between("{", "}"):
+            name = self.value()
+            if not isinstance(name, str):
+                self.fail("a field without a name")
+            self._take(":")
+            self.peek()
+            yield name
+
+    def _between(self, opening: str, closing: str) -> Iterator[None]:
+        self._take(opening)
+        if self.peek() != closing:
+            self.peek()
+            yield
+            while self.peek() == ",":
+                self._take(",")
+                self.peek()
+                yield
+        self._take(closing)
+
+    def _take(self, character: str) -> None:
+        if self.peek() != character:
+            self.fail(f"not JSON: {character!r} is missing")
+        self._at += 1
+
+
+def _without_repetition(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    values = dict(pairs)
+    if len(values) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"the field {twice!r} is there twice")
+    return values
+
+
+def _refuse_constant(name: str) -> NoReturn:
+    raise ValueError(f"{name} is no number in JSON")
