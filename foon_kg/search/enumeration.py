@@ -1,0 +1,124 @@
+"""Algorithm 3 as the paper defines it: every path through the Cartesian product of producers. Exponential.
+
+This is the definition that :func:`foon_kg.search.retrieve` is measured against, and what a person reads to see between
+which trees the choice was. It works on nodes and units as they are and shares no search with the everyday one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from itertools import islice, product
+
+from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.search.problem import ReferenceTree, SearchProblem
+from foon_kg.search.schedule import schedule
+
+Choices = Mapping[ObjectNode, KnownUnit | None]
+"""The producer chosen for each needed node; ``None`` takes the node as a gap."""
+
+
+@dataclass(frozen=True)
+class Enumeration:
+    """The distinct trees of a problem, best first. ``complete`` says that these are all."""
+
+    trees: tuple[ReferenceTree, ...]
+    complete: bool
+
+
+def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
+    """Answer all trees of ``problem``, after at most ``limit`` combinations of producers have been looked at.
+
+    From the goal, a *tree node* is one combination of producers for all objects that the tree node before it needs; a
+    path from the root to a tree node that needs nothing more is a task tree, if it is well-founded (Sakib, Paulius,
+    Sun 2021, Algorithm 3). The paper first drops the producers that overlap nothing wanted; that can lose the best
+    tree, so here overlap decides between whole trees only.
+    """
+    steps = islice(_all_paths(problem), limit + 1)
+    trees: dict[tuple[object, ...], ReferenceTree] = {}
+    count = 0
+    for count, tree in enumerate(steps, start=1):  # noqa: B007 - how many came is asked below
+        if tree is not None:
+            trees.setdefault(tree.rank, tree)
+    complete = count <= limit
+    ranked = [trees[rank] for rank in sorted(trees)]
+    if complete and ranked:
+        ranked[0] = replace(ranked[0], exact=True)
+    return Enumeration(tuple(ranked), complete)
+
+
+def _all_paths(problem: SearchProblem) -> Iterator[ReferenceTree | None]:
+    for target in sorted(set(problem.targets), key=lambda node: node.sort_key):
+        if target in problem.available:
+            yield _tree(problem, target, {})
+        elif target in problem.index.number_of:
+            for choices in _paths(problem, target, {}, (target,)):
+                yield None if choices is None else _tree(problem, target, choices)
+
+
+def _paths(
+    problem: SearchProblem, goal: ObjectNode, choices: Choices, needed: tuple[ObjectNode, ...]
+) -> Iterator[Choices | None]:
+    """Every path on from the tree node that chose ``choices`` and needs ``needed``; ``None`` for a dead end."""
+    if not needed:
+        yield choices
+        return
+    for combination in product(*(_candidates(problem, goal, node) for node in needed)):
+        child = {**choices, **dict(zip(needed, combination, strict=True))}
+        if _goes_in_circles(child, goal):
+            yield None
+        else:
+            yield from _paths(problem, goal, child, _open_inputs(problem, goal, child))
+
+
+def _candidates(problem: SearchProblem, goal: ObjectNode, node: ObjectNode) -> list[KnownUnit | None]:
+    number = problem.index.number_of[node]
+    candidates: list[KnownUnit | None] = [problem.index.units[unit] for unit in problem.index.producers[number]]
+    if node != goal and problem.index.gap_costs[number] is not None:
+        candidates.append(None)
+    return candidates
+
+
+def _open_inputs(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> tuple[ObjectNode, ...]:
+    inputs = {node for unit in choices.values() if unit for node in unit.unit.input_nodes}
+    waiting = {node for node in inputs if node not in choices and not _is_there(problem, goal, node)}
+    return tuple(sorted(waiting, key=lambda node: node.sort_key))
+
+
+def _is_there(problem: SearchProblem, goal: ObjectNode, node: ObjectNode) -> bool:
+    at_hand = problem.index.at_hand[problem.index.number_of[node]]
+    return node != goal and (at_hand or node in problem.available)
+
+
+def _goes_in_circles(choices: Choices, goal: ObjectNode) -> bool:
+    """Whether a chosen producer needs, through the producers chosen below it, what it makes."""
+    done: set[ObjectNode] = set()
+
+    def returns(node: ObjectNode, above: frozenset[ObjectNode]) -> bool:
+        if node in above:
+            return True
+        producer = choices.get(node)
+        if node in done or producer is None:
+            return False
+        found = any(returns(needed, above | {node}) for needed in producer.unit.input_nodes)
+        done.add(node)
+        return found
+
+    return returns(goal, frozenset())
+
+
+def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> ReferenceTree:
+    units = {unit.unit.key: unit for unit in choices.values() if unit is not None}
+    gaps = tuple(sorted((node for node, unit in choices.items() if unit is None), key=lambda node: node.sort_key))
+    inputs = {node for known in units.values() for node in known.unit.input_nodes}
+    nodes = {node for known in units.values() for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    there = {node for node in inputs if _is_there(problem, goal, node)}
+    costs = (problem.index.gap_costs[problem.index.number_of[gap]] for gap in gaps)
+    return ReferenceTree(
+        goal=goal,
+        units=schedule(units.values(), there.union(gaps), goal),
+        gaps=gaps,
+        penalty=sum(cost or 0 for cost in costs),
+        covered=tuple(sorted({problem.wanted[node.label] for node in nodes if node.label in problem.wanted})),
+        exact=False,
+    )

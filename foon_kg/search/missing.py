@@ -1,0 +1,49 @@
+"""Why nothing makes a goal: which nodes nobody has and nothing makes, the nearest to the goal first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.model import ObjectNode
+from foon_kg.search.core import core_behind
+from foon_kg.search.forward import chain
+from foon_kg.search.problem import NoWayError, SearchProblem
+
+_NAMED = 5
+
+
+def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
+    """Explain why nothing makes any of ``targets`` (there is at least one)."""
+    missing = tuple(dict.fromkeys(node for target in targets for node in missing_behind(problem, target)))
+    named = "; ".join(map(str, missing[:_NAMED])) + (f" and {len(missing) - _NAMED} more" if missing[_NAMED:] else "")
+    goal = " or ".join(map(str, targets[:_NAMED]))
+    return NoWayError(
+        f"nothing makes {goal}: missing {named}",
+        missing=missing,
+        hint="Add what is missing to the kitchen, or allow it as a gap.",
+    )
+
+
+def missing_behind(problem: SearchProblem, target: ObjectNode) -> tuple[ObjectNode, ...]:
+    """Answer the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
+    number = problem.index.number_of.get(target)
+    if number is None:
+        return (target,)
+    core = core_behind(problem, number)
+    _, made = chain(core, range(core.step_count))
+    makers: list[list[int]] = [[] for _ in core.nodes]
+    for step, nodes in enumerate(core.outputs):
+        for node in nodes:
+            makers[node].append(step)
+    stopped = [node for node in _nearest_first(core.goal, makers, core.inputs) if not made[node]]
+    nobody = [node for node in stopped if not makers[node]]
+    return tuple(problem.index.nodes[core.nodes[node]] for node in nobody or stopped)
+
+
+def _nearest_first(goal: int, makers: list[list[int]], inputs: Sequence[tuple[int, ...]]) -> list[int]:
+    found, seen, ring = list[int](), {goal}, [goal]
+    while ring:
+        found += ring
+        ring = sorted({n for node in ring for step in makers[node] for n in inputs[step]} - seen)
+        seen.update(ring)
+    return found

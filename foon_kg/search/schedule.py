@@ -1,0 +1,69 @@
+"""The order of a tree's units: executable, and sensible to a cook."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Sequence
+
+from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
+
+
+def schedule(units: Iterable[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> tuple[KnownUnit, ...]:
+    """Order ``units`` so that every input of one is in ``there`` or an output of an earlier one, the goal's maker last.
+
+    Among the units that can run, one that uses a node up (takes it and does not put it out again as it was) waits for
+    the others that need it; nodes made in the tree count before those that were there. Then the one goes first that
+    goes on from the unit before it, and at last the one with the least key: the order depends on the units alone.
+
+    Raises ValueError when no order exists.
+    """
+    waiting = sorted(units, key=lambda known: known.unit.key)
+    if not waiting:
+        return ()
+    last = _last_of(waiting, there, goal)
+    needed = Counter(node for known in waiting for node in known.unit.input_nodes)
+    waiting.remove(last)
+    have, done, fresh = set(there), list[KnownUnit](), set[ObjectNode]()
+
+    def urgency(known: KnownUnit) -> tuple[int, int, bool, str]:
+        others = {node: needed[node] - 1 for node in used_up(known.unit)}
+        made = sum(count for node, count in others.items() if node not in there)
+        return (made, sum(others.values()) - made, fresh.isdisjoint(known.unit.input_nodes), known.unit.key)
+
+    while waiting:
+        chosen = min(_ready(waiting, have), key=urgency)
+        waiting.remove(chosen)
+        done.append(chosen)
+        fresh = set(chosen.unit.output_nodes)
+        have.update(fresh)
+        needed.subtract(chosen.unit.input_nodes)
+    return (*done, last)
+
+
+def used_up(unit: FunctionalUnit) -> list[ObjectNode]:
+    """Answer the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
+    left = set(unit.output_nodes)
+    return [node for node in unit.input_nodes if node not in left]
+
+
+def _ready(waiting: Iterable[KnownUnit], have: set[ObjectNode]) -> list[KnownUnit]:
+    return [known for known in waiting if have.issuperset(known.unit.input_nodes)]
+
+
+def _last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit:
+    """Answer the unit that makes the goal and that no other needs: the others can all run without it."""
+    for maker in units:
+        if goal in maker.unit.output_nodes and _can_all_run([known for known in units if known is not maker], there):
+            return maker
+    raise ValueError(f"no order of {len(units)} units ends with one that makes {goal}")
+
+
+def _can_all_run(units: Sequence[KnownUnit], there: Collection[ObjectNode]) -> bool:
+    have, waiting = set(there), list(units)
+    while waiting:
+        ready = _ready(waiting, have)
+        if not ready:
+            return False
+        have.update(node for known in ready for node in known.unit.output_nodes)
+        waiting = [known for known in waiting if known not in ready]
+    return True

@@ -1,0 +1,99 @@
+"""A FOON in integers: built once, asked many times."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from foon_kg.model import KnownUnit, ObjectNode
+
+
+@dataclass(frozen=True, eq=False)
+class UnitIndex:
+    """The units of a FOON, or of the part behind some goals, numbered for searching.
+
+    Make one with :meth:`of`. Units are numbered in the order of their keys, nodes in their own order, so that
+    equal contents get equal numbers whatever order they came in. ``inputs`` and ``outputs`` hold, for each unit,
+    the numbers of its nodes; ``producers``, for each node, the units that output it; ``units_naming``, for each label,
+    the units that have it among their nodes. ``at_hand`` and ``gap_costs`` are the kitchen: which nodes are there,
+    and what it costs to take one that is not.
+    """
+
+    units: tuple[KnownUnit, ...]
+    nodes: tuple[ObjectNode, ...]
+    number_of: dict[ObjectNode, int]
+    inputs: tuple[tuple[int, ...], ...]
+    outputs: tuple[tuple[int, ...], ...]
+    producers: tuple[tuple[int, ...], ...]
+    at_hand: tuple[bool, ...]
+    gap_costs: tuple[int | None, ...]
+    units_naming: dict[str, tuple[int, ...]]
+
+    @classmethod
+    def of(
+        cls,
+        units: Iterable[KnownUnit],
+        *,
+        at_hand: Callable[[ObjectNode], bool],
+        gap_cost: Callable[[ObjectNode], int | None] = lambda _: None,
+    ) -> UnitIndex:
+        """Answer the index of ``units``, which may come in any order and more than once.
+
+        ``at_hand`` says what the kitchen has (``Kitchen.has``). ``gap_cost`` answers, for a node that it has not,
+        the penalty (1 or more) of taking it all the same where there is no way round, or ``None`` for never; without
+        it there are no gaps. A unit whose outputs are all among its inputs makes nothing and is left out (C3).
+
+        Raises ValueError for a gap cost below 1.
+        """
+        by_key = {known.unit.key: known for known in units}
+        kept = tuple(by_key[key] for key in sorted(by_key) if _makes_something(by_key[key]))
+        nodes = _nodes_of(kept)
+        number_of = {node: number for number, node in enumerate(nodes)}
+        inputs = tuple(tuple(number_of[node] for node in known.unit.input_nodes) for known in kept)
+        outputs = tuple(tuple(number_of[node] for node in known.unit.output_nodes) for known in kept)
+        there = tuple(map(at_hand, nodes))
+        return cls(
+            units=kept,
+            nodes=nodes,
+            number_of=number_of,
+            inputs=inputs,
+            outputs=outputs,
+            producers=_producers(outputs, len(nodes)),
+            at_hand=there,
+            gap_costs=tuple(
+                None if has else _checked(gap_cost(node), node) for node, has in zip(nodes, there, strict=True)
+            ),
+            units_naming=_units_naming(kept),
+        )
+
+
+def _makes_something(known: KnownUnit) -> bool:
+    return not set(known.unit.output_nodes) <= set(known.unit.input_nodes)
+
+
+def _nodes_of(units: Iterable[KnownUnit]) -> tuple[ObjectNode, ...]:
+    nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    # no relation and an empty one sort alike, and are not the same node
+    return tuple(sorted(nodes, key=lambda node: (node.sort_key, node.relation is None, node.container is None)))
+
+
+def _producers(outputs: tuple[tuple[int, ...], ...], node_count: int) -> tuple[tuple[int, ...], ...]:
+    producers: list[list[int]] = [[] for _ in range(node_count)]
+    for unit, made in enumerate(outputs):
+        for node in made:
+            producers[node].append(unit)
+    return tuple(map(tuple, producers))
+
+
+def _units_naming(units: Iterable[KnownUnit]) -> dict[str, tuple[int, ...]]:
+    naming: dict[str, list[int]] = {}
+    for number, known in enumerate(units):
+        for label in {node.label for node in (*known.unit.input_nodes, *known.unit.output_nodes)}:
+            naming.setdefault(label, []).append(number)
+    return {label: tuple(numbers) for label, numbers in naming.items()}
+
+
+def _checked(cost: int | None, node: ObjectNode) -> int | None:
+    if cost is not None and cost < 1:
+        raise ValueError(f"the gap cost of {node} is {cost}; it must be 1 or more, or None")
+    return cost

@@ -1,0 +1,153 @@
+"""The everyday search against two oracles that share nothing with it: all paths, and all subsets of units."""
+
+import itertools
+from collections.abc import Iterator
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant
+from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, UnitIndex, enumerate_paths, retrieve
+
+NODES = [ObjectNode(name) for name in "abcdefghij"]
+PATHS = 20_000
+
+
+def unit(inputs, outputs, motion="do"):
+    sides = (tuple(Participant(node) for node in side) for side in (inputs, outputs))
+    return KnownUnit(FunctionalUnit(next(sides), motion, next(sides)), ())
+
+
+@st.composite
+def problems(draw, max_units=9, max_nodes=8) -> SearchProblem:
+    """Small FOONs with cycles, sharing, several outputs, unreachable objects, and kitchen nodes that are also made."""
+    nodes = NODES[: draw(st.integers(3, max_nodes))]
+    side = st.lists(st.sampled_from(nodes), min_size=1, max_size=3, unique=True)
+    units = draw(st.lists(st.builds(unit, side, side, st.sampled_from(["cut", "mix"])), min_size=1, max_size=max_units))
+    there = draw(st.sets(st.sampled_from(nodes), max_size=3))
+    costs = draw(st.dictionaries(st.sampled_from(nodes), st.sampled_from([1, 1, 2, 5]), max_size=4))
+    index = UnitIndex.of(units, at_hand=there.__contains__, gap_cost=costs.get)
+    return SearchProblem(
+        index=index,
+        targets=tuple(draw(st.lists(st.sampled_from(nodes), min_size=1, max_size=2))),
+        wanted=draw(st.dictionaries(st.sampled_from([n.label for n in nodes]), st.integers(0, 3), max_size=5)),
+        available=frozenset(draw(st.sets(st.sampled_from(nodes), max_size=1))),
+    )
+
+
+def answer(problem: SearchProblem) -> ReferenceTree | None:
+    try:
+        return retrieve(problem, time_limit=None)
+    except NoWayError:
+        return None
+
+
+@settings(max_examples=1500, deadline=None)
+@given(problems())
+def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
+    enumeration = enumerate_paths(problem, limit=PATHS)
+    found = answer(problem)
+    if not enumeration.complete:
+        return
+    assert found == (enumeration.trees[0] if enumeration.trees else None)
+
+
+@settings(max_examples=600, deadline=None)
+@given(problems(max_units=7, max_nodes=7))
+def test_no_subset_of_the_units_is_a_better_tree(problem):
+    ranks = [rank for target in set(problem.targets) for rank in ranks_of_all_subsets(problem, target)]
+    found = answer(problem)
+    assert (None if found is None else found.rank) == min(ranks, default=None)
+
+
+def ranks_of_all_subsets(problem: SearchProblem, goal: ObjectNode) -> Iterator[tuple]:
+    """The rank of every valid tree, found by trying every set of units and gaps with every choice of producers."""
+    if goal in problem.available:
+        yield (0, 0, 0, (), (), goal.sort_key)
+        return
+    index = problem.index
+    there = {n for n, has in zip(index.nodes, index.at_hand, strict=True) if has} | problem.available
+    costs = {n: cost for n, cost in zip(index.nodes, index.gap_costs, strict=True) if cost and n not in there | {goal}}
+    for units in subsets(index.units):
+        inputs = {n for known in units for n in known.unit.input_nodes}
+        needed = ({goal} | inputs) - (there - {goal})
+        for gaps in subsets([n for n in index.nodes if n in costs and n in needed]):
+            if some_choice_uses_all(needed.difference(gaps), units, goal):
+                nodes = inputs | {n for known in units for n in known.unit.output_nodes}
+                covered = {problem.wanted[n.label] for n in nodes if n.label in problem.wanted}
+                keys = tuple(sorted(known.unit.key for known in units))
+                penalty = sum(costs[n] for n in gaps)
+                yield (penalty, -len(covered), len(units), keys, tuple(n.sort_key for n in gaps), goal.sort_key)
+
+
+def some_choice_uses_all(needed, units, goal) -> bool:
+    nodes = sorted(needed, key=lambda n: n.sort_key)
+    producers = [[known for known in units if node in known.unit.output_nodes] for node in nodes]
+    for choice in itertools.product(*producers):
+        if set(choice) == set(units) and can_be_ordered(dict(zip(nodes, choice, strict=True)), goal):
+            return True
+    return False
+
+
+def can_be_ordered(choice, goal) -> bool:
+    """Whether the chosen producers can be run one after another, and each is needed on the way to the goal."""
+    made: set[ObjectNode] = set()
+    while True:
+        more = {n for n, known in choice.items() if all(i in made or i not in choice for i in known.unit.input_nodes)}
+        if more <= made:
+            break
+        made |= more
+    reached, waiting = {goal}, [goal]
+    while waiting:
+        for node in choice[waiting.pop()].unit.input_nodes:
+            if node in choice and node not in reached:
+                reached.add(node)
+                waiting.append(node)
+    return made == set(choice) == reached
+
+
+def subsets(items):
+    return itertools.chain.from_iterable(itertools.combinations(items, n) for n in range(len(items) + 1))
+
+
+@settings(max_examples=400, deadline=None)
+@given(problems(max_units=14, max_nodes=10))
+def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
+    tree = answer(problem)
+    if tree is None or tree.goal in problem.available:
+        return
+    index = problem.index
+    have = {n for n, has in zip(index.nodes, index.at_hand, strict=True) if has} | problem.available | set(tree.gaps)
+    have -= {tree.goal}
+    for known in tree.units:
+        assert have.issuperset(known.unit.input_nodes)
+        have.update(known.unit.output_nodes)
+    assert tree.goal in tree.units[-1].unit.output_nodes
+    keys = [known.unit.key for known in tree.units]
+    assert len(keys) == len(set(keys))
+    useful = {tree.goal}
+    for known in reversed(tree.units):
+        assert not useful.isdisjoint(known.unit.output_nodes)
+        useful.update(known.unit.input_nodes)
+
+
+@settings(max_examples=200, deadline=None)
+@given(problems(), st.randoms(use_true_random=False))
+def test_the_order_of_the_units_does_not_matter(problem, random):
+    units = list(problem.index.units)
+    random.shuffle(units)
+    there = dict(zip(problem.index.nodes, problem.index.at_hand, strict=True))
+    costs = dict(zip(problem.index.nodes, problem.index.gap_costs, strict=True))
+    index = UnitIndex.of([*units, *units[:2]], at_hand=there.__getitem__, gap_cost=costs.get)
+    shuffled = SearchProblem(index, tuple(reversed(problem.targets)), problem.wanted, problem.available)
+    assert answer(shuffled) == answer(problem)
+
+
+@pytest.mark.parametrize("limit", [0, 3])
+def test_an_enumeration_that_is_cut_off_says_so(limit):
+    goal, made = NODES[0], NODES[1]
+    units = [unit([made], [goal]), *(unit([NODES[k]], [made]) for k in range(2, 9))]
+    problem = SearchProblem(UnitIndex.of(units, at_hand=set(NODES[2:]).__contains__), (goal,))
+    assert not enumerate_paths(problem, limit=limit).complete
+    assert len(enumerate_paths(problem, limit=7).trees) == 7
