@@ -44,7 +44,7 @@ def reduced(core: Core) -> Reduced | None:
 
 
 def value_of(core: Core, steps: int) -> tuple[int, int, int, int]:
-    """Answer the place in the order of trees: penalty, overlap, units, then the least keys. The lesser is the better."""
+    """Answer the place in the order of trees: penalty, overlap, units, least keys. The lesser is the better."""
     return (core.penalty_of(steps), -core.foods_of(steps).bit_count(), core.units_in(steps), -steps)
 
 
