@@ -1,0 +1,116 @@
+"""Stops the local server when nobody has used it for a while: ``python -m foon_kg.server.idle HOME PID``.
+
+Bolt connections are numbered by the server, one after another. The watcher looks in now and then with a connection of
+its own: if others are open, or the numbers have moved on by more than its own visit, somebody has used the server
+since, with foon or with any driver. A driver that stays open counts as use. Beside that, the watcher makes the start-up
+cache, in the first quiet moment.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import psutil
+
+from foon_kg.server import process as processes
+from foon_kg.server.home import Home, cache_folder
+from foon_kg.server.jars import pinned
+from foon_kg.server.launch import settings_of
+from foon_kg.server.lifecycle import stop_locked
+from foon_kg.server.settings import ConnectionSettings
+from foon_kg.server.startup_cache import StartupCache
+
+LOOK_SECONDS = 60.0
+NICE = 15
+VISIT = "foon-kg-idle-watch"
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """What one look showed: the number of the newest Bolt connection (our own), and how many others are open."""
+
+    newest: int
+    others: int
+
+    def saw_use(self, before: Visit) -> bool:
+        """Say whether anybody else was there since the look before."""
+        return self.others > 0 or self.newest > before.newest + 1
+
+
+def visit(settings: ConnectionSettings) -> Visit | None:
+    """Look at the connections of a running server; None when it does not answer, busy or about to end."""
+    import neo4j  # noqa: PLC0415 - slow to import
+    from neo4j.exceptions import DriverError, Neo4jError  # noqa: PLC0415 - the same
+
+    auth = (settings.user, settings.password)
+    query = "CALL dbms.listConnections() YIELD connectionId, userAgent RETURN connectionId, userAgent"
+    try:
+        with (
+            neo4j.GraphDatabase.driver(settings.uri, auth=auth, user_agent=VISIT) as driver,
+            driver.session(database=settings.database) as session,
+        ):
+            rows = list(session.run(query))
+    except (DriverError, Neo4jError):
+        return None
+    others = [row for row in rows if row["userAgent"] != VISIT]
+    return Visit(max(int(row["connectionId"].rpartition("-")[2]) for row in rows), len(others))
+
+
+def watch(place: Home, server: psutil.Process) -> None:
+    """Follow one server process until it ends; end it when it has been idle for as long as its home remembers."""
+    known = place.recall()
+    if known is None or known.port is None:
+        return
+    settings = settings_of(place, known.port)
+    limit = known.idle_minutes * 60
+    before, used = None, time.monotonic()
+    while not _ended_within(server, min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS):
+        now = visit(settings)
+        if now is None or before is None or now.saw_use(before):
+            used = time.monotonic()
+        else:
+            _startup_cache().make()
+        before = now or before
+        if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
+            break
+    _startup_cache().make()
+
+
+def _ended_within(server: psutil.Process, seconds: float) -> bool:
+    try:
+        server.wait(seconds)
+    except psutil.TimeoutExpired:
+        return False
+    return True
+
+
+def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) -> bool:
+    """Stop the server, except if a command has asked for it just now and is about to connect."""
+    with place.locked():
+        known = place.recall()
+        asked = time.time() - place.used.stat().st_mtime
+        if asked < seconds or known is None or known.pid != server.pid:
+            return False
+        return stop_locked(place)
+
+
+def _startup_cache() -> StartupCache:
+    jar_set = pinned()
+    return StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}")
+
+
+def main(root: str, pid: str) -> None:
+    """Watch the server that the arguments name."""
+    os.nice(NICE)
+    place = Home(Path(root))
+    server = processes.find(place, place.recall())
+    if server and server.pid == int(pid):
+        watch(place, server)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,68 @@
+"""One launch of Neo4j on one home: configuration, password, process, first answer."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from foon_kg.errors import ServerError
+from foon_kg.server import process as processes
+from foon_kg.server.configuration import HOST, new_password, write_configuration
+from foon_kg.server.disk import explain_os_error, write_private
+from foon_kg.server.home import Home
+from foon_kg.server.jars import JarSet
+from foon_kg.server.java import MAIN_CLASS, run_admin, write_arguments
+from foon_kg.server.settings import ConnectionSettings
+
+
+def launch(
+    place: Home, port: int, jar_set: JarSet, folder: Path, flags: Sequence[str]
+) -> tuple[subprocess.Popen[bytes], ConnectionSettings]:
+    """Configure a home and start Neo4j on it from the jars in ``folder``; it does not answer yet."""
+    class_path = jar_set.class_path(folder)
+    write_configuration(place, port)
+    _set_password(place, class_path)
+    main = (MAIN_CLASS, f"--home-dir={place.root}", f"--config-dir={place.configuration}")
+    with explain_os_error(f"cannot write {place.arguments}"):
+        command = write_arguments(place.arguments, class_path, flags, main)
+    return processes.spawn(command, place.console_log, place.root), settings_of(place, port)
+
+
+@contextmanager
+def ended_on_failure(child: subprocess.Popen[bytes]) -> Iterator[None]:
+    """End the process if the block raises, Ctrl-C included: no half-started server stays."""
+    try:
+        yield
+    except BaseException:
+        child.kill()
+        child.wait()
+        raise
+
+
+def settings_of(place: Home, port: int) -> ConnectionSettings:
+    """Return how to reach the server of this home on this port."""
+    return ConnectionSettings(f"bolt://{HOST}:{port}", "neo4j", _password(place), "neo4j")
+
+
+def _password(place: Home) -> str:
+    try:
+        return place.password_file.read_text(encoding="utf-8").strip()
+    except OSError as error:
+        raise ServerError(
+            f"the password of the local Neo4j cannot be read: {place.password_file}: {error.strerror}",
+            hint=f"put the file back, or remove {place.root} to begin with an empty graph",
+            code="password",
+        ) from error
+
+
+def _set_password(place: Home, class_path: Sequence[Path]) -> None:
+    """Give a home that was never started its random password; Neo4j accepts it only then."""
+    if place.databases.exists():
+        return
+    with explain_os_error(f"cannot write {place.password_file}"):
+        if not place.password_file.exists():
+            write_private(place.password_file, new_password())
+    arguments = place.arguments.with_name("admin.args")
+    run_admin(arguments, class_path, place.root, ("dbms", "set-initial-password", _password(place)))

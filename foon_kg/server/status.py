@@ -1,0 +1,48 @@
+"""What ``foon server status`` answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from foon_kg.server import process as processes
+from foon_kg.server.configuration import HOST
+from foon_kg.server.home import Memory, cache_folder, home
+from foon_kg.server.jars import pinned
+from foon_kg.server.startup_cache import StartupCache
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """The local server as it is now; ``memory`` in bytes, None for what only a running server has."""
+
+    running: bool
+    uri: str | None
+    pid: int | None
+    version: str
+    memory: int | None
+    idle_minutes: int
+    data: str
+    password_file: str
+    log_file: str
+    startup_cache: str
+
+
+def status() -> Status:
+    """Look at the local server without starting or changing anything."""
+    place = home()
+    known = place.recall()
+    running = processes.find(place, known)
+    memory = known or Memory()
+    jar_set = pinned()
+    return Status(
+        running=running is not None,
+        uri=f"bolt://{HOST}:{memory.port}" if running and memory.port else None,
+        pid=running.pid if running else None,
+        version=memory.version if running and memory.version else jar_set.version,
+        memory=running.memory_info().rss if running else None,
+        idle_minutes=memory.idle_minutes,
+        data=str(place.root / "data"),
+        password_file=str(place.password_file),
+        log_file=str(place.console_log),
+        startup_cache=StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}").state(),
+    )

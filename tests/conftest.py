@@ -1,0 +1,144 @@
+"""What several test folders need: above all a real Neo4j.
+
+Which Neo4j: the one that ``NEO4J_URI`` names (it must be empty, or ``FOON_KG_TEST_ERASE=yes`` be set, because the tests
+erase it); else a container where a Docker engine answers; else foon-kg's own local server on a home of its own. A run
+without any fails, it never skips. One server serves all workers of pytest-xdist, and ends with the run.
+
+Neo4j Community has one database, so tests marked ``neo4j`` must not run beside each other: they all go to one worker
+(``--dist=loadgroup`` in pyproject.toml, the group is given here); whoever wants an empty graph asks ``empty_graph``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from dataclasses import asdict
+from pathlib import Path
+
+import neo4j
+import pytest
+from filelock import FileLock
+
+from foon_kg.errors import FoonError
+from foon_kg.server import ConnectionSettings, connection_from_environment
+
+IMAGE = "neo4j:2026.09.0-community"
+SESSION_FOLDER = "FOON_KG_TEST_SESSION"
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Make the folder in which the workers of this run agree on one server."""
+    if not hasattr(config, "workerinput"):
+        os.environ[SESSION_FOLDER] = tempfile.mkdtemp(prefix="foon-kg-test-")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """End the server of this run, if it is ours."""
+    if hasattr(config, "workerinput") or SESSION_FOLDER not in os.environ:
+        return
+    folder = Path(os.environ.pop(SESSION_FOLDER))
+    if (folder / "container").exists():
+        _docker().containers.get((folder / "container").read_text()).remove(force=True, v=True)
+    if (folder / "home").exists():
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("FOON_KG_HOME", str(folder / "home"))
+            from foon_kg.server import stop
+
+            stop()
+    shutil.rmtree(folder)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Send all tests of the database to one worker."""
+    for item in items:
+        if item.get_closest_marker("neo4j"):
+            item.add_marker(pytest.mark.xdist_group("neo4j"))
+
+
+@pytest.fixture(scope="session")
+def neo4j_server() -> ConnectionSettings:
+    """A real Neo4j for the whole run: ``uri``, ``user``, ``password``, ``database``."""
+    folder = Path(os.environ[SESSION_FOLDER])
+    record = folder / "neo4j.json"
+    with FileLock(folder / "neo4j.lock"):
+        if not record.exists():
+            settings = _named() or _container(folder) or _own_server(folder)
+            record.write_text(json.dumps(asdict(settings)))
+    return ConnectionSettings(**json.loads(record.read_text()))
+
+
+@pytest.fixture
+def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
+    """The server with nothing in its database, schema included, for this test alone."""
+    with FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock"):
+        erase(neo4j_server)
+        yield neo4j_server
+
+
+def erase(settings: ConnectionSettings) -> None:
+    """Delete every node, relationship, constraint and index of the database."""
+    with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
+
+        def run(query: str) -> list[neo4j.Record]:
+            return driver.execute_query(neo4j.Query(query), database_=settings.database).records
+
+        for row in run("SHOW CONSTRAINTS YIELD name"):
+            run(f"DROP CONSTRAINT `{row['name']}`")
+        for row in run("SHOW INDEXES YIELD name, type WHERE type <> 'LOOKUP'"):
+            run(f"DROP INDEX `{row['name']}`")
+        run("MATCH (n) DETACH DELETE n")
+
+
+def _named() -> ConnectionSettings | None:
+    settings = connection_from_environment()
+    if settings is None:
+        return None
+    with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
+        try:
+            count = driver.execute_query("MATCH (n) RETURN count(n) AS n", database_=settings.database).records[0]["n"]
+        except (neo4j.exceptions.DriverError, neo4j.exceptions.Neo4jError) as error:
+            pytest.fail(f"NEO4J_URI is {settings.uri}, and that Neo4j cannot be used: {error}", pytrace=False)
+    if count and os.environ.get("FOON_KG_TEST_ERASE") != "yes":
+        pytest.fail(
+            f"the tests erase the database, and {settings.uri} holds {count} nodes: empty it, unset NEO4J_URI, "
+            "or set FOON_KG_TEST_ERASE=yes",
+            pytrace=False,
+        )
+    return settings
+
+
+def _docker() -> object:
+    import docker
+
+    return docker.from_env()
+
+
+def _container(folder: Path) -> ConnectionSettings | None:
+    """Start a container where a Docker engine answers; None where none does."""
+    from docker.errors import DockerException
+    from testcontainers.community.neo4j import Neo4jContainer
+
+    try:
+        _docker().ping()
+    except DockerException:
+        return None
+    os.environ["TESTCONTAINERS_RYUK_DISABLED"] = "true"  # the container outlives the worker that starts it
+    container = Neo4jContainer(IMAGE, password="tests-only")
+    container.start()
+    (folder / "container").write_text(container.get_wrapped_container().id)
+    return ConnectionSettings(container.get_connection_url(), "neo4j", "tests-only", "neo4j")
+
+
+def _own_server(folder: Path) -> ConnectionSettings:
+    from foon_kg.server import start
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("FOON_KG_HOME", str(folder / "home"))
+        try:
+            return start(idle_minutes=60, after_start=lambda _settings: None)
+        except FoonError as error:
+            pytest.fail(f"no Neo4j for the tests: {error.message} ({error.hint})", pytrace=False)
