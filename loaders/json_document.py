@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NoReturn
 
+from foon_kg.loaders.notices import UnreadableFile
+
 _SPACE = " \t\r\n"
-
-
-class BadDocument(Exception):  # noqa: N818  # the readers turn it into a notice
-    """The text is no JSON or has no list of units; ``line`` is where."""
-
-    def __init__(self, message: str, line: int | None) -> None:
-        super().__init__(message)
-        self.message = message
-        self.line = line
 
 
 @dataclass
@@ -28,7 +22,7 @@ class Document:
 
 
 def parse_document(text: str) -> Document:
-    """Answer the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``BadDocument`` for anything else."""
+    """Answer the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``UnreadableFile`` for anything else."""
     cursor = _Cursor(text)
     document = Document()
     if cursor.peek() == "[":
@@ -46,7 +40,7 @@ def _read_fields(cursor: _Cursor, document: Document) -> None:
     seen: set[str] = set()
     for name in cursor.names():
         if name in seen:
-            cursor.fail(f"the field {name!r} is there twice")
+            cursor.fail(f"the field {name!a} is there twice")
         seen.add(name)
         if name == "units" and cursor.peek() == "[":
             document.units = list(cursor.items())
@@ -73,7 +67,7 @@ class _Cursor:
         return self._line
 
     def fail(self, message: str) -> NoReturn:
-        raise BadDocument(message, self.line)
+        raise UnreadableFile(message, self.line)
 
     def peek(self) -> str:
         """Go to the next character that is no white space and answer it; nothing at the end."""
@@ -87,11 +81,11 @@ class _Cursor:
         try:
             value, self._at = self._decoder.raw_decode(self._text, self._at)
         except json.JSONDecodeError as error:
-            raise BadDocument(f"not JSON: {error.msg}", error.lineno) from error
+            raise UnreadableFile(f"not JSON: {error.msg}", error.lineno) from error
         except ValueError as error:
-            raise BadDocument(f"in the value that begins here: {error}", self.line) from error
+            raise UnreadableFile(f"in the value that begins here: {error}", self.line) from error
         except RecursionError as error:
-            raise BadDocument("the value that begins here is nested too deeply", self.line) from error
+            raise UnreadableFile("the value that begins here is nested too deeply", self.line) from error
         return value
 
     def items(self) -> Iterator[tuple[int, object]]:
@@ -129,9 +123,8 @@ class _Cursor:
 def _without_repetition(pairs: list[tuple[str, object]]) -> dict[str, object]:
     values = dict(pairs)
     if len(values) < len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise ValueError(f"the field {twice!r} is there twice")
+        twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
+        raise ValueError(f"the field {twice!a} is there twice")
     return values
 
 

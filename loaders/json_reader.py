@@ -11,8 +11,8 @@ import re
 
 from foon_kg.errors import ReadError
 from foon_kg.json_fields import Fields
-from foon_kg.loaders.json_document import BadDocument, parse_document
-from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark
+from foon_kg.loaders.json_document import parse_document
+from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.text_lines import fold
 from foon_kg.loaders.times import is_time
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
@@ -24,19 +24,19 @@ _TIMING_FIELDS = frozenset({"assumed", "spans"})
 _UNPRINTABLE = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
-def read_json(text: str, name: str, file: str) -> ReadResult:
-    """Answer the subgraph ``name`` that a JSON ``text`` says; ``file`` is what notices call it.
+def read_json(text: str, name: str, file: str = "") -> ReadResult:
+    """Answer the subgraph ``name`` that a JSON ``text`` says; notices call it ``file``, or by its name.
 
     A unit that cannot be read is left out and reported; every other unit is kept, in its order. What is no JSON,
     or no list of units, is rejected as a whole. Never raises.
     """
-    journal = Journal(file)
+    journal = Journal(file or name)
     try:
         document = parse_document(text)
         fields = Fields(document.fields, "the file")
         sources = [_name(text, "sources") for text in fields.texts("sources")] if "sources" in fields else []
-    except BadDocument as bad:
-        return journal.reject_file(bad.line, Problem(NoticeKind.UNREADABLE_FILE, bad.message))
+    except UnreadableFile as unreadable:
+        return journal.reject_file(unreadable.line, unreadable.problem)
     except ReadError as error:
         return journal.reject_file(None, _bad_field(error))
     _remark_unknown(fields, _FILE_FIELDS, None, journal)

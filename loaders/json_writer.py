@@ -19,7 +19,7 @@ def write_json(subgraph: Subgraph) -> str:
     """
     units = [annotation_to_json(annotation) for annotation in subgraph.annotations]
     text = json.dumps({"sources": list(subgraph.sources), "units": units}, ensure_ascii=False, indent=2) + "\n"
-    read = read_json(text, subgraph.name, subgraph.name)
+    read = read_json(text, subgraph.name)
     if read.subgraph != subgraph:
         reasons = [str(notice) for notice in read.notices] or [f"{subgraph.name}: a name with odd white space"]
         raise FormatError(f"cannot be written as JSON: {reasons[0]}", hint="Correct what it names.")

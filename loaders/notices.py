@@ -102,6 +102,15 @@ class ReadResult:
         return sum(notice.severity is Severity.REJECTED for notice in self.notices)
 
 
+class UnreadableFile(Exception):  # noqa: N818  # a signal between the readers; who reads a path never sees it
+    """A file cannot be used at all; ``line`` is where that shows, if anywhere."""
+
+    def __init__(self, message: str, line: int | None = None) -> None:
+        super().__init__(message)
+        self.problem = Problem(NoticeKind.UNREADABLE_FILE, message)
+        self.line = line
+
+
 @dataclass(frozen=True)
 class Remark:
     """Something odd about a line or a field, and what it was taken to mean."""

@@ -10,11 +10,12 @@ from pathlib import Path
 
 from foon_kg.errors import ReadError
 from foon_kg.loaders.json_reader import read_json
-from foon_kg.loaders.notices import Notice, NoticeKind, ReadResult, Severity
+from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_reader import TextReader
 
 _ENDINGS = (".txt", ".json")
 _BYTE_ORDER_MARK = "\ufeff"
+_LINE_END = re.compile(rb"\r\n|\r|\n")
 _CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
 
@@ -68,77 +69,66 @@ def _file_order(path: Path) -> tuple[str, bool, str]:
 
 def _read_all(files: list[Path], with_copies: set[str]) -> Iterator[ReadResult]:
     reader = TextReader()
-    first: dict[str, ReadResult] = {}
+    usable: dict[str, ReadResult] = {}
     for file in files:
         result = _read_file(file, reader)
-        if file.stem in with_copies:
-            result = _beside(first.setdefault(file.stem, result), result)
+        if file.stem in usable:
+            result = _copy(usable[file.stem], result)
+        elif file.stem in with_copies and result.subgraph is not None:
+            usable[file.stem] = result
         yield result
 
 
-def _beside(first: ReadResult, second: ReadResult) -> ReadResult:
+def _copy(first: ReadResult, second: ReadResult) -> ReadResult:
     """Answer ``second``, of the same video as ``first``, without its subgraph."""
-    if second is first or second.subgraph is None:
+    if second.subgraph is None:
         return second
     if first.subgraph == second.subgraph:
-        message, action = f"says the same as {first.path}", "left out"
-        severity = Severity.ASSUMED
-    else:
-        message, action = f"the same video as {first.path} with another content", "file rejected"
-        severity = Severity.REJECTED
-    notice = Notice(second.path, None, NoticeKind.SAME_VIDEO, message, action, severity)
-    return ReadResult(second.path, None, (notice, *second.notices))
+        same = Notice(second.path, None, NoticeKind.SAME_VIDEO, f"says the same as {first.path}", "left out")
+        return ReadResult(second.path, None, (same, *second.notices))
+    message = f"the same video as {first.path}, with other units"
+    return Journal(second.path).reject_file(None, Problem(NoticeKind.SAME_VIDEO, message))
 
 
 def _read_file(path: Path, reader: TextReader) -> ReadResult:
     try:
-        text = decode(path.read_bytes(), str(path))
+        text = decode(path.read_bytes())
         name = _video_name(path)
-        result = _read_text_or_json(path, text.removeprefix(_BYTE_ORDER_MARK), name, reader)
+    except UnreadableFile as unreadable:
+        return Journal(_printable(path)).reject_file(unreadable.line, unreadable.problem)
     except OSError as error:
-        return _unreadable(path, f"cannot be opened: {error.strerror}")
-    except ReadError as error:
-        return _unreadable(path, error.message.removeprefix(f"{path}:").strip())
-    if text.startswith(_BYTE_ORDER_MARK):
-        mark = Notice(str(path), 1, NoticeKind.BYTE_ORDER_MARK, "a byte order mark before the first line", "left out")
-        result = ReadResult(result.path, result.subgraph, (mark, *result.notices))
-    return result
-
-
-def _read_text_or_json(path: Path, text: str, name: str, reader: TextReader) -> ReadResult:
-    if path.suffix.lower() == ".json":
-        return read_json(text, name, str(path))
-    return reader.read(text, name, str(path))
-
-
-def _unreadable(path: Path, reason: str) -> ReadResult:
-    notice = Notice(str(path), None, NoticeKind.UNREADABLE_FILE, reason, "file rejected", Severity.REJECTED)
-    return ReadResult(str(path), None, (notice,))
+        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
+        return Journal(_printable(path)).reject_file(None, problem)
+    is_json = path.suffix.lower() == ".json"
+    bare = text.removeprefix(_BYTE_ORDER_MARK)
+    result = read_json(bare, name, str(path)) if is_json else reader.read(bare, name, str(path))
+    if len(bare) == len(text):
+        return result
+    mark = Notice(str(path), 1, NoticeKind.BYTE_ORDER_MARK, "a byte order mark before the first line", "left out")
+    return ReadResult(result.path, result.subgraph, (mark, *result.notices))
 
 
 def _video_name(path: Path) -> str:
     try:
         path.stem.encode()
     except UnicodeEncodeError as error:
-        raise ReadError(f"{path!a}: the file name is not UTF-8", hint="Rename the file.") from error
+        raise UnreadableFile("the name of the file is not UTF-8") from error
     return path.stem
 
 
-def decode(data: bytes, file: str) -> str:
-    """Answer the text of a file. Raises ``ReadError`` with line and byte position where it is not UTF-8 text."""
+def _printable(path: Path) -> str:
+    return os.fsencode(path).decode("utf-8", "backslashreplace")
+
+
+def decode(data: bytes) -> str:
+    """Answer the text of a file. Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text."""
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise ReadError(
-            f"{file}:{line}: byte {error.start} (0x{data[error.start]:02x}) is not UTF-8",
-            hint="Save the file as UTF-8.",
-        ) from error
+        line = _LINE_END.subn(b"", data[: error.start])[1] + 1
+        raise UnreadableFile(f"byte {error.start} (0x{data[error.start]:02x}) is not UTF-8", line) from error
     if control := _CONTROL.search(text):
-        line = text.count("\n", 0, control.start()) + 1
-        position = len(text[: control.start()].encode())
-        raise ReadError(
-            f"{file}:{line}: a control character (U+{ord(control[0]):04X}) at byte {position}: not a text file",
-            hint="Remove the character, or save the file as UTF-8 text.",
-        )
+        before = text[: control.start()].encode()
+        line = _LINE_END.subn(b"", before)[1] + 1
+        raise UnreadableFile(f"byte {len(before)} is the control character U+{ord(control[0]):04X}", line)
     return text

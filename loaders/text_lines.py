@@ -7,6 +7,7 @@ carry an id (``O278``, ``S41``, ``M92``).
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass
 
 from foon_kg.loaders.notices import NoticeKind, Problem, Remark
@@ -166,8 +167,7 @@ def _braces(word: str, inside: str, remarks: tuple[Remark, ...]) -> StateLine:
     ingredients = tuple(name for name in names if name)
     if len(ingredients) < len(names):
         remarks += (Remark(NoticeKind.EMPTY_NAME, f"an empty name in {{{inside}}}", "left out"),)
-    twice = [name for name in dict.fromkeys(ingredients) if ingredients.count(name) > 1]
-    if twice:
+    if twice := [name for name, count in Counter(ingredients).items() if count > 1]:
         remarks += (Remark(NoticeKind.NAME_TWICE, f"more than once in {{}}: {', '.join(twice)}", "read once"),)
     if word == "contains":
         return StateLine(ingredients=ingredients, remarks=remarks)

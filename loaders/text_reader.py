@@ -22,8 +22,8 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
 _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
-def read_text(text: str, name: str, file: str) -> ReadResult:
-    """Answer the subgraph ``name`` that ``text`` says; ``file`` is what notices call it.
+def read_text(text: str, name: str, file: str = "") -> ReadResult:
+    """Answer the subgraph ``name`` that ``text`` says; notices call it ``file``, or by its name.
 
     A unit that cannot be read is left out and reported; every other unit is kept, in its order. Never raises.
     """
@@ -38,9 +38,9 @@ class TextReader:
         self._nodes: dict[tuple[object, ...], tuple[ObjectNode, Remark | None]] = {}
         self._one_of_equals: dict[ObjectNode, ObjectNode] = {}
 
-    def read(self, text: str, name: str, file: str) -> ReadResult:
+    def read(self, text: str, name: str, file: str = "") -> ReadResult:
         """Answer what :func:`read_text` answers."""
-        journal = Journal(file)
+        journal = Journal(file or name)
         lines = [self._line(line) for line in _LINE_END.split(text)]
         hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
         read = [self._annotation(draft, journal, hours=hours) for draft in _drafts(lines, journal)]

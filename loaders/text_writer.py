@@ -29,7 +29,7 @@ def write_text(subgraph: Subgraph) -> str:
     Raises ``FormatError`` where it would be read back as something else, naming the first unit or source at fault.
     """
     text = _text(subgraph)
-    if read_text(text, subgraph.name, subgraph.name).subgraph != subgraph:
+    if read_text(text, subgraph.name).subgraph != subgraph:
         raise FormatError(
             f"{subgraph.name}: {_fault(subgraph)} cannot be written as FOON text",
             hint="Take tabs, line ends, brackets and commas out of its names, or write JSON.",
@@ -84,7 +84,7 @@ def _fault(subgraph: Subgraph) -> str:
         return "a subgraph without units"
     for place, annotation in enumerate(subgraph.annotations):
         alone = Subgraph(subgraph.name, (annotation,))
-        if read_text(_text(alone), subgraph.name, subgraph.name).subgraph != alone:
+        if read_text(_text(alone), subgraph.name).subgraph != alone:
             return f"unit {place} ({annotation.unit.motion!r} of {_names(annotation)})"
     return f"one of the sources {list(subgraph.sources)!r}"
 

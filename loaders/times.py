@@ -17,7 +17,7 @@ from foon_kg.loaders.notices import NoticeKind, Remark
 from foon_kg.model import Timing
 
 _CLOCK = re.compile(r"(?:([0-9]{1,9}):)?(?:([0-9]{1,9}):)?([0-9]{1,9}(?:\.[0-9]{1,30})?)")
-_TIMES = re.compile(r"[0-9]+(?::[0-9]+)+")
+_TIMES = re.compile(r"(?<![0-9:])[0-9]++(?::[0-9]++)++")
 _ASSUMED = "assumed"
 _MINUTE = 60
 _LATEST = 1e9  # seconds; what is later is no time of a video
@@ -85,6 +85,8 @@ class _Reading:
 
     def _span(self, start_text: str, end_text: str) -> None:
         known = [time for time in (self._seconds(start_text), self._seconds(end_text)) if time is not None]
+        if not (start_text.strip() or end_text.strip()):
+            self._odd("an empty time", "left out")
         if len(known) == 1:
             self._odd(f"only one time in '{start_text}-{end_text}'", "read as a moment")
         if known:
@@ -94,11 +96,16 @@ class _Reading:
 
     def _seconds(self, text: str) -> float | None:
         """Answer a clock time in seconds, ``None`` where it is none."""
-        match = _CLOCK.fullmatch(text.strip())
-        if match is None:
-            if text.strip():
-                self._odd(f"{text.strip()!r} is no time", "left out")
+        text = text.strip()
+        match = _CLOCK.fullmatch(text)
+        seconds = self._added_up(match) if match else None
+        if seconds is None or seconds >= _LATEST:
+            if text:
+                self._odd(f"{text!r} is no time", "left out")
             return None
+        return seconds
+
+    def _added_up(self, match: re.Match[str]) -> float:
         first, second, last = match[1] or "0", match[2], Decimal(match[3])
         if second is not None and not self._hours:
             self._odd(f"{match[0]!r} has three parts", "the last read as hundredths of a second")
