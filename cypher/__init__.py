@@ -1,1 +1,88 @@
-"""The catalogue of named Cypher queries."""
+"""The catalogue of named Cypher queries: one ``*.cypher`` file each, found as package data.
+
+A file begins with a header of comments: what the query answers in plain words, then ``// param: name TYPE`` for each
+parameter, ``// column: name`` for each column in order, and ``// mode: read`` or ``write``. A read that has to look at
+a whole label says why with ``// scans: reason``. Everything after the header is one statement. Values reach a query
+as parameters only; no part of the program puts query text together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from importlib.resources.abc import Traversable
+from typing import Literal, LiteralString, cast
+
+Mode = Literal["read", "write"]
+
+_MARK = "//"
+_FIELDS = ("param", "column", "mode", "scans")
+
+
+@dataclass(frozen=True)
+class NamedQuery:
+    """One query of the catalogue with what its header declares; ``parameters`` maps each name to its Cypher type."""
+
+    name: str
+    text: LiteralString
+    answers: str
+    parameters: dict[str, str]
+    columns: tuple[str, ...]
+    mode: Mode
+    scans: str = ""
+
+
+@cache
+def named_query(name: str) -> NamedQuery:
+    """Answer the query kept in ``<name>.cypher``. Raises ValueError where its header is not in order."""
+    file = resources.files(__package__).joinpath(f"{name}.cypher")
+    return read_query(name, file.read_text(encoding="utf-8"))
+
+
+@cache
+def catalogue() -> tuple[NamedQuery, ...]:
+    """Answer every named query, sorted by name; those that make the schema apart."""
+    return tuple(named_query(name) for name in _names(resources.files(__package__)))
+
+
+@cache
+def schema_steps() -> tuple[NamedQuery, ...]:
+    """Answer the numbered files of ``schema/`` in their order; the number of files is the version of the schema."""
+    folder = resources.files(__package__).joinpath("schema")
+    files = ((name, folder.joinpath(f"{name}.cypher").read_text(encoding="utf-8")) for name in _names(folder))
+    return tuple(read_query(name, text) for name, text in files)
+
+
+def read_query(name: str, text: str) -> NamedQuery:
+    """Read the text of a ``.cypher`` file."""
+    fields: dict[str, list[str]] = {field: [] for field in _FIELDS}
+    prose: list[str] = []
+    for line in _header(text.splitlines()):
+        field, colon, value = line.partition(":")
+        (fields[field] if colon and field in fields else prose).append(value.strip() if field in fields else line)
+    if fields["mode"] not in (["read"], ["write"]):
+        raise ValueError(f"{name}.cypher: the header must say “mode: read” or “mode: write” once")
+    parameters = {param: kind for param, _, kind in (line.partition(" ") for line in fields["param"])}
+    return NamedQuery(
+        name,
+        cast("LiteralString", text),  # a file of the package: as literal as text in the program
+        " ".join(prose),
+        parameters,
+        tuple(fields["column"]),
+        cast("Mode", fields["mode"][0]),
+        " ".join(fields["scans"]),
+    )
+
+
+def _header(lines: Iterable[str]) -> Iterable[str]:
+    for line in lines:
+        if not line.startswith(_MARK):
+            return
+        yield line.removeprefix(_MARK).strip()
+
+
+def _names(folder: Traversable) -> list[str]:
+    files = (file.name for file in folder.iterdir())
+    return sorted(name.removesuffix(".cypher") for name in files if name.endswith(".cypher"))

@@ -1,0 +1,15 @@
+// Takes units away, and the object nodes that no other unit has.
+// param: keys LIST<STRING>
+// mode: write
+UNWIND $keys AS key
+MATCH (m:Motion {key: key})
+OPTIONAL MATCH (m)-[:INPUT_OF|OUTPUTS]-(o:Object)
+WITH collect(DISTINCT m) AS motions, collect(DISTINCT o) AS objects
+CALL (motions) {
+  UNWIND motions AS m
+  DETACH DELETE m
+}
+UNWIND objects AS o
+WITH o
+WHERE NOT EXISTS { (o)-[:INPUT_OF|OUTPUTS]-() }
+DETACH DELETE o

@@ -1,0 +1,12 @@
+// Takes away the words that nothing in the graph uses any more.
+// mode: write
+// scans: words are few beside units
+CALL () {
+  MATCH (i:Ingredient) WHERE NOT EXISTS { (i)--() } DELETE i
+  UNION ALL
+  MATCH (s:State) WHERE NOT EXISTS { (s)--() } DELETE s
+  UNION ALL
+  MATCH (v:Verb) WHERE NOT EXISTS { (v)--() } DELETE v
+  UNION ALL
+  MATCH (d:DishType) WHERE NOT EXISTS { (d)--() } DELETE d
+}

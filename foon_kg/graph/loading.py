@@ -1,0 +1,136 @@
+"""Bringing subgraphs into the graph, replacing them and taking them out, each video whole or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import neo4j
+
+from foon_kg.errors import UsageError
+from foon_kg.graph.connection import Connection
+from foon_kg.graph.schema import kitchen_key, prepare_for_writing
+from foon_kg.graph.statements import VIDEO_CONTENTS, ask
+from foon_kg.graph.writing import Writer
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import Subgraph
+from foon_kg.snapshot import distinct_by_name
+
+UNITS_PER_TRANSACTION = 5_000
+"""Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""
+
+
+@dataclass(frozen=True)
+class LoadReport:
+    """The names of the videos that were new, that had another content, and that were there already as they are."""
+
+    inserted: tuple[str, ...] = ()
+    replaced: tuple[str, ...] = ()
+    unchanged: tuple[str, ...] = ()
+
+    def __add__(self, other: LoadReport) -> LoadReport:
+        """Answer both reports as one."""
+        return LoadReport(
+            self.inserted + other.inserted, self.replaced + other.replaced, self.unchanged + other.unchanged
+        )
+
+
+def _say_nothing(_: LoadReport) -> None:
+    return
+
+
+def load(
+    connection: Connection,
+    subgraphs: Iterable[Subgraph],
+    kitchen: Kitchen | None = None,
+    *,
+    stored: Callable[[LoadReport], None] = _say_nothing,
+    units_per_transaction: int = UNITS_PER_TRANSACTION,
+) -> LoadReport:
+    """Bring the graph to have ``subgraphs``, in few transactions; a video of a known name is replaced.
+
+    ``stored`` is told, first, what is there already, and after each transaction which videos are safe from then on.
+    Raises :class:`~foon_kg.errors.ReadError` when two subgraphs of one name differ, GraphError when the database
+    fails; what was reported as stored stays.
+    """
+    kitchen, wanted = kitchen or Kitchen.default(), distinct_by_name(subgraphs)
+    with connection.session(writing=True) as session:
+        _begin(session, kitchen)
+        report = session.execute_read(compare, wanted)
+        stored(report)
+        there = set(report.unchanged)
+        for batch in _batches((s for s in wanted if s.name not in there), units_per_transaction):
+            written = session.execute_write(_write, batch, kitchen)
+            stored(written)
+            report = report + written
+    return report
+
+
+def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | None = None) -> None:
+    """Take videos out of the graph with everything that no other video shows, all in one transaction.
+
+    Raises :class:`~foon_kg.errors.UsageError` when the graph lacks one of ``names``; nothing is removed then.
+    """
+    kitchen = kitchen or Kitchen.default()
+    with connection.session(writing=True) as session:
+        _begin(session, kitchen)
+        session.execute_write(_remove, sorted(set(names)), kitchen)
+
+
+def compare(transaction: neo4j.ManagedTransaction, wanted: Sequence[Subgraph]) -> LoadReport:
+    """Answer, as ``unchanged``, which of ``wanted`` the graph has with the same content."""
+    contents = _contents(transaction, [subgraph.name for subgraph in wanted])
+    return LoadReport(unchanged=tuple(s.name for s in wanted if contents.get(s.name) == s.content_key))
+
+
+def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
+    if prepare_for_writing(session, kitchen).kitchen != kitchen_key(kitchen):
+        session.execute_write(_write_anew, kitchen)
+
+
+def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
+    """Write ``batch``; what another program wrote since we looked is found out again."""
+    writer = Writer(transaction, kitchen)
+    contents = _contents(transaction, [subgraph.name for subgraph in batch])
+    changed = [subgraph for subgraph in batch if contents.get(subgraph.name) != subgraph.content_key]
+    writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
+    writer.add(changed)
+    writer.finish()
+    names = {subgraph.name for subgraph in changed}
+    return LoadReport(
+        inserted=tuple(s.name for s in changed if s.name not in contents),
+        replaced=tuple(s.name for s in changed if s.name in contents),
+        unchanged=tuple(s.name for s in batch if s.name not in names),
+    )
+
+
+def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen: Kitchen) -> None:
+    writer = Writer(transaction, kitchen)
+    if unknown := sorted(set(names) - _contents(transaction, names).keys()):
+        raise UsageError(
+            f"the graph has no video “{'”, “'.join(unknown)}”",
+            hint="A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",
+        )
+    writer.forget(names)
+    writer.drop_videos(names)
+    writer.finish()
+
+
+def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+    Writer(transaction, kitchen).write_anew()
+
+
+def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:
+    return {row.name: row.content for row in ask(transaction, VIDEO_CONTENTS, names=names)}
+
+
+def _batches(subgraphs: Iterable[Subgraph], units: int) -> Iterator[list[Subgraph]]:
+    """Group ``subgraphs``, in their order, so that each group has few more than ``units`` units."""
+    batch: list[Subgraph] = []
+    for subgraph in subgraphs:
+        batch.append(subgraph)
+        if sum(len(member.annotations) for member in batch) >= units:
+            yield batch
+            batch = []
+    if batch:
+        yield batch

@@ -1,0 +1,163 @@
+"""What travels between Python and Neo4j: the rows that queries answer, and the values of the model in and out of them.
+
+An object node travels as ``[label, states, ingredients, relation, container]``. What one video says about a unit beside
+its identity (order, moving flags, dish classes, time) is kept on the ``SEEN_IN`` edge. A side of the unit is written
+there as the ranks of its participants among the distinct nodes of that side in their total order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Sighting, Timing
+
+NodeRow = Sequence[Any]
+Properties = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Nothing:
+    """The row of a statement that answers nothing."""
+
+
+@dataclass(frozen=True)
+class SchemaState:
+    """Which schema and which kitchen a graph was written with."""
+
+    version: int
+    kitchen: str
+
+
+@dataclass(frozen=True)
+class KeyRow:
+    """The key of one unit."""
+
+    key: str
+
+
+@dataclass(frozen=True)
+class NameRow:
+    """The name of one video."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class ContentRow:
+    """A video that the graph has, and the hash of its content."""
+
+    name: str
+    content: str
+
+
+@dataclass(frozen=True)
+class UnitRow:
+    """A unit without anything that a video says about it."""
+
+    key: str
+    verb: str
+    accepts_any: bool
+    inputs: list[NodeRow]
+    outputs: list[NodeRow]
+
+
+@dataclass(frozen=True)
+class KnownUnitRow(UnitRow):
+    """A unit with every place where it was seen: ``[video, sources, properties]``."""
+
+    sightings: list[tuple[str, list[str], Properties]]
+
+
+@dataclass(frozen=True)
+class SubgraphRow:
+    """A video with its units in order: ``[key, verb, accepts_any, inputs, outputs, properties]``."""
+
+    name: str
+    sources: list[str]
+    units: list[tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]]
+
+
+@dataclass(frozen=True)
+class VocabularyRow:
+    """The tables of the vocabulary, in no order."""
+
+    foods: list[tuple[str, str, int, int]]
+    motions: list[tuple[str, str, int]]
+    dish_types: list[str]
+
+
+@dataclass(frozen=True)
+class GoalRow:
+    """A goal node of a dish type, and the videos that make it."""
+
+    node: NodeRow
+    dish_type: str
+    videos: list[str]
+
+
+def node_of(row: NodeRow) -> ObjectNode:
+    """Answer the object node that travelled as ``row``."""
+    label, states, ingredients, relation, container = row
+    return ObjectNode(label, states, ingredients, relation, container)
+
+
+def nodes_of(rows: Iterable[NodeRow]) -> list[ObjectNode]:
+    """Answer the nodes of one side of a unit in their total order, which is what ranks count in."""
+    return sorted(map(node_of, rows), key=lambda node: node.sort_key)
+
+
+def unit_of(
+    verb: str, *, accepts_any: bool, inputs: Sequence[ObjectNode], outputs: Sequence[ObjectNode], seen: Properties
+) -> FunctionalUnit:
+    """Answer the unit as one video has it; ``inputs`` and ``outputs`` are in their total order."""
+    return FunctionalUnit(
+        _participants(inputs, seen, "inputs"), verb, _participants(outputs, seen, "outputs"), accepts_any
+    )
+
+
+def bare_unit_of(row: UnitRow) -> FunctionalUnit:
+    """Answer the unit without anything that a video says about it."""
+    inputs, outputs = (tuple(map(Participant, nodes_of(side))) for side in (row.inputs, row.outputs))
+    return FunctionalUnit(inputs, row.verb, outputs, row.accepts_any)
+
+
+def timing_of(seen: Properties) -> Timing:
+    """Answer the time that :func:`properties_of` wrote."""
+    return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
+
+
+def sighting_of(video: str, sources: Sequence[str], seen: Properties) -> Sighting:
+    """Answer the place that a ``SEEN_IN`` edge stands for; the first source stands for the video."""
+    return Sighting(video, seen["position"], sources[0] if sources else None, seen.get("start"), seen.get("end"))
+
+
+def properties_of(annotation: Annotation, position: int) -> Properties:
+    """Answer what the ``SEEN_IN`` edge of ``annotation`` keeps."""
+    unit, timing = annotation.unit, annotation.timing
+    return {
+        "position": position,
+        "start": timing.start,
+        "end": timing.end,
+        "assumed": timing.assumed,
+        "span_starts": [float(start) for start, _ in timing.spans],
+        "span_ends": [float(end) for _, end in timing.spans],
+        **_side_as_properties(unit.inputs, "inputs"),
+        **_side_as_properties(unit.outputs, "outputs"),
+    }
+
+
+def _side_as_properties(participants: Sequence[Participant], side: str) -> Properties:
+    distinct = sorted({p.node for p in participants}, key=lambda node: node.sort_key)
+    ranks = {node: rank for rank, node in enumerate(distinct)}
+    return {
+        side: [ranks[p.node] for p in participants],
+        f"{side}_moving": [p.moving for p in participants],
+        f"{side}_dish": [p.dish_type or "" for p in participants],
+    }
+
+
+def _participants(nodes: Sequence[ObjectNode], seen: Properties, side: str) -> tuple[Participant, ...]:
+    columns = zip(seen[side], seen[f"{side}_moving"], seen[f"{side}_dish"], strict=True)
+    return tuple(Participant(nodes[rank], moving, dish or None) for rank, moving, dish in columns)

@@ -1,0 +1,96 @@
+"""The schema of the graph: applied once, checked at every connection.
+
+The record of it says which of the numbered files in ``cypher/schema`` were applied, and what was in the kitchen
+when the graph was written: which nodes are at hand is written into it (``Object.start``), and so are the tables of
+foods, which leave utensils out.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+
+import neo4j
+from neo4j import exceptions as driver_errors
+
+from foon_kg.cypher import schema_steps
+from foon_kg.errors import GraphError, SchemaError
+from foon_kg.graph.rows import SchemaState
+from foon_kg.graph.statements import SCHEMA_RECORD, SCHEMA_STATE, ask
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import content_key
+
+_TRIES = 5
+
+
+def schema_version() -> int:
+    """Answer the version of the schema that this program writes: the number of steps that lead to it."""
+    return len(schema_steps())
+
+
+def kitchen_key(kitchen: Kitchen) -> str:
+    """Answer a hash of everything that decides what is at hand and what is a utensil."""
+    return content_key(*(_sorted(getattr(kitchen, field.name)) for field in dataclasses.fields(kitchen)))
+
+
+def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
+    """Raise SchemaError unless a graph in ``state`` answers this program rightly, GraphError where there is none."""
+    if state is None:
+        raise GraphError("the database holds no FOON yet", hint="Load one: foon load foon PATH…", code="empty")
+    _refuse_newer(state)
+    if state.version < schema_version():
+        raise SchemaError(
+            f"the graph has schema {state.version}, this foon-kg needs {schema_version()}",
+            hint="Load any FOON, even one that is there already: foon load foon PATH brings the schema up to date.",
+        )
+    if state.kitchen != kitchen_key(kitchen):
+        raise SchemaError(
+            "the graph was written with another kitchen: other utensils or start states",
+            hint="Load any FOON, even one that is there already: foon load foon PATH works the kitchen in anew.",
+        )
+
+
+def prepare_for_writing(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
+    """Apply what is missing of the schema and answer the state of the graph. Raises SchemaError for a newer one."""
+    state = read_state(session)
+    if state is None or state.version < schema_version():
+        _apply_steps(session, after=state.version if state else 0)
+        state = SchemaState(schema_version(), state.kitchen if state else kitchen_key(kitchen))
+        session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen)
+    _refuse_newer(state)
+    return state
+
+
+def read_state(session: neo4j.Session) -> SchemaState | None:
+    """Answer what the graph says about itself, or ``None``."""
+    return next(iter(session.execute_read(ask, SCHEMA_STATE)), None)
+
+
+def _apply_steps(session: neo4j.Session, after: int) -> None:
+    """Run the numbered files that follow number ``after``; two programs that do so at once end with one schema."""
+    for _ in range(_TRIES - 1):
+        try:
+            session.execute_write(_run_steps, after)
+        except (driver_errors.ConstraintError, driver_errors.ClientError):
+            continue  # another program made the same constraint just then: with IF NOT EXISTS it is fine next time
+        return
+    session.execute_write(_run_steps, after)
+
+
+def _run_steps(transaction: neo4j.ManagedTransaction, after: int) -> None:
+    for step in schema_steps()[after:]:
+        transaction.run(step.text).consume()
+
+
+def _refuse_newer(state: SchemaState) -> None:
+    if state.version > schema_version():
+        raise SchemaError(
+            f"the graph has schema {state.version}, this foon-kg knows none after {schema_version()}",
+            hint="A newer foon-kg wrote it: upgrade with pip install -U foon-kg, or name another NEO4J_DATABASE.",
+        )
+
+
+def _sorted(value: object) -> object:
+    if isinstance(value, Mapping):
+        return [[key, _sorted(value[key])] for key in sorted(value)]
+    return sorted(value) if isinstance(value, frozenset) else value

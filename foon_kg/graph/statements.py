@@ -1,0 +1,59 @@
+"""Every query of the catalogue tied to the Python type that receives its rows, and the one way to run them."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from neo4j import ManagedTransaction, Transaction
+
+from foon_kg.cypher import named_query
+from foon_kg.graph import rows
+
+_log = logging.getLogger(__name__)
+
+Row = TypeVar("Row")
+
+
+@dataclass(frozen=True)
+class Statement(Generic[Row]):
+    """A query by name; its columns are the fields of ``row``, in order."""
+
+    name: str
+    row: type[Row]
+
+
+SCHEMA_STATE = Statement("schema_state", rows.SchemaState)
+SCHEMA_RECORD = Statement("schema_record", rows.Nothing)
+WRITING_TURN = Statement("writing_turn", rows.SchemaState)
+
+VIDEO_NAMES = Statement("video_names", rows.NameRow)
+VIDEO_CONTENTS = Statement("video_contents", rows.ContentRow)
+SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
+VOCABULARY = Statement("vocabulary", rows.VocabularyRow)
+GOALS = Statement("goals", rows.GoalRow)
+BEHIND = Statement("behind", rows.KnownUnitRow)
+
+LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
+LOAD_OBJECTS = Statement("load_objects", rows.Nothing)
+LOAD_UNITS = Statement("load_units", rows.KeyRow)
+LOAD_SIGHTINGS = Statement("load_sightings", rows.Nothing)
+LOAD_GOALS = Statement("load_goals", rows.Nothing)
+COUNT_FOODS = Statement("count_foods", rows.Nothing)
+COUNT_MOTIONS = Statement("count_motions", rows.Nothing)
+
+FORGET_SIGHTINGS = Statement("forget_sightings", rows.KeyRow)
+FORGET_GOALS = Statement("forget_goals", rows.Nothing)
+FORGET_VIDEOS = Statement("forget_videos", rows.Nothing)
+UNSUPPORTED_UNITS = Statement("unsupported_units", rows.UnitRow)
+SWEEP_UNITS = Statement("sweep_units", rows.Nothing)
+SWEEP_WORDS = Statement("sweep_words", rows.Nothing)
+CLEAR = Statement("clear", rows.Nothing)
+
+
+def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:
+    """Run ``statement`` in one round trip and answer its rows."""
+    _log.debug("%s", statement.name)
+    result = transaction.run(named_query(statement.name).text, parameters)
+    return [statement.row(*record.values()) for record in result]

@@ -1,0 +1,125 @@
+"""One write transaction on the graph.
+
+Writers take turns: making a :class:`Writer` waits until no other is at work. So counts are never added to twice, and no
+unit is swept away while another program refers to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import neo4j
+
+from foon_kg.graph import statements as cypher
+from foon_kg.graph.reading import subgraph_of
+from foon_kg.graph.rows import bare_unit_of, properties_of
+from foon_kg.graph.schema import kitchen_key, schema_version
+from foon_kg.graph.statements import Row, Statement, ask
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.snapshot import goals_of
+from foon_kg.vocabulary import WordCounts
+
+
+class Writer:
+    """Adds and forgets subgraphs within ``transaction``; :meth:`finish` brings everything derived up to date.
+
+    Units that lost a sighting are looked at only at the end, so that what the new content of a video shows again is
+    never deleted in between.
+    """
+
+    def __init__(self, transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+        self._transaction = transaction
+        self._kitchen = kitchen
+        self._counts = WordCounts(kitchen.is_utensil)
+        self._doubtful: set[str] = set()
+        self._ask(cypher.WRITING_TURN)
+
+    def add(self, subgraphs: Sequence[Subgraph]) -> None:
+        """Write videos of which the graph has no sightings (any more)."""
+        if not subgraphs:
+            return
+        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
+        nodes = {node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)}
+        self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
+        self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes))
+        new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
+        self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
+        self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
+        self._counts.count(units[row.key] for row in new)
+
+    def forget(self, names: Sequence[str]) -> None:
+        """Take away what the named videos say, but not the videos."""
+        if names:
+            self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
+            self._ask(cypher.FORGET_GOALS, names=names, dish_types=DISH_TYPES)
+
+    def drop_videos(self, names: Sequence[str]) -> None:
+        """Take away forgotten videos."""
+        self._ask(cypher.FORGET_VIDEOS, names=names)
+
+    def finish(self) -> None:
+        """Sweep what no video shows any more, and bring the counts of words up to date."""
+        gone = self._ask(cypher.UNSUPPORTED_UNITS, keys=sorted(self._doubtful)) if self._doubtful else []
+        self._counts.count((bare_unit_of(row) for row in gone), weight=-1)
+        if gone:
+            self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in gone])
+        foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
+        motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
+        if foods or motions:
+            self._ask(cypher.COUNT_FOODS, rows=foods)
+            self._ask(cypher.COUNT_MOTIONS, rows=motions)
+        if self._doubtful:
+            self._ask(cypher.SWEEP_WORDS)
+
+    def write_anew(self) -> None:
+        """Write the whole FOON again, for another kitchen than the one that the graph was written with."""
+        names = [row.name for row in self._ask(cypher.VIDEO_NAMES)]
+        subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+        self._ask(cypher.CLEAR)
+        self.add(subgraphs)
+        self.finish()
+        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen_key(self._kitchen))
+
+    def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        return ask(self._transaction, statement, **parameters)
+
+    def _object_rows(self, nodes: Iterable[ObjectNode]) -> list[dict[str, Any]]:
+        return [
+            {
+                "key": node.key,
+                "label": node.label,
+                "states": node.states,
+                "ingredients": node.ingredients,
+                "relation": node.relation,
+                "container": node.container,
+                "start": self._kitchen.has(node) or None,  # the closure asks for nodes without the property
+            }
+            for node in sorted(nodes, key=lambda node: node.key)
+        ]
+
+    def _goal_rows(self, subgraph: Subgraph) -> list[dict[str, str]]:
+        goals = goals_of(subgraph, self._kitchen)
+        return [{"key": node.key, "dish_type": dish_type, "video": subgraph.name} for node, dish_type in goals]
+
+
+def _video_row(subgraph: Subgraph) -> dict[str, Any]:
+    return {"name": subgraph.name, "content": subgraph.content_key, "sources": subgraph.sources}
+
+
+def _unit_row(unit: FunctionalUnit) -> dict[str, Any]:
+    return {
+        "key": unit.key,
+        "verb": unit.motion,
+        "accepts_any": unit.accepts_any,
+        "inputs": [node.key for node in unit.input_nodes],
+        "outputs": [node.key for node in unit.output_nodes],
+    }
+
+
+def _sighting_rows(subgraph: Subgraph) -> list[dict[str, Any]]:
+    return [
+        {"unit": annotation.unit.key, "video": subgraph.name, "properties": properties_of(annotation, position)}
+        for position, annotation in enumerate(subgraph.annotations)
+    ]
