@@ -1,1 +1,44 @@
 """The command line: ``foon``."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from foon_kg import __version__
+from foon_kg.cli import plan
+from foon_kg.cli.console import ErrorsAtTheEdge
+
+app = typer.Typer(
+    cls=ErrorsAtTheEdge,
+    name="foon",
+    no_args_is_help=True,
+    rich_markup_mode=None,  # plain help is quick to print and fits any width
+    pretty_exceptions_show_locals=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree.",
+)
+
+
+def _show_version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"foon-kg {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def foon(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Plan the steps that make a dish from a knowledge graph of cooking videos, even for recipes nobody recorded."""
+
+
+app.command(epilog=plan.EXAMPLES)(plan.plan)
+
+
+def main() -> None:
+    """Run ``foon`` (the entry point of the installed program)."""
+    app()

@@ -1,1 +1,1 @@
-"""What people look at: trees and progress lines as text."""
+"""Results for people: as text in a terminal."""

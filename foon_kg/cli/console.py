@@ -1,0 +1,81 @@
+"""What every command shares: data to stdout, messages to stderr, errors as one readable line at the edge.
+
+Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree; the error itself knows which (``FoonError.exit_code``).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from typer.core import TyperGroup
+
+from foon_kg.errors import FoonError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no messages, only data and errors.")]
+Files = Annotated[
+    list[Path] | None,
+    typer.Option("--files", metavar="DIR", help="Answer from these subgraph files or folders, without a database."),
+]
+
+Say = Callable[[str], None]
+"""Takes one line for the person at the terminal."""
+
+
+def examples(*lines: str) -> str:
+    """Answer the end of a command's help: its examples, each on a line of its own."""
+    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
+
+
+class ErrorsAtTheEdge(TyperGroup):
+    """The root of the commands: turns a :class:`~foon_kg.errors.FoonError` into a message and its exit code."""
+
+    def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
+        """Run the command that was asked for."""
+        try:
+            return super().invoke(ctx)
+        except FoonError as error:
+            show_error(error)
+            raise typer.Exit(error.exit_code) from error
+
+
+def data() -> Console:
+    """Answer the console for data: stdout, coloured only on a terminal."""
+    from rich.console import Console
+
+    return Console(highlight=False)
+
+
+def messages(*, quiet: bool = False) -> Console:
+    """Answer the console for messages and progress: stderr, or nothing at all."""
+    from rich.console import Console
+
+    return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
+
+
+def sayer(*, quiet: bool) -> Say:
+    """Answer what prints a line to stderr, or keeps it to itself."""
+    console = messages(quiet=quiet)
+    return lambda text: console.print(text, markup=False)
+
+
+def print_json(value: object) -> None:
+    """Print one JSON value on one line of stdout."""
+    typer.echo(json.dumps(value, ensure_ascii=False))
+
+
+def show_error(error: FoonError, about: str | None = None) -> None:
+    """Print what is wrong (with which of many, ``about``) on one line of stderr, and what to do on the next."""
+    console = messages()
+    console.print("error:", style="bold red", end=" ")
+    console.print(f"{about}: {error.message}" if about else error.message, markup=False)
+    if error.hint:
+        console.print("hint:", style="bold", end=" ")
+        console.print(error.hint, markup=False)

@@ -1,0 +1,73 @@
+"""Where a command takes its FOON from: the files that ``--files`` names, else Neo4j."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from foon_kg.cli.console import Say
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.knowledge import KnowledgeView, Vocabulary
+    from foon_kg.model import Goal, KnownUnit, ObjectNode
+    from foon_kg.snapshot import Snapshot
+
+
+@contextmanager
+def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[KnowledgeView]:
+    """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down)."""
+    if files:
+        yield snapshot_of(files, say)
+        return
+    from foon_kg.graph.reading import Neo4jGraph
+    from foon_kg.server import connection_settings
+
+    with Neo4jGraph(connection_settings(say)) as graph, graph.reading() as view:
+        yield RememberedWords(view)
+
+
+def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
+    """Read subgraph files and folders into memory; what their files have wrong is counted for ``say``."""
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.loaders import read_paths, summary
+    from foon_kg.snapshot import Snapshot
+
+    for path in paths:
+        if not path.exists():
+            raise UsageError(f"there is no file or folder {path}", hint="--files names subgraph files or folders.")
+    results = list(read_paths(paths))
+    notices = [notice for result in results for notice in result.notices]
+    if notices:
+        say(f"{'; '.join(summary(notices))} in these files (foon load foon --report FILE lists them)")
+    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    if not subgraphs:
+        names = ", ".join(map(str, paths))
+        raise UsageError(f"no subgraph in {names}", hint="--files names folders with FOON text or JSON files.")
+    return Snapshot.of(subgraphs, Kitchen.default())
+
+
+class RememberedWords:
+    """A view that asks for its vocabulary once: reading the question and planning it both need the words."""
+
+    def __init__(self, view: KnowledgeView) -> None:
+        self._view = view
+
+    def vocabulary(self) -> Vocabulary:
+        """Answer the words that the FOON knows."""
+        return self._vocabulary
+
+    @cached_property
+    def _vocabulary(self) -> Vocabulary:
+        return self._view.vocabulary()
+
+    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
+        """Answer the goals of ``dish_type``."""
+        return self._view.goals(dish_type)
+
+    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making ``nodes`` or ``foods``."""
+        return self._view.behind(nodes, foods)

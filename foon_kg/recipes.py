@@ -1,0 +1,173 @@
+"""What people ask for, as a :class:`~foon_kg.model.Recipe`: recipe files, and ingredients in words.
+
+Nothing is decided silently: whatever was understood in one of several ways comes with a note.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from foon_kg.errors import ReadError, UsageError
+from foon_kg.json_fields import Fields
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import Vocabulary
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.names import canonical
+
+UNTOUCHED = "whole"
+"""The state of a food of which FOON knows no state in which it is sold."""
+
+
+@dataclass(frozen=True)
+class ReadRecipe:
+    """A recipe and what had to be decided to read it, one sentence a note."""
+
+    recipe: Recipe
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class IngredientWords:
+    """The foods and states that a FOON knows, for telling them apart in ``finely chopped onion``."""
+
+    vocabulary: Vocabulary
+    kitchen: Kitchen
+
+    def read(self, text: str) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        """Answer what ``text`` asks for, with notes.
+
+        Written as ``state food`` (chopped onion) or ``food, state`` (onion, chopped). The food is the longest known
+        one at the end that a known state stands before, else all that follows the last known state, else the longest
+        known food at the end with the words before it as its state. One food has one state: of several the
+        last processed one counts. Raises :class:`~foon_kg.errors.UsageError` when nothing is asked for.
+        """
+        if not text.strip(" ,"):
+            raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
+        food, comma, state = (part.strip() for part in text.partition(","))
+        if comma and food and state:
+            return self._chosen(text, self._label(food), *self._states_in(state.split()))
+        words = text.replace(",", " ").split()
+        place = self._food_begins(words)
+        return self._chosen(text, self._label(" ".join(words[place:])), *self._states_in(words[:place]))
+
+    def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken."""
+        if wanted.state:
+            return wanted, ()
+        state = self._usual_states.get(canonical(wanted.object), UNTOUCHED)
+        return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
+
+    def _chosen(
+        self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
+    ) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
+        state = (processed or list(states) or [" ".join(rest)])[-1]
+        wanted, notes = self.with_state(RequiredIngredient(food, state))
+        left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
+        if left_out:
+            notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
+        return wanted, notes
+
+    def _food_begins(self, words: Sequence[str]) -> int:
+        """Answer the place of the first word of the food."""
+        known = [place for place in range(len(words)) if canonical(" ".join(words[place:])) in self._labels]
+        after_state = [place for place in range(1, len(words)) if self._ends_with_state(words[:place])]
+        both = [place for place in known if place == 0 or place in after_state]
+        return min(both, default=max(after_state, default=min(known, default=0)))
+
+    def _ends_with_state(self, words: Sequence[str]) -> bool:
+        return any(" ".join(words[place:]).lower() in self._states for place in range(len(words)))
+
+    def _states_in(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
+        """Answer the known states among ``words``, the longest first tried, and the words that belong to none."""
+        states, rest, place = [], [], 0
+        while place < len(words):
+            ends = range(len(words), place, -1)
+            end = next((end for end in ends if " ".join(words[place:end]).lower() in self._states), None)
+            if end is None:
+                rest.append(words[place])
+            else:
+                states.append(" ".join(words[place:end]).lower())
+            place = end or place + 1
+        return states, rest
+
+    def _label(self, food: str) -> str:
+        return self._labels.get(canonical(food), food)
+
+    @cached_property
+    def _labels(self) -> dict[str, str]:
+        """The label of each known food by what it is compared by; of several the first in their order."""
+        labels: dict[str, str] = {}
+        for row in self.vocabulary.foods:
+            labels.setdefault(canonical(row.label), row.label)
+        return labels
+
+    @cached_property
+    def _states(self) -> frozenset[str]:
+        return frozenset(row.state.lower() for row in self.vocabulary.foods if row.state)
+
+    @cached_property
+    def _usual_states(self) -> dict[str, str]:
+        """The state in which each food is most often taken among those in which it is sold."""
+        rows = [row for row in self.vocabulary.foods if row.state and self.kitchen.is_start_state(row.label, row.state)]
+        rows.sort(key=lambda row: (row.used, row.state))
+        return {canonical(row.label): row.state for row in rows}
+
+
+def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
+    """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``."""
+    read = [words.read(text) for text in texts]
+    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+
+
+def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
+    """Answer the recipe files that ``paths`` name, in their order; of a folder every ``.json`` below it, by name.
+
+    Raises :class:`~foon_kg.errors.UsageError` for a path that is not there or a folder without recipes.
+    """
+    for path in paths:
+        if not path.exists():
+            raise UsageError(
+                f"there is no file or folder {path}",
+                hint="Name recipe files, or say --dish TYPE and give ingredients in words.",
+            )
+        below = sorted(path.rglob("*.json")) if path.is_dir() else [path]
+        if not below:
+            raise UsageError(f"{path} has no recipes", hint="A recipe is a .json file with type and ingredients.")
+        yield from below
+
+
+def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
+    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state"}]}``.
+
+    ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient without a
+    name is left out, one without a state gets the usual one; both are noted. Raises ReadError with the place.
+    """
+    fields = Fields(_json(path), str(path))
+    wanted, notes = [], []
+    for ingredient in fields.nested_list("ingredients"):
+        food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
+        if not food:
+            notes.append(f"{ingredient.where}: “object” is empty; the ingredient is left out")
+            continue
+        stated, said = words.with_state(RequiredIngredient(food, state))
+        wanted.append(stated)
+        notes += [f"{ingredient.where}: {note}" for note in said]
+    dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
+    recipe_id = fields.optional_text("id") or path.stem
+    return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
+
+
+def _json(path: Path) -> object:
+    try:
+        return json.loads(path.read_text(encoding="utf-8-sig"))
+    except json.JSONDecodeError as error:
+        raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: not UTF-8 text (byte {error.start})", hint="Save it as UTF-8.") from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error

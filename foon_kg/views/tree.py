@@ -1,0 +1,131 @@
+"""A plan result as lines of a terminal, at any width from about 60 columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from foon_kg.model import Recipe
+from foon_kg.progress import ProgressLine
+from foon_kg.result import PlannedUnit, PlanResult, Substitution
+from foon_kg.views.words import (
+    ASIDE,
+    MOTION,
+    UNSEEN,
+    UNSEEN_SIGN,
+    food_words,
+    motion_words,
+    node_words,
+    nodes_words,
+    shown_nodes,
+    stage_words,
+)
+
+
+def plan_view(result: PlanResult) -> RenderableType:
+    """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    unseen = frozenset(s.object for s in result.substitutions if s.kind == "object")
+    parts = [_header(result, unseen), _section("Steps", _steps(result, unseen))]
+    parts.append(_section("Kitchen", nodes_words(result.kitchen, unseen, between=" · ")))
+    if result.substitutions:
+        parts.append(_section("Substitutions", _substitutions(result.substitutions)))
+    if result.assumptions:
+        parts.append(_section("Assumptions", _assumptions(result)))
+    if result.progress_lines:
+        parts.append(_section("Progress of each ingredient", _progress(result.progress_lines, unseen)))
+    return Group(*parts)
+
+
+def dish_name(recipe: Recipe) -> str:
+    """Answer what to call a recipe: its title, else its id, else its dish type."""
+    return recipe.title or recipe.id or recipe.dish_type
+
+
+def _section(title: str, body: RenderableType) -> RenderableType:
+    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
+
+
+def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
+    table = Table.grid(padding=(0, 1))
+    asked = Text(", ").join(food_words(f"{i.object} ({i.state})", ()) for i in result.recipe.ingredients)
+    table.add_row(Text("dish", ASIDE), Text(f"{dish_name(result.recipe)}, a {result.recipe.dish_type}", "bold"))
+    table.add_row(Text("asked", ASIDE), asked)
+    table.add_row(Text("makes", ASIDE), node_words(result.goal, unseen))
+    table.add_row(Text("like", ASIDE), _reference(result))
+    return table
+
+
+def _reference(result: PlanResult) -> Text:
+    reference = result.reference
+    proven = "no other tree covers more in fewer" if reference.exact else "the best one found in time"
+    covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
+    videos = [unit.seen_in[0].video for unit in result.units if unit.origin == "reference" and unit.seen_in]
+    seen = f" (video {max(sorted(videos), key=videos.count)})" if videos else ""
+    return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+
+
+def _steps(result: PlanResult, unseen: frozenset[str]) -> Table:
+    table = Table.grid(padding=(0, 1))
+    table.add_column(justify="right", style=ASIDE)
+    for number, unit in enumerate(result.units, start=1):
+        table.add_row(str(number), _step(unit, unseen))
+    return table
+
+
+def _step(unit: PlannedUnit, unseen: frozenset[str]) -> Text:
+    arrow = Text(" → ", ASIDE)
+    text = nodes_words(shown_nodes(unit.input_nodes), unseen) + arrow + motion_words(unit.motion_node) + arrow
+    text += nodes_words(shown_nodes(unit.output_nodes), unseen)
+    if unit.origin != "reference" and unit.seen_in:
+        word = "like" if unit.origin == "substituted" else "from"
+        text += Text(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
+    return text
+
+
+def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
+    table = Table.grid(padding=(0, 1))
+    table.add_column(justify="right", style=ASIDE)
+    for one in substitutions:
+        table.add_row(f"{one.confidence:.2f}", _substitution(one))
+    return table
+
+
+def _substitution(one: Substitution) -> Text:
+    if one.kind == "object":
+        text = Text(UNSEEN_SIGN + one.required, UNSEEN) + Text(f" is handled like {one.equivalent}")
+    else:
+        of = "" if one.kind == "motion" else " is made as"
+        text = Text(f"{one.object}: {one.required}{of or ' instead of'} {one.equivalent}")
+    others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
+    return text + Text(f"  or {others}", ASIDE) if others else text
+
+
+def _assumptions(result: PlanResult) -> RenderableType:
+    return Group(*(node_words(one.node) + Text(f": {one.why}") for one in result.assumptions))
+
+
+def _progress(lines: tuple[ProgressLine, ...], unseen: frozenset[str]) -> Group:
+    return Group(*(_line(line, unseen) for line in lines))
+
+
+def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
+    if not line.steps:
+        return food_words(line.ingredient, unseen) + Text(" does not reach the dish", ASIDE)
+    return Group(food_words(line.ingredient, unseen), Padding(Text(" ").join(_stages(line)), (0, 0, 0, 2)))
+
+
+def _stages(line: ProgressLine) -> Iterator[Text]:
+    """Answer each stage and the motion that ends it; what the food has become part of is named where that changes."""
+    name = line.ingredient
+    for step in line.steps:
+        stage = stage_words(step.states, step.relation, step.container)
+        if step.object and step.object != name:
+            name = step.object
+            stage = Text(f"{name} ") + stage
+        yield stage or Text("as it is")
+        yield Text(f"→ {step.motion} →", MOTION)
+    yield Text(line.end_product or "", "bold")
