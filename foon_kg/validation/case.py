@@ -45,11 +45,6 @@ class Case:
         return max(foods, key=lambda node: (len(node.ingredients), node.sort_key), default=None)
 
     @cached_property
-    def food_leaves(self) -> tuple[ObjectNode, ...]:
-        """The leaves that are foods."""
-        return tuple(node for node in self.tree.leaves if self.kitchen.is_food(node))
-
-    @cached_property
     def derivations(self) -> tuple[Derivation | None, ...]:
         """How each unit comes from the FOON, by the best of the units it names; ``None`` where none is known."""
         return tuple(self._derivation(unit) for unit in self.tree.units)

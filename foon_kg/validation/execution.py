@@ -25,12 +25,12 @@ def executable(case: Case) -> Iterator[Finding]:
 
 def _kitchen_of_text(case: Case) -> Iterator[ObjectNode]:
     for node in case.tree.takers:
-        if node not in case.tree.makers or (not case.kitchen.is_food(node) and case.kitchen.has(node)):
+        if node not in case.tree.newly_made or (not case.kitchen.is_food(node) and case.kitchen.has(node)):
             yield node
 
 
 def _why_missing(case: Case, node: ObjectNode, place: int) -> str:
-    later = [maker for maker in case.tree.makers.get(node, ()) if maker >= place]
+    later = [maker for maker in case.tree.newly_made.get(node, ()) if maker >= place]
     if later:
         return f"it is needed before it is made: only unit {later[0]} outputs it"
     return "it is neither in the kitchen nor an output of an earlier unit"

@@ -45,7 +45,7 @@ def nothing_else(case: Case) -> Iterator[Finding]:
         for name in names:
             if not case.is_required_or_free(name):
                 yield Finding("C5", f"{name} comes from the kitchen and nobody asked for it", place, node)
-    made = {singular(node.label) for node in case.tree.makers}
+    made = {singular(node.label) for node in case.tree.makers} - case.names_of(case.tree.leaves)
     for name in case.kitchen.foods_in(case.goal) if case.goal else ():
         if not case.is_required_or_free(name) and singular(name) not in made:
             yield Finding(
@@ -66,7 +66,7 @@ def kitchen(case: Case) -> Iterator[Finding]:
         for place, reason in _leaf_faults(case, node, assumed):
             yield Finding("C6", reason, place, node)
     for node in _kitchen_foods(case):
-        for place in case.tree.makers.get(node, ())[:1]:
+        for place in case.tree.newly_made.get(node, ())[:1]:
             yield Finding("C6", "it is in the kitchen, and the tree makes it", place, node)
     yield from _assumptions(case)
 

@@ -147,10 +147,11 @@ def thrifty(case: Case) -> Iterator[Finding]:
     """
     asked = Counter(singular(wanted.object) for wanted in case.required)
     takes: Counter[str] = Counter()
+    leaves = set(case.tree.leaves)
     for place, unit in enumerate(case.tree.units):
         for node in unit.used_up:
             name = singular(node.label)
-            if node not in case.tree.makers and case.kitchen.is_food(node) and name in asked:
+            if node in leaves and case.kitchen.is_food(node) and name in asked:
                 takes[name] += 1
                 if takes[name] > asked[name]:
                     yield Finding("S4", f"taken {takes[name]} times, asked {asked[name]} times", place, node)

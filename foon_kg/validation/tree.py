@@ -130,14 +130,26 @@ class TaskTree:
         return _places([unit.output_nodes for unit in self.units])
 
     @cached_property
+    def newly_made(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that output each node without having taken it."""
+        return _places([unit.new_outputs for unit in self.units])
+
+    @cached_property
     def takers(self) -> dict[ObjectNode, tuple[int, ...]]:
         """The places of the units that take each node."""
         return _places([unit.input_nodes for unit in self.units])
 
     @cached_property
     def leaves(self) -> tuple[ObjectNode, ...]:
-        """The inputs that no unit of the tree outputs, in the order of their first use."""
-        return tuple(node for node in self.takers if node not in self.makers)
+        """The inputs that no earlier unit outputs, in the order of their first use.
+
+        A node that its first taker puts back as it was is a leaf too, or a stove could be on without anybody
+        having turned it on.
+        """
+        return tuple(node for node, places in self.takers.items() if self._first_made(node) >= places[0])
+
+    def _first_made(self, node: ObjectNode) -> int:
+        return min(self.makers.get(node, (len(self.units),)))
 
     @cached_property
     def nodes(self) -> tuple[ObjectNode, ...]:
