@@ -29,17 +29,17 @@ SPELLING = """
 and apple attach attached bacon bag banana bean beat beaten bell berries black blend blended blender block board
 boil boiled boiling bottle bouillon bowl box brewed browned butter can canned carrot carton celery cheddar
 cheese chop chopped cinnamon clean closed clove cocoa coconut cold cook cooked cool cooled core cored cover
-covered crack cracked cream creamy crumble crumbled cube cucumber cumin cup cut cutting dice diced drain drained
-dressing dried drinking drop dry egg empty farmhouse faucet feta fill flip flipped fold folded fork fried from
-frozen fruit fry frying garden garlic ginger glass granulated grate grated grater greek grind ground halved hand
-heat honey hot hull hulled ice iced jar jug juice kettle knife ladle leaves lemon lemonade lentil lettuce lid
-liquid mayonnaise meat melt melted milk milkshake mill mince minced mint mix mixed mixer mixture mug mushroom
-napkin off oil olive omelette on onion open opener orange oregano packet pan parsley partly peel peeled peeler
-pepper peppercorn pick pickle pitcher place plate pot potato pour powder preheat processed pumpkin punch
+covered crack cracked cream creamy crumble crumbled cube cucumber cumin cup cut cutting detach dice diced drain
+drained dressing dried drinking drop dry egg empty farmhouse faucet feta fill flip flipped fold folded fork
+fried from frozen fruit fry frying garden garlic ginger glass granulated grate grated grater greek grind ground
+halved hand heat honey hot hull hulled ice iced jar jug juice kettle knife ladle leaves lemon lemonade lentil
+lettuce lid liquid mayonnaise meat melt melted milk milkshake mill mince minced mint mix mixed mixer mixture mug
+mushroom napkin off oil olive omelette on onion open opener orange oregano packet pan parsley partly peel peeled
+peeler pepper peppercorn pick pickle pitcher place plate pot potato pour powder preheat processed pumpkin punch
 quartered raisin raw ready rinse rinsed salad salt saucepan sauteed scissors scoop scrape seasoned seeded shake
 shaker simmer slice sliced slide smoothie snip solid soup spanish sparkling spatula spoon sprinkle squeeze
-squeezer steep stem stir stock stove strain strained strainer strawberry sugar sweet syrup tea tear thick to
-tomato torn toss turn uncover under vegetable wash washed water whisk whole wipe with yogurt
+squeezer steep stem stir stock stove strain strained strainer strawberry sugar syrup tea tear thick to tomato
+torn toss turn uncover under vegetable wash washed water whisk whole winter wipe with yogurt
 """
 KNOWN_WORDS = frozenset(SPELLING.split())
 
