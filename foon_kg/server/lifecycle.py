@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -45,7 +44,7 @@ def ensure_running(say: Say = _silent) -> ConnectionSettings:
 def start(
     *,
     port: int | None = None,
-    idle_minutes: int | None = None,
+    idle_minutes: float | None = None,
     say: Say = _silent,
     after_start: Callable[[ConnectionSettings], None] | None = None,
 ) -> ConnectionSettings:
@@ -60,7 +59,7 @@ def start(
         known = place.recall()
         running = processes.find(place, known)
         if running:
-            settings = _join(place, running, known, port)
+            settings = _join(place, running, known, port, idle_minutes)
         else:
             memory = _remembered(place, known, port, idle_minutes, say)
             settings = _launch(place, memory, say, explicit_port=port is not None)
@@ -92,9 +91,13 @@ def stop_locked(place: Home, say: Say = _silent) -> bool:
     return running is not None
 
 
-def _join(place: Home, running: psutil.Process, known: Memory | None, port: int | None) -> ConnectionSettings:
-    """Use the server that runs, whoever started it."""
+def _join(
+    place: Home, running: psutil.Process, known: Memory | None, port: int | None, idle_minutes: float | None
+) -> ConnectionSettings:
+    """Use the server that runs, whoever started it; the idle time can be changed while it does."""
     known = known or _rebuilt(place, running)
+    if idle_minutes is not None:
+        place.remember(replace(known, idle_minutes=idle_minutes))
     if known.port is None or port not in (None, known.port):
         raise ServerError(
             f"the local Neo4j runs already, on port {known.port}",
@@ -110,12 +113,12 @@ def _join(place: Home, running: psutil.Process, known: Memory | None, port: int 
 def _rebuilt(place: Home, running: psutil.Process) -> Memory:
     """Remember again a server whose record was lost, from the process itself."""
     listening = [item.laddr.port for item in running.net_connections("tcp") if item.status == psutil.CONN_LISTEN]
-    memory = Memory(running.pid, next(iter(listening), None), version=pinned().version, started=running.create_time())
+    memory = Memory(running.pid, next(iter(listening), None), version=pinned().version)
     place.remember(memory)
     return memory
 
 
-def _remembered(place: Home, known: Memory | None, port: int | None, idle_minutes: int | None, say: Say) -> Memory:
+def _remembered(place: Home, known: Memory | None, port: int | None, idle_minutes: float | None, say: Say) -> Memory:
     """Return the memory that a new start begins with: what was asked now, else what was before."""
     if known is None and place.memory_file.exists():
         say(f"{place.memory_file} is unreadable and is written anew; the server gets a new port")
@@ -136,7 +139,7 @@ def _launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Co
         with _fetching():
             fetch(jar_set, folder)
     port = _port(memory.port, say, explicit=explicit_port)
-    memory = replace(memory, port=port, version=jar_set.version, started=time.time())
+    memory = replace(memory, port=port, version=jar_set.version)
     cache = StartupCache(jar_set, folder)
     say(f"starting Neo4j {jar_set.version}")
     try:
@@ -197,7 +200,7 @@ def _blame_damaged_jars(jar_set: JarSet, folder: Path) -> None:
 def _watch(place: Home, pid: int) -> None:
     """Leave a process behind that stops the server when nobody uses it."""
     command = [sys.executable, "-m", "foon_kg.server.idle", str(place.root), str(pid)]
-    processes.spawn(command, place.console_log.with_name("idle.log"), place.root)
+    processes.spawn(command, place.console_log.with_name("idle.log"), cache_folder())
 
 
 def _warm(settings: ConnectionSettings) -> None:

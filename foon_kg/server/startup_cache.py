@@ -48,7 +48,7 @@ class StartupCache:
 
     @property
     def why_not(self) -> Path:
-        """The file that says why the cache could not be made, so that it is not tried again and again."""
+        """The file that says why the cache could not be made the last time."""
         return self.file.with_suffix(".failed")
 
     def flags(self) -> list[str]:
@@ -68,12 +68,16 @@ class StartupCache:
         return self.why_not.read_text(encoding="utf-8").strip() if self.why_not.exists() else "not made yet"
 
     def make(self) -> None:
-        """Make the cache unless it is there, is being made, or cannot be made; takes half a minute of one core."""
-        if self.state() != "not made yet":
+        """Make the cache unless it is there or is being made; takes half a minute of one core.
+
+        Without it the server works all the same, so that a failure is no error: ``state`` tells it.
+        """
+        if self.file.exists():
             return
         try:
             with FileLock(cache_folder() / "startup.lock", timeout=0):
                 self._make()
+                self.why_not.unlink(missing_ok=True)
         except Timeout:
             return
         except (FoonError, OSError) as error:
@@ -111,7 +115,7 @@ class StartupCache:
         arguments = self.file.with_suffix(".args")
         try:
             command = write_arguments(arguments, self.jar_set.class_path(self.folder), flags, ())
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            done = subprocess.run(command, cwd=cache_folder(), capture_output=True, text=True, check=False)
         finally:
             arguments.unlink(missing_ok=True)
         if done.returncode or not draft.exists():

@@ -17,10 +17,11 @@ class Status:
 
     running: bool
     uri: str | None
+    user: str
     pid: int | None
     version: str
     memory: int | None
-    idle_minutes: int
+    idle_minutes: float
     data: str
     password_file: str
     log_file: str
@@ -35,6 +36,7 @@ def status() -> Status:
     memory = known or Memory()
     jar_set = pinned()
     return Status(
+        user="neo4j",
         running=running is not None,
         uri=f"bolt://{HOST}:{memory.port}" if running and memory.port else None,
         pid=running.pid if running else None,
