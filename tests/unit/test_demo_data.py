@@ -36,10 +36,10 @@ halved hand heat honey hot hull hulled ice iced jar jug juice kettle knife ladle
 lettuce lid liquid mayonnaise meat melt melted milk milkshake mill mince minced mint mix mixed mixer mixture mug
 mushroom napkin off oil olive omelette on onion open opener orange oregano packet pan parsley partly peel peeled
 peeler pepper peppercorn pick pickle pitcher place plate pot potato pour powder preheat processed pumpkin punch
-quartered raisin raw ready rinse rinsed salad salt saucepan sauteed scissors scoop scrape seasoned seeded shake
-shaker simmer slice sliced slide smoothie snip solid soup spanish sparkling spatula spoon sprinkle squeeze
-squeezer steep stem stir stock stove strain strained strainer strawberry sugar syrup tea tear thick to tomato
-torn toss turn uncover under vegetable wash washed water whisk whole winter wipe with yogurt
+quartered raisin raw ready remove rinse rinsed salad salt saucepan sauteed scissors scoop scrape seasoned seeded
+seeds shake shaker simmer slice sliced slide smoothie snip solid soup spanish sparkling spatula spoon sprinkle
+squeeze squeezer steep stem stir stock stove strain strained strainer strawberry sugar syrup tea tear thick to
+tomato torn toss turn uncover under vegetable wash washed water whisk whole winter wipe with yogurt
 """
 KNOWN_WORDS = frozenset(SPELLING.split())
 
