@@ -1,0 +1,40 @@
+# Every target makes .venv by itself, from requirements.txt alone; PYTHON=… names another Python (3.11 or newer).
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+BIN := .venv/bin
+INSTALLED := .venv/installed
+TYPED := build/typed
+
+.PHONY: demo test check lock clean
+.DELETE_ON_ERROR:
+
+demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
+	@$(BIN)/foon demo
+
+test: $(INSTALLED)  ## every test, against a real Neo4j
+	$(BIN)/python -m pytest -n auto
+
+check: $(INSTALLED) $(TYPED)  ## style, types and the direction of imports
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
+	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
+
+lock: $(INSTALLED)  ## write requirements.txt anew from pyproject.toml
+	$(BIN)/uv pip compile pyproject.toml --extra server --extra dev --universal --python-version 3.11 --upgrade \
+		--generate-hashes --no-annotate --no-header --quiet --output-file requirements.txt
+
+clean:  ## take away the environment and everything that was built
+	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
+
+$(INSTALLED): requirements.txt pyproject.toml
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	@touch $@
+
+# mypy does not know that loaders/ and cypher/ are installed inside foon_kg: here they lie as they are installed
+$(TYPED): FORCE
+	@rm -rf $@ && mkdir -p $@/foon_kg
+	@ln -s $(CURDIR)/foon_kg/* $(CURDIR)/loaders $(CURDIR)/cypher $@/foon_kg/
+
+FORCE:
