@@ -45,6 +45,15 @@ class Case:
         return max(foods, key=lambda node: (len(node.ingredients), node.sort_key), default=None)
 
     @cached_property
+    def intermediates(self) -> frozenset[str]:
+        """The foods, in the singular, that some unit makes of other foods."""
+        made: set[str] = set()
+        for unit in self.tree.units:
+            foods = {singular(node.label) for node in unit.new_outputs if self.kitchen.is_food(node)}
+            made |= foods - self.names_of(unit.input_nodes)
+        return frozenset(made)
+
+    @cached_property
     def derivations(self) -> tuple[Derivation | None, ...]:
         """How each unit comes from the FOON, by the best of the units it names; ``None`` where none is known."""
         return tuple(self._derivation(unit) for unit in self.tree.units)

@@ -2,7 +2,8 @@
 
 Allowed are: labels, states and motions that ``substitutions`` names; foods taken out, with the vessels that served only
 them; foods added where any number may enter; and what follows from these for the outputs, which hold what really
-went in. An input that stands in another place than in FOON is one food taken out and one added.
+went in. Where any number may enter, a food that stands elsewhere than in FOON, or is in a state that no entry explains,
+is one food taken out and another added.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ from foon_kg.validation.tree import Substituted, TreeUnit
 from foon_kg.validation.words import takes_any
 
 EMPTY = "empty"
+APPLIED = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})
+"""States that a food gives to what it is put on; they go with it."""
+
 Pair = tuple[ObjectNode, ObjectNode]
 
 
@@ -95,12 +99,25 @@ class _Comparison:
     # ---- who is who
 
     @cached_property
+    def any_number(self) -> bool:
+        return takes_any(self.source.motion, star=self.source.accepts_any) or takes_any(self.unit.motion)
+
+    @cached_property
     def inputs(self) -> tuple[Pair, ...]:
-        return self._pairs(self.unit.input_nodes, self.source.input_nodes)
+        pairs = self._pairs(self.unit.input_nodes, self.source.input_nodes)
+        return tuple(pair for pair in pairs if not (self.any_number and self._is_exchanged(pair)))
 
     @cached_property
     def outputs(self) -> tuple[Pair, ...]:
-        return self._pairs(self.unit.output_nodes, self.source.output_nodes)
+        pairs = self._pairs(self.unit.output_nodes, self.source.output_nodes)
+        added = {node.label for node in self.new_inputs}
+        return tuple(pair for pair in pairs if not (pair[0].label in added and self._is_exchanged(pair)))
+
+    def _is_exchanged(self, pair: Pair) -> bool:
+        mine, theirs = pair
+        if not self._is_food(mine) and not mine.ingredients:
+            return False
+        return not self._same_place(mine, theirs) or (self._is_food(mine) and bool(self._entries(pair)[1]))
 
     @cached_property
     def new_inputs(self) -> tuple[ObjectNode, ...]:
@@ -150,6 +167,10 @@ class _Comparison:
         return {name, *(e.required for e in self.declared if e.kind == "object" and e.equivalent == name)}
 
     def _same_place(self, mine: ObjectNode, theirs: ObjectNode) -> bool:
+        """Say whether the places are the same; what only a food that is gone gave (coated with oil) may be missing."""
+        cover = theirs.container
+        if mine.container is None and cover and not self.kitchen.is_utensil(cover) and not self._is_brought(cover):
+            return True
         if mine.relation != theirs.relation:
             return False
         if mine.container is None or theirs.container is None:
@@ -204,6 +225,8 @@ class _Comparison:
     def _state_changes(self, mine: ObjectNode, theirs: ObjectNode) -> tuple[set[str], set[str]]:
         """Answer the states that were added and lost; a vessel is empty when it holds nothing, and only then."""
         extra, lost = set(mine.states) - set(theirs.states), set(theirs.states) - set(mine.states)
+        if any(not self._is_brought(name) for name in theirs.ingredients):
+            lost -= APPLIED
         if not self._is_food(mine):
             if theirs.ingredients and not mine.ingredients:
                 extra.discard(EMPTY)
@@ -222,14 +245,13 @@ class _Comparison:
         return any(singular(now) in self.brought for now in self._names_now(name))
 
     def _input_faults(self) -> Iterable[Fault]:
-        any_number = takes_any(self.source.motion, star=self.source.accepts_any) or takes_any(self.unit.motion)
         for mine, theirs in self.inputs:
-            if not self._same_place(mine, theirs) and not any_number:
+            if not self._same_place(mine, theirs):
                 yield Fault(f"FOON has it {_where(theirs)}, and nothing but what stands there may enter here", mine)
         for node in self.new_inputs:
             if not self._is_food(node) and not node.ingredients:
                 yield Fault("FOON's unit does not use it, and only foods are added", node)
-            elif not any_number:
+            elif not self.any_number:
                 yield Fault(f"added to “{self.source.motion}”, where no more foods may enter", node)
         for node in self.gone_inputs:
             if not self._is_food(node) and not self._served_only_what_is_gone(node):
@@ -274,11 +296,16 @@ class _Comparison:
                 yield Fault(f"{name} goes in and is not in it, as it is in FOON", mine)
 
     def _still_made(self, node: ObjectNode) -> bool:
+        """Say whether what an output of FOON's unit comes from is still among the inputs.
+
+        A product that names no ingredients (water from the faucet, the yolk of an egg) may be taken out by itself.
+        """
+        kept = [mine for mine, _ in self.inputs]
         if not self._is_food(node):
-            return any(node.label == other.label for other in self.unit.input_nodes)
-        if any(node.label == other.label for other in self.source.input_nodes):
-            return self._is_brought(node.label)
-        return not node.ingredients or any(map(self._is_brought, node.ingredients))
+            return any(node.label == theirs.label for _, theirs in self.inputs)
+        names = _names(kept, self._is_food)
+        own = [node.label] if any(node.label == other.label for other in self.source.input_nodes) else node.ingredients
+        return any(singular(now) in names for name in own for now in self._names_now(name))
 
 
 def _names(nodes: Iterable[ObjectNode], is_food: Callable[[ObjectNode], bool]) -> frozenset[str]:

@@ -35,19 +35,19 @@ def _is(node: ObjectNode, wanted: RequiredIngredient) -> bool:
 
 
 def nothing_else(case: Case) -> Iterator[Finding]:
-    """C5: every leaf food is required or free; so is every food in a vessel that is a leaf.
+    """C5: every leaf food is required or free; so is every food in a vessel that is a leaf, and in the goal.
 
-    The goal, too, names only such foods and intermediates that the tree makes: what was taken out is not in it.
+    Intermediates that the tree makes may be in the goal and in vessels; what was taken out may not.
     """
     for node in case.tree.leaves:
         place = case.tree.takers[node][0]
-        names = [node.label] if case.kitchen.is_food(node) else case.kitchen.foods_in(node)
+        is_food = case.kitchen.is_food(node)
+        names = [node.label] if is_food else case.kitchen.foods_in(node)
         for name in names:
-            if not case.is_required_or_free(name):
+            if not case.is_required_or_free(name) and (is_food or singular(name) not in case.intermediates):
                 yield Finding("C5", f"{name} comes from the kitchen and nobody asked for it", place, node)
-    made = {singular(node.label) for node in case.tree.makers} - case.names_of(case.tree.leaves)
     for name in case.kitchen.foods_in(case.goal) if case.goal else ():
-        if not case.is_required_or_free(name) and singular(name) not in made:
+        if not case.is_required_or_free(name) and singular(name) not in case.intermediates:
             yield Finding(
                 "C5", f"the goal names {name}, which nobody asked for and the tree does not make", None, case.goal
             )

@@ -32,7 +32,8 @@ def fresh(case: Case) -> Iterator[Finding]:
     """S1: no unit takes a food, or a vessel with food, that an earlier unit moved or changed.
 
     Storage and the foods of the kitchen are not asked: a second helping of salt is S4's matter. What a unit puts back,
-    or makes again, is fresh again.
+    or makes again, is fresh again. Annotators often leave out of the outputs what only stood by (the board under the
+    knife); :func:`_stays` says what that is.
     """
     gone: dict[ObjectNode, int] = {}
     leaves = set(case.tree.leaves)
@@ -41,7 +42,7 @@ def fresh(case: Case) -> Iterator[Finding]:
             if node in gone:
                 yield Finding("S1", f"unit {gone[node]} moved or changed it before", place, node)
         for node in unit.used_up:
-            if _holds_food(case, node) and not (node in leaves and _inexhaustible(case, node)):
+            if _holds_food(case, node) and not _inexhaustible(case, node, leaves) and not _stays(case, unit, node):
                 gone.setdefault(node, place)
         for node in unit.output_nodes:
             gone.pop(node, None)
@@ -51,8 +52,22 @@ def _holds_food(case: Case, node: ObjectNode) -> bool:
     return case.kitchen.is_food(node) or bool(case.kitchen.foods_in(node))
 
 
-def _inexhaustible(case: Case, node: ObjectNode) -> bool:
-    return case.kitchen.is_food(node) or case.kitchen.is_storage(node.label)
+def _inexhaustible(case: Case, node: ObjectNode, leaves: set[ObjectNode]) -> bool:
+    return node in leaves and (case.kitchen.is_food(node) or case.kitchen.is_storage(node.label))
+
+
+def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
+    """Say whether an input that is not among the outputs is there all the same, and as it was.
+
+    No output may be the same thing in another form. A vessel stays where an output still lies in it; a food stays
+    where its vessel still holds it and the unit neither mixes nor heats.
+    """
+    if any(other.label == node.label for other in unit.output_nodes):
+        return False
+    if not case.kitchen.is_food(node):
+        return any(other.container == node.label for other in unit.output_nodes)
+    holds = any(other.label == node.container and node.label in other.ingredients for other in unit.output_nodes)
+    return holds and not has_word(unit.motion, MIXES | HEATS)
 
 
 def joinings(case: Case) -> tuple[Joining, ...]:
@@ -147,7 +162,7 @@ def thrifty(case: Case) -> Iterator[Finding]:
     """
     asked = Counter(singular(wanted.object) for wanted in case.required)
     takes: Counter[str] = Counter()
-    leaves = set(case.tree.leaves)
+    leaves = set(case.tree.leaves).intersection(case.tree.kitchen or case.tree.leaves)
     for place, unit in enumerate(case.tree.units):
         for node in unit.used_up:
             name = singular(node.label)
