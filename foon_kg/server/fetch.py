@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,10 +22,10 @@ if TYPE_CHECKING:
 
 THREADS = 8
 TRIES = 4
+PAUSE_SECONDS = 0.3  # before the second try; longer before each further one
 TIMEOUT = (10, 30)  # seconds to connect, seconds between two pieces
 HTTP_NOT_FOUND = 404
 HTTP_PARTIAL = 206
-HTTP_RANGE_WRONG = 416
 
 Advance = Callable[[int], None]
 """Told how many bytes more are there; negative when a file has to be begun again."""
@@ -52,12 +54,12 @@ def fetch(jar_set: JarSet, folder: Path) -> None:
     Raises ServerError when a file cannot be had, its content is not the pinned one, or there is no room for it.
     Whatever was complete by then stays, so that the next call goes on from there.
     """
-    jars = jar_set.missing(folder)
-    if not jars:
-        return
+    if find_spec("requests") is None:
+        raise missing_extra("requests")
     sources = repositories()
     with explain_os_error(f"cannot keep the jars of Neo4j in {folder}"):
         folder.mkdir(parents=True, exist_ok=True)
+        jars = jar_set.missing(folder)
         with _progress(f"Neo4j {jar_set.version}", sum(jar.size for jar in jars)) as advance:
             _fetch_all(jars, folder, sources, advance)
 
@@ -84,6 +86,7 @@ def fetch_one(jar: Jar, folder: Path, sources: Sequence[str], advance: Advance =
         except _InterruptedError as error:
             if attempt == TRIES:
                 raise _unavailable(jar, str(error)) from error
+            time.sleep(PAUSE_SECONDS * attempt)
             continue
         if sha256_of(part) == jar.sha256:
             part.replace(folder / jar.name)
@@ -104,18 +107,19 @@ class _InterruptedError(Exception):
 def _download(jar: Jar, part: Path, sources: Sequence[str], advance: Advance) -> None:
     """Append to ``part`` what is missing of the jar."""
     import requests  # noqa: PLC0415 - slow to import, and only a first start needs it
+    import urllib3  # noqa: PLC0415 - the same
 
     for source in sources:
         have = part.stat().st_size if part.exists() else 0
         if have >= jar.size:
             return
         try:
-            ask_rest = {"Range": f"bytes={have}-"} if have else {}
-            with requests.get(f"{source}/{jar.path}", headers=ask_rest, stream=True, timeout=TIMEOUT) as answer:
+            headers = {"Accept-Encoding": "identity"} | ({"Range": f"bytes={have}-"} if have else {})
+            with requests.get(f"{source}/{jar.path}", headers=headers, stream=True, timeout=TIMEOUT) as answer:
                 if answer.status_code == HTTP_NOT_FOUND:
                     continue
                 _write(answer, part, have, advance)
-        except requests.RequestException as error:
+        except (requests.RequestException, urllib3.exceptions.HTTPError) as error:
             raise _InterruptedError(str(error)) from error
         if part.stat().st_size < jar.size:
             raise _InterruptedError(f"only {part.stat().st_size} of {jar.size} bytes came")
@@ -130,7 +134,7 @@ def _write(answer: requests.Response, part: Path, have: int, advance: Advance) -
     if have and not continues:
         advance(-have)
     with part.open("ab" if continues else "wb") as stream:
-        for piece in answer.iter_content(CHUNK):
+        while piece := answer.raw.read1(CHUNK):  # what has come is written, even if the rest never does
             stream.write(piece)
             advance(len(piece))
 
