@@ -70,7 +70,9 @@ def test_the_first_and_the_last_separator_may_be_missing():
 
 
 def test_white_space_is_folded_and_names_stay_as_written_otherwise():
-    result = read_text(unit("O\t Choppped  onion \t1", "S\t half  done ", "S\tin\t[ big  bowl]", "S\tcontains\t{ b c , a}"), "a")
+    result = read_text(
+        unit("O\t Choppped  onion \t1", "S\t half  done ", "S\tin\t[ big  bowl]", "S\tcontains\t{ b c , a}"), "a"
+    )
     assert first_input(result).node == ObjectNode("Choppped onion", ("half done",), ("a", "b c"), "in", "big bowl")
     assert result.notices == ()
 
@@ -191,9 +193,7 @@ def test_a_spoiled_unit_is_left_out_and_the_rest_of_the_file_is_kept(kind: Notic
     result = read_text("//\n" + UNIT + lines(*rows) + UNIT, "a", "a.txt")
     assert result.subgraph is not None
     assert result.subgraph.annotations == read_text(UNIT * 2, "a").subgraph.annotations  # type: ignore[union-attr]
-    assert [(n.file, n.line, n.kind, n.severity) for n in result.notices] == [
-        ("a.txt", line, kind, Severity.REJECTED)
-    ]
+    assert [(n.file, n.line, n.kind, n.severity) for n in result.notices] == [("a.txt", line, kind, Severity.REJECTED)]
     assert result.rejected == 1
 
 

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from foon_kg.loaders.times import counts_hours, read_timing, write_timing
@@ -107,12 +107,14 @@ def test_times_are_written_as_minutes_and_seconds(timing: Timing, written: str):
 seconds = st.one_of(st.integers(0, 10**6).map(float), st.floats(0, 10**6).map(lambda value: round(value, 3)))
 
 
+@settings(deadline=None)
 @given(st.lists(st.tuples(seconds, seconds).map(sorted).map(tuple), max_size=4), st.booleans())
 def test_every_time_is_read_back_as_it_was_written(spans: list[tuple[float, float]], assumed: bool):
     timing = Timing(tuple(spans), assumed)
     assert read_timing((write_timing(timing),)) == (timing, ())
 
 
+@settings(deadline=None)
 @given(st.lists(st.text(st.sampled_from("0123456789:,-<>[]. Assumedx"), max_size=20), max_size=3), st.booleans())
 def test_whatever_stands_for_a_time_is_read_to_one_that_can_be_written(columns: list[str], hours: bool):
     timing, remarks = read_timing(columns, hours=hours)
