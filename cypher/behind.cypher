@@ -1,13 +1,10 @@
 // Every unit that may take part in making the asked nodes, or any node of the asked foods in the asked states: their
 // producers, the producers of what those take in, and so on. Where the kitchen has a node, nobody needs to make it.
+// One search goes from the record of the FOON through the labels of what was asked, so that the work is linear in the
+// answer however many nodes are asked for: a search from each of them walks shared parts again and again.
 // param: nodes LIST<STRING>
 // param: foods LIST<MAP>
-// column: key
-// column: verb
-// column: accepts_any
-// column: inputs
-// column: outputs
-// column: sightings
+// column: units
 // mode: read
 CALL () {
   UNWIND $nodes AS key
@@ -19,14 +16,20 @@ CALL () {
   WHERE food.state IN o.states OR (food.state = '' AND size(o.states) = 0)
   RETURN o
 }
-MATCH (o)<-[:OUTPUTS]-(last:Motion)
-WITH DISTINCT last
-MATCH path = (last)<-[:INPUT_OF|OUTPUTS*0..]-(m)
-WHERE all(n IN nodes(path) WHERE n.start IS NULL)
+WITH collect(o.key) AS asked, collect(DISTINCT o.label) AS labels
+MATCH path = (:Foon {name: 'foon-kg'})<-[:LABEL_OF|CALLED|OUTPUTS|INPUT_OF*1..]-(m)
+WHERE all(r IN relationships(path) WHERE
+  CASE type(r)
+    WHEN 'LABEL_OF' THEN startNode(r).name IN labels
+    WHEN 'CALLED' THEN startNode(r).key IN asked
+    WHEN 'INPUT_OF' THEN startNode(r).start IS NULL
+    ELSE true
+  END)
 WITH DISTINCT m
 WHERE m:Motion
-RETURN m.key AS key, m.verb AS verb, m.accepts_any AS accepts_any,
-  COLLECT { MATCH (o)-[:INPUT_OF]->(m) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] } AS inputs,
-  COLLECT { MATCH (m)-[:OUTPUTS]->(o) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] } AS outputs,
-  COLLECT { MATCH (m)-[s:SEEN_IN]->(v) RETURN [v.name, v.sources, properties(s)] } AS sightings
-ORDER BY key
+RETURN collect([
+  m.key, m.verb, m.accepts_any,
+  COLLECT { MATCH (o)-[:INPUT_OF]->(m) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] },
+  COLLECT { MATCH (m)-[:OUTPUTS]->(o) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] },
+  COLLECT { MATCH (m)-[s:SEEN_IN]->(v) RETURN [v.name, v.sources, properties(s)] }
+]) AS units

@@ -1,5 +1,5 @@
-// Takes the whole FOON away, the record of the schema apart.
+// Takes the whole FOON away, its record apart.
 // mode: write
 // scans: everything goes
-MATCH (n:Object|Motion|Video|DishType|Ingredient|State|Verb)
+MATCH (n:Object|Label|Motion|Video|DishType|Ingredient|State|Verb)
 DETACH DELETE n

@@ -1,7 +1,13 @@
-// Makes the object nodes that are not there yet. Each key may be named once.
+// Makes the object nodes that are not there yet, and ties them to their labels. Each key may be named once.
 // param: objects LIST<MAP>
 // mode: write
+MATCH (f:Foon {name: 'foon-kg'})
 UNWIND $objects AS row
 MERGE (o:Object {key: row.key})
   ON CREATE SET o.label = row.label, o.states = row.states, o.ingredients = row.ingredients,
     o.relation = row.relation, o.container = row.container, o.start = row.start
+WITH f, o
+WHERE NOT EXISTS { (o)-[:CALLED]->() }
+MERGE (l:Label {name: o.label})
+MERGE (l)-[:LABEL_OF]->(f)
+CREATE (o)-[:CALLED]->(l)

@@ -2,6 +2,6 @@
 // param: version INTEGER
 // param: kitchen STRING
 // mode: write
-MERGE (s:Schema {name: 'foon-kg'})
-  ON CREATE SET s.loads = 0
-SET s.version = $version, s.kitchen = $kitchen
+MERGE (f:Foon {name: 'foon-kg'})
+  ON CREATE SET f.writes = 0
+SET f.version = $version, f.kitchen = $kitchen

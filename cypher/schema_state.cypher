@@ -2,5 +2,5 @@
 // column: version
 // column: kitchen
 // mode: read
-MATCH (s:Schema {name: 'foon-kg'})
-RETURN s.version AS version, s.kitchen AS kitchen
+MATCH (f:Foon {name: 'foon-kg'})
+RETURN f.version AS version, f.kitchen AS kitchen

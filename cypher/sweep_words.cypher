@@ -2,6 +2,8 @@
 // mode: write
 // scans: words are few beside units
 CALL () {
+  MATCH (l:Label) WHERE NOT EXISTS { (l)<-[:CALLED]-() } DETACH DELETE l
+  UNION ALL
   MATCH (i:Ingredient) WHERE NOT EXISTS { (i)--() } DELETE i
   UNION ALL
   MATCH (s:State) WHERE NOT EXISTS { (s)--() } DELETE s

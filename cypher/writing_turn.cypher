@@ -1,7 +1,7 @@
-// Waits until no other writer is at work, by holding the schema record until the transaction ends; says what it says.
+// Waits until no other writer is at work, by holding the record of the FOON until the transaction ends; says what it says.
 // column: version
 // column: kitchen
 // mode: write
-MATCH (s:Schema {name: 'foon-kg'})
-SET s.loads = s.loads + 1
-RETURN s.version AS version, s.kitchen AS kitchen
+MATCH (f:Foon {name: 'foon-kg'})
+SET f.writes = f.writes + 1
+RETURN f.version AS version, f.kitchen AS kitchen

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
-from typing import Any, Self, TypeVar
+from operator import itemgetter
+from typing import Self, TypeVar
 
 import neo4j
 
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.rows import (
-    KnownUnitRow,
+    KnownUnitValue,
+    SeenUnit,
     SubgraphRow,
     node_of,
-    nodes_of,
     sighting_of,
     timing_of,
     unit_of,
@@ -66,7 +67,8 @@ class GraphView:
         """Answer every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
-        return tuple(_known_unit(row) for row in self._ask(BEHIND, nodes=keys, foods=asked))
+        (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
+        return tuple(map(_known_unit, sorted(row.units, key=itemgetter(0))))
 
     def video_names(self) -> tuple[str, ...]:
         """Answer the names of all videos, sorted."""
@@ -128,15 +130,14 @@ def subgraph_of(row: SubgraphRow) -> Subgraph:
     return Subgraph(row.name, tuple(map(_annotation, row.units)), tuple(row.sources))
 
 
-def _annotation(unit: Sequence[Any]) -> Annotation:
+def _annotation(unit: SeenUnit) -> Annotation:
     _, verb, accepts_any, inputs, outputs, seen = unit
-    made = unit_of(verb, accepts_any=accepts_any, inputs=nodes_of(inputs), outputs=nodes_of(outputs), seen=seen)
-    return Annotation(made, timing_of(seen))
+    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))
 
 
-def _known_unit(row: KnownUnitRow) -> KnownUnit:
+def _known_unit(unit: KnownUnitValue) -> KnownUnit:
     """Write the unit as its first sighting has it, as the snapshot does."""
-    inputs, outputs = nodes_of(row.inputs), nodes_of(row.outputs)
-    seen = sorted(row.sightings, key=lambda sighting: (sighting[0], sighting[2]["position"]))
-    unit = unit_of(row.verb, accepts_any=row.accepts_any, inputs=inputs, outputs=outputs, seen=seen[0][2])
-    return KnownUnit(unit, tuple(sighting_of(*sighting) for sighting in seen))
+    _, verb, accepts_any, inputs, outputs, sightings = unit
+    seen = sorted(sightings, key=lambda sighting: (sighting[0], sighting[2]["position"]))
+    written = unit_of(verb, inputs, outputs, seen[0][2], accepts_any=accepts_any)
+    return KnownUnit(written, tuple(sighting_of(*sighting) for sighting in seen))

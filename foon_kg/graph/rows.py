@@ -13,8 +13,13 @@ from typing import Any
 
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Sighting, Timing
 
-NodeRow = Sequence[Any]
+NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
+SeenUnit = tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]
+"""``[key, verb, accepts_any, inputs, outputs, properties]``: a unit as one video has it."""
+
+KnownUnitValue = tuple[str, str, bool, list[NodeRow], list[NodeRow], list[tuple[str, list[str], Properties]]]
+"""The same with every sighting, each ``[video, sources, properties]``."""
 
 
 @dataclass(frozen=True)
@@ -64,19 +69,19 @@ class UnitRow:
 
 
 @dataclass(frozen=True)
-class KnownUnitRow(UnitRow):
-    """A unit with every place where it was seen: ``[video, sources, properties]``."""
+class BehindRow:
+    """All units at once: one long row travels several times faster than many short ones."""
 
-    sightings: list[tuple[str, list[str], Properties]]
+    units: list[KnownUnitValue]
 
 
 @dataclass(frozen=True)
 class SubgraphRow:
-    """A video with its units in order: ``[key, verb, accepts_any, inputs, outputs, properties]``."""
+    """A video with its units in order."""
 
     name: str
     sources: list[str]
-    units: list[tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]]
+    units: list[SeenUnit]
 
 
 @dataclass(frozen=True)
@@ -100,26 +105,25 @@ class GoalRow:
 def node_of(row: NodeRow) -> ObjectNode:
     """Answer the object node that travelled as ``row``."""
     label, states, ingredients, relation, container = row
-    return ObjectNode(label, states, ingredients, relation, container)
+    return ObjectNode(label, tuple(states), tuple(ingredients), relation, container)
 
 
-def nodes_of(rows: Iterable[NodeRow]) -> list[ObjectNode]:
-    """Answer the nodes of one side of a unit in their total order, which is what ranks count in."""
-    return sorted(map(node_of, rows), key=lambda node: node.sort_key)
+def row_of(node: ObjectNode) -> NodeRow:
+    """Answer ``node`` as it travels."""
+    return (node.label, list(node.states), list(node.ingredients), node.relation, node.container)
 
 
 def unit_of(
-    verb: str, *, accepts_any: bool, inputs: Sequence[ObjectNode], outputs: Sequence[ObjectNode], seen: Properties
+    verb: str, inputs: Iterable[NodeRow], outputs: Iterable[NodeRow], seen: Properties, *, accepts_any: bool
 ) -> FunctionalUnit:
-    """Answer the unit as one video has it; ``inputs`` and ``outputs`` are in their total order."""
-    return FunctionalUnit(
-        _participants(inputs, seen, "inputs"), verb, _participants(outputs, seen, "outputs"), accepts_any
-    )
+    """Answer the unit as one video has it."""
+    ins, outs = _participants(inputs, seen, "inputs"), _participants(outputs, seen, "outputs")
+    return FunctionalUnit(ins, verb, outs, accepts_any)
 
 
 def bare_unit_of(row: UnitRow) -> FunctionalUnit:
     """Answer the unit without anything that a video says about it."""
-    inputs, outputs = (tuple(map(Participant, nodes_of(side))) for side in (row.inputs, row.outputs))
+    inputs, outputs = (tuple(Participant(node_of(node)) for node in side) for side in (row.inputs, row.outputs))
     return FunctionalUnit(inputs, row.verb, outputs, row.accepts_any)
 
 
@@ -149,7 +153,7 @@ def properties_of(annotation: Annotation, position: int) -> Properties:
 
 
 def _side_as_properties(participants: Sequence[Participant], side: str) -> Properties:
-    distinct = sorted({p.node for p in participants}, key=lambda node: node.sort_key)
+    distinct = sorted({p.node for p in participants}, key=lambda node: _order(row_of(node)))
     ranks = {node: rank for rank, node in enumerate(distinct)}
     return {
         side: [ranks[p.node] for p in participants],
@@ -158,6 +162,13 @@ def _side_as_properties(participants: Sequence[Participant], side: str) -> Prope
     }
 
 
-def _participants(nodes: Sequence[ObjectNode], seen: Properties, side: str) -> tuple[Participant, ...]:
+def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple[Participant, ...]:
+    nodes = [node_of(row) for row in sorted(rows, key=_order)]
     columns = zip(seen[side], seen[f"{side}_moving"], seen[f"{side}_dish"], strict=True)
     return tuple(Participant(nodes[rank], moving, dish or None) for rank, moving, dish in columns)
+
+
+def _order(row: NodeRow) -> tuple[object, ...]:
+    """Answer the order that ranks count in; no two nodes are equal in it."""
+    label, states, ingredients, relation, container = row
+    return (label, states, ingredients, relation is not None, relation or "", container is not None, container or "")

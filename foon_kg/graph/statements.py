@@ -33,7 +33,7 @@ VIDEO_CONTENTS = Statement("video_contents", rows.ContentRow)
 SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
 VOCABULARY = Statement("vocabulary", rows.VocabularyRow)
 GOALS = Statement("goals", rows.GoalRow)
-BEHIND = Statement("behind", rows.KnownUnitRow)
+BEHIND = Statement("behind", rows.BehindRow)
 
 LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
 LOAD_OBJECTS = Statement("load_objects", rows.Nothing)
