@@ -1,0 +1,91 @@
+"""Algorithm 1, identify_goal_node: which recorded dish is most like the one asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+
+from foon_kg.kitchen import words
+from foon_kg.model import Goal, RequiredIngredient
+
+
+@dataclass(frozen=True)
+class RankedGoal:
+    """A goal with its likeness to a recipe.
+
+    ``score`` is the greatest sum of name confidences when every required food is matched with at most one
+    ingredient of the goal and every ingredient with at most one food. ``misnamed`` are foods in the goal's label
+    that the recipe does not have (a *carrot* salad without carrot).
+    """
+
+    goal: Goal
+    score: float
+    misnamed: tuple[str, ...]
+
+
+def rank_goals(
+    goals: Collection[Goal],
+    wants: Sequence[RequiredIngredient],
+    *,
+    name_confidence: Callable[[str, str], float],
+    known_foods: frozenset[str],
+    dish_type: str,
+) -> tuple[RankedGoal, ...]:
+    """Answer ``goals`` from the most to the least like the recipe.
+
+    The order is: truly named before misnamed, then score (in hundredths), then fewer ingredients that nobody
+    asked for, then the goal's node. The paper counts pairs above a threshold (:func:`foon_kg.similarity.count_similar`);
+    a matching counts each food once.
+    """
+    objects = sorted({want.object for want in wants})
+    ranked = [
+        RankedGoal(
+            goal,
+            _match(objects, goal.ingredients, name_confidence),
+            _misnamed(goal, objects, known_foods, dish_type),
+        )
+        for goal in goals
+    ]
+    return tuple(sorted(ranked, key=_order))
+
+
+def _order(ranked: RankedGoal) -> tuple[object, ...]:
+    return (
+        len(ranked.misnamed),
+        -round(ranked.score, 2),
+        len(ranked.goal.ingredients),
+        ranked.goal.node.sort_key,
+    )
+
+
+def _match(objects: Sequence[str], ingredients: Sequence[str], confidence: Callable[[str, str], float]) -> float:
+    """Match greedily, surest pair first: within a factor of two of the best matching, and the same on real recipes."""
+    pairs = sorted((-confidence(o, i), o, i) for o in objects for i in ingredients)
+    free_objects, free_ingredients, score = set(objects), set(ingredients), 0.0
+    for negative, name, ingredient in pairs:
+        if name in free_objects and ingredient in free_ingredients:
+            free_objects.remove(name)
+            free_ingredients.remove(ingredient)
+            score -= negative
+    return score
+
+
+def _misnamed(
+    goal: Goal,
+    objects: Sequence[str],
+    known_foods: frozenset[str],
+    dish_type: str,
+) -> tuple[str, ...]:
+    """Answer the foods that the goal's label names and the recipe does not have; the dish type's word apart."""
+    spoken = words(goal.node.label)
+    apart = set(words(dish_type))
+    there = {word for name in objects for word in words(name)}
+    named = {
+        " ".join(spoken[start:end])
+        for start in range(len(spoken))
+        for end in range(start + 1, len(spoken) + 1)
+        if end - start < len(spoken) or len(spoken) == 1
+    }
+    foods = {name for name in named if name in known_foods and not set(name.split()) & apart}
+    foods.discard(" ".join(spoken))
+    return tuple(sorted(name for name in foods if not set(name.split()) & there))

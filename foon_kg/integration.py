@@ -1,0 +1,332 @@
+"""Algorithm 4: from the reference tree to the final tree that holds what the recipe wants and nothing else.
+
+For every required food, in this order: a line of the reference tree plays it (renamed where need be); or it is
+made apart, by its own subtree of FOON or an equivalent's, and joins where any number of foods may enter; or, sold
+in the wanted state, it joins as it is. Foods of the reference that nobody plays are dropped. Every choice is
+proved by executing the tree (:mod:`foon_kg.replay`): a choice that does not bring the food into the goal is given up
+for the next one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg import motions
+from foon_kg.kitchen import Kitchen
+from foon_kg.lines import FoodLine, food_lines
+from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
+from foon_kg.replay import Casting, Item, Recast, Replayed, Step, replay
+from foon_kg.substitution import FAIR, Candidate, Equivalents
+
+Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
+"""Answers the units, in order, that make a food in a state (the last one outputs it), or ``None``."""
+
+
+@dataclass(frozen=True)
+class Preparation:
+    """A required food made apart: its steps, the script and casting they come from, and the node that is ready."""
+
+    want: RequiredIngredient
+    node: ObjectNode
+    steps: tuple[Step, ...]
+    casting: Casting
+    confidence: float
+
+
+@dataclass(frozen=True)
+class Addition:
+    """A food that joins the reference tree at the unit of ``place``; ``preparation`` is ``None`` for a bare one."""
+
+    want: RequiredIngredient
+    place: int
+    node: ObjectNode
+    preparation: Preparation | None
+
+
+@dataclass(frozen=True)
+class FinalTree:
+    """A tree that was executed: its steps in order, each with the casting that it was played with."""
+
+    goal: ObjectNode
+    steps: tuple[tuple[Step, Casting], ...]
+    lines: Mapping[RequiredIngredient, str]
+    additions: tuple[Addition, ...]
+    missing: tuple[RequiredIngredient, ...]
+
+
+@dataclass(frozen=True)
+class Integration:
+    """One recipe brought into one reference tree. ``script`` is the reference tree in the order of execution."""
+
+    script: tuple[KnownUnit, ...]
+    goal: ObjectNode
+    wants: tuple[RequiredIngredient, ...]
+    equivalents: Equivalents
+    kitchen: Kitchen
+    derive: Derive
+
+    def run(self) -> FinalTree:
+        """Answer the final tree; what could not be brought into it is ``missing``."""
+        lines = food_lines(self.script, self.kitchen)
+        played = self._play_lines(lines)
+        casting = self._casting(lines, played)
+        casting, played = self._keep_what_arrives(casting, lines, played)
+        additions: list[Addition] = []
+        missing = []
+        for want in self.wants:
+            if want in played:
+                continue
+            addition = self._add(want, casting, lines, additions)
+            if addition is None:
+                missing.append(want)
+            else:
+                additions.append(addition)
+        casting = self._carry(casting, additions)
+        return self._finish(casting, played, additions, missing)
+
+    # ---- lines of the reference
+
+    def _play_lines(self, lines: Mapping[str, FoodLine]) -> dict[RequiredIngredient, tuple[str, Recast]]:
+        """Give the lines of the reference to the foods that they fit best; each line plays one food."""
+        offers = []
+        for number, want in enumerate(self.wants):
+            for line in lines.values():
+                name = self.equivalents.name_confidence(want.object, line.label)
+                cast = self.equivalents.recast(want, line.label, line.states, line.made_by) if name >= FAIR else None
+                if cast is not None and self._leaves_stand(line, cast[0]):
+                    offers.append((-name * cast[1], number, line.label, cast[0]))
+        offers.sort(key=lambda offer: offer[:3])
+        played: dict[RequiredIngredient, tuple[str, Recast]] = {}
+        taken: set[str] = set()
+        equivalent_of: dict[str, str] = {}
+        for _, number, label, recast in offers:
+            want = self.wants[number]
+            if want in played or label in taken:
+                continue
+            played[want] = (label, recast)
+            equivalent_of.setdefault(want.object, label)
+            taken.add(label)
+        return played
+
+    def _leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
+        """Say whether every leaf of the line is at hand under its new name (contract, C6)."""
+        for node in line.leaves:
+            states = recast.states_of(node)
+            if any(not self.kitchen.is_start_state(recast.label, state) for state in states):
+                return False
+            if self.kitchen.is_mixture(node):
+                return False
+        return True
+
+    def _casting(
+        self, lines: Mapping[str, FoodLine], played: Mapping[RequiredIngredient, tuple[str, Recast]]
+    ) -> Casting:
+        foods: dict[str, Recast | None] = {label: None for label in lines if not self.kitchen.is_free(label)}
+        foods |= {label: recast for label, recast in played.values()}
+        return Casting(foods)
+
+    def _keep_what_arrives(
+        self,
+        casting: Casting,
+        lines: Mapping[str, FoodLine],
+        played: dict[RequiredIngredient, tuple[str, Recast]],
+    ) -> tuple[Casting, dict[RequiredIngredient, tuple[str, Recast]]]:
+        """Give up lines that do not reach the goal in the wanted state, one round after the other."""
+        while True:
+            steps, item = self._executed(replay(self.script, casting, self.kitchen))
+            arrived = {now for _, now in item.atoms} if item is not None else set()
+            lost = [
+                want
+                for want in played
+                if want.object not in arrived or not _shows(want, steps)
+            ]
+            if not lost:
+                return casting, played
+            played = {want: role for want, role in played.items() if want not in lost}
+            casting = self._casting(lines, played)
+
+    def _executed(self, replayed: Replayed) -> tuple[list[Step], Item | None]:
+        """Answer the steps that lead to the goal, and what the goal has become."""
+        item = replayed.items.get(self.goal)
+        if item is None:
+            return [], None
+        return _needed(replayed.steps, item.node), item
+
+    # ---- foods that join
+
+    def _add(
+        self,
+        want: RequiredIngredient,
+        casting: Casting,
+        lines: Mapping[str, FoodLine],
+        additions: Sequence[Addition],
+    ) -> Addition | None:
+        for node, preparation in self._forms(want):
+            for place in self._slots(want, casting, lines, additions):
+                addition = Addition(want, place, node, preparation)
+                if self._arrives(addition, casting, additions):
+                    return addition
+        return None
+
+    def _forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
+        """The ways to have a food ready, best first: made apart where it has to be made, else as it is sold."""
+        if self.kitchen.is_start_state(want.object, want.state):
+            yield ObjectNode(want.object, (want.state,)), None
+            return
+        for candidate in self.equivalents.candidates(want):
+            preparation = self.prepare(want, candidate)
+            if preparation is not None:
+                yield preparation.node, preparation
+        yield ObjectNode(want.object, (want.state,)), None
+
+    def prepare(self, want: RequiredIngredient, candidate: Candidate) -> Preparation | None:
+        """Make ``want`` as FOON makes ``candidate``; ``None`` where that needs other foods or does not work."""
+        script = self.derive(candidate)
+        if not script:
+            return None
+        lines = food_lines(script, self.kitchen)
+        line = lines.get(candidate.label)
+        if line is None:
+            return None
+        cast = self.equivalents.recast(want, candidate.label, [candidate.state], line.made_by)
+        if cast is None or not self._leaves_stand(line, cast[0]):
+            return None
+        foods: dict[str, Recast | None] = {label: None for label in lines if not self.kitchen.is_free(label)}
+        casting = Casting(foods | {candidate.label: cast[0]})
+        return self._prepared(want, candidate, script, casting)
+
+    def _prepared(
+        self, want: RequiredIngredient, candidate: Candidate, script: Sequence[KnownUnit], casting: Casting
+    ) -> Preparation | None:
+        replayed = replay(script, casting, self.kitchen)
+        targets = [
+            node
+            for node in script[-1].unit.output_nodes
+            if node.label == candidate.label and candidate.state in node.states
+        ]
+        item = replayed.items.get(targets[0]) if targets else None
+        if item is None or item.node.label != want.object or want.state not in item.node.states:
+            return None
+        steps = _needed(replayed.steps, item.node)
+        return Preparation(want, item.node, tuple(steps), casting, candidate.confidence) if steps else None
+
+    def _slots(
+        self,
+        want: RequiredIngredient,
+        casting: Casting,
+        lines: Mapping[str, FoodLine],
+        additions: Sequence[Addition],
+    ) -> list[int]:
+        """Answer the places where ``want`` may join, best first."""
+        joined = {a.place: (_item(a),) for a in additions}
+        steps, _ = self._executed(replay(self.script, casting, self.kitchen, joined))
+        alive = {step.place: step for step in steps}
+        last = max((p for p in alive if self._mixes_or_heats(p)), default=max(alive, default=-1))
+        scored = []
+        for place, known in enumerate(self.script):
+            unit = known.unit
+            if not motions.accepts_any(unit.motion, star=unit.accepts_any) or not self._receives(known):
+                continue
+            if place > last and place in alive:
+                continue
+            likeness = self._likeness(want, place, lines)
+            scored.append((-likeness, place not in alive, -place if place <= last else place, place))
+        return [place for *_, place in sorted(scored)]
+
+    def _mixes_or_heats(self, place: int) -> bool:
+        motion = self.script[place].unit.motion
+        return motions.mixes(motion) or motions.heats(motion)
+
+    def _receives(self, known: KnownUnit) -> bool:
+        return any(
+            node.ingredients for node in known.unit.output_nodes if not self.kitchen.is_storage(node.label)
+        )
+
+    def _likeness(self, want: RequiredIngredient, place: int, lines: Mapping[str, FoodLine]) -> float:
+        """Say how much the foods that join at ``place`` in the reference are like ``want`` (0..1, in tenths)."""
+        here = [line.label for line in lines.values() if line.joins == place]
+        return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
+
+    def _arrives(self, addition: Addition, casting: Casting, additions: Sequence[Addition]) -> bool:
+        replayed = self._replay_with(casting, [*additions, addition])
+        steps, item = self._executed(replayed)
+        if item is None or not any(node == addition.node for step in steps for node in step.added):
+            return False
+        arrived = {now for _, now in item.atoms}
+        return addition.want.object in arrived and all(a.want.object in arrived for a in additions)
+
+    def _replay_with(self, casting: Casting, additions: Sequence[Addition]) -> Replayed:
+        joined: dict[int, list[Item]] = {}
+        for addition in additions:
+            joined.setdefault(addition.place, []).append(_item(addition))
+        return replay(self.script, casting, self.kitchen, joined)
+
+    # ---- the whole
+
+    def _carry(self, casting: Casting, additions: Sequence[Addition]) -> Casting:
+        """Let mixtures name the foods that the goal would forget, though they are in it (contract, C4)."""
+        _, item = self._executed(self._replay_with(casting, additions))
+        if item is None:
+            return casting
+        named = {item.node.label, *item.node.ingredients}
+        forgotten = {want.object for want in self.wants} - set(item.node.ingredients)
+        inside = {now for _, now in item.atoms}
+        return replace(casting, carried=frozenset((forgotten & inside) - (named - {item.node.label})))
+
+    def _finish(
+        self,
+        casting: Casting,
+        played: Mapping[RequiredIngredient, tuple[str, Recast]],
+        additions: Sequence[Addition],
+        missing: Sequence[RequiredIngredient],
+    ) -> FinalTree:
+        steps, item = self._executed(self._replay_with(casting, additions))
+        goal = item.node if item is not None else self.goal
+        prepared: dict[int, list[tuple[Step, Casting]]] = {}
+        for addition in additions:
+            if addition.preparation is not None:
+                own = [(step, addition.preparation.casting) for step in addition.preparation.steps]
+                prepared.setdefault(addition.place, []).extend(own)
+        ordered: list[tuple[Step, Casting]] = []
+        for step in steps:
+            ordered += prepared.get(step.place, [])
+            ordered.append((step, casting))
+        return FinalTree(
+            goal, tuple(_once(ordered)), {w: role[0] for w, role in played.items()}, tuple(additions), tuple(missing)
+        )
+
+
+def _item(addition: Addition) -> Item:
+    return Item(addition.node, frozenset({("", addition.want.object)}))
+
+
+def _shows(want: RequiredIngredient, steps: Sequence[Step]) -> bool:
+    return any(
+        node.label == want.object and want.state in node.states
+        for step in steps
+        for node in (*step.input_nodes, *step.output_nodes)
+    )
+
+
+def _needed(steps: Sequence[Step], goal: ObjectNode) -> list[Step]:
+    """Answer the steps that lead to ``goal``, in their order: from the last that makes it, backwards."""
+    wanted = {goal}
+    kept: list[Step] = []
+    for step in reversed(steps):
+        made = wanted & set(step.output_nodes) - set(step.input_nodes)
+        if made:
+            kept.append(step)
+            wanted -= made
+            wanted |= set(step.input_nodes)
+    return kept[::-1]
+
+
+def _once(steps: Sequence[tuple[Step, Casting]]) -> Iterator[tuple[Step, Casting]]:
+    """Leave out steps that were done before: the same inputs, motion and outputs."""
+    seen = set()
+    for step, casting in steps:
+        same = (frozenset(step.input_nodes), step.motion, frozenset(step.output_nodes))
+        if same not in seen:
+            seen.add(same)
+            yield step, casting

@@ -1,0 +1,67 @@
+"""What a motion's words say of it: who may enter, whether it mixes, heats, moves or opens.
+
+The words are those of the FOON's annotators (``scoop and pour``, ``pick-and-place``); a motion belongs to a
+class when one of its words does.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+ACCEPTS_ANY = frozenset(
+    "add beat blend combine drop fill mix place pour put scoop shake sprinkle stir toss whisk".split()
+)
+"""Words of motions into which any number of foods may enter (contract, C8)."""
+
+MIXES = frozenset("beat blend combine fold knead mash mix shake stir swirl toss whip whisk".split())
+HEATS = frozenset(
+    "bake barbecue boil broil brown cook fry grill heat melt microwave pan poach preheat reduce roast saute "
+    "sauté sear simmer steam toast warm".split()
+)
+TRANSFERS = frozenset(
+    "add drip drizzle drop dump empty fill garnish insert move pick place pour put scoop scrape spoon sprinkle squeeze "
+    "transfer".split()
+)
+OPENS = frozenset(
+    "break chop core crack cube cut dice grate halve hull julienne mince open peel pit quarter remove shave shred slice "
+    "slit split trim".split()
+)
+
+_WORD = re.compile(r"[^\W\d_]+")
+
+
+@cache
+def words(motion: str) -> frozenset[str]:
+    """Answer the words of ``motion`` in lower case."""
+    return frozenset(_WORD.findall(motion.lower()))
+
+
+@cache
+def accepts_any(motion: str, *, star: bool = False) -> bool:
+    """Say whether any number of foods may enter a unit with this motion (contract, C8)."""
+    return star or bool(words(motion) & ACCEPTS_ANY)
+
+
+@cache
+def mixes(motion: str) -> bool:
+    """Say whether the motion makes one thing of several."""
+    return bool(words(motion) & MIXES)
+
+
+@cache
+def heats(motion: str) -> bool:
+    """Say whether the motion cooks what it acts on."""
+    return bool(words(motion) & HEATS)
+
+
+@cache
+def transfers(motion: str) -> bool:
+    """Say whether the motion only brings something from one place to another."""
+    return bool(words(motion) & TRANSFERS) and not mixes(motion) and not heats(motion)
+
+
+@cache
+def opens(motion: str) -> bool:
+    """Say whether the motion opens a whole food: cracks, peels or cuts it."""
+    return bool(words(motion) & OPENS)

@@ -1,0 +1,395 @@
+"""Integration as re-execution: run a task tree again with other foods in it (paper, algorithm 4).
+
+A script (units in their order) is executed step by step. Every object node of the script stands for a *current*
+node, or for nothing any more: a leaf food is recast as the food that the recipe wants, or dropped; what a unit
+outputs holds only what really went in; a unit whose foods are all gone does nothing, and what it would have
+moved stays where it is. Foods may be added at units that accept any number, and flow from there with whatever
+holds them. Removing, renaming and adding are therefore consistent by construction, up to the goal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from foon_kg import motions
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import KnownUnit, ObjectNode
+
+EMPTY = "empty"
+"""The state of a vessel out of which everything was taken."""
+
+Atom = tuple[str, str]
+"""A food inside a node: its name in the script (``""`` for one that was added) and its name now."""
+
+
+@dataclass(frozen=True)
+class Recast:
+    """How a food of the script appears now: under another label, in other states, by other motions.
+
+    ``states`` maps a state of the script to the state now; the key ``""`` gives a state to nodes that name none.
+    """
+
+    label: str
+    states: Mapping[str, str] = field(default_factory=dict)
+    motions: Mapping[str, str] = field(default_factory=dict)
+
+    def states_of(self, node: ObjectNode) -> tuple[str, ...]:
+        """Answer the states in which ``node`` appears now."""
+        if not node.states and "" in self.states:
+            return (self.states[""],)
+        return tuple(self.states.get(state, state) for state in node.states)
+
+
+@dataclass(frozen=True)
+class Item:
+    """What a node of the script has become: the current node and the foods inside it."""
+
+    node: ObjectNode
+    atoms: frozenset[Atom] = frozenset()
+
+    @property
+    def added(self) -> frozenset[Atom]:
+        """The foods in it that the script knows nothing of."""
+        return frozenset(atom for atom in self.atoms if not atom[0])
+
+
+@dataclass(frozen=True)
+class Step:
+    """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here."""
+
+    place: int
+    known: KnownUnit
+    input_nodes: tuple[ObjectNode, ...]
+    motion: str
+    output_nodes: tuple[ObjectNode, ...]
+    added: tuple[ObjectNode, ...] = ()
+    moving: frozenset[ObjectNode] = frozenset()
+
+
+@dataclass(frozen=True)
+class Casting:
+    """Who plays in a script: recast foods, dropped foods (``None``); a label not named stays as it is.
+
+    ``cut`` names foods that are at hand although the script makes them: their makers are not run.
+    ``carried`` names foods (as they are called now) that every mixture must name, where the script forgets them.
+    """
+
+    foods: Mapping[str, Recast | None] = field(default_factory=dict)
+    cut: frozenset[str] = frozenset()
+    carried: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Replayed:
+    """A script as it was executed: the steps that do something, and what every node has become."""
+
+    steps: tuple[Step, ...]
+    items: Mapping[ObjectNode, Item | None]
+
+
+def replay(
+    script: Sequence[KnownUnit],
+    casting: Casting,
+    kitchen: Kitchen,
+    additions: Mapping[int, Sequence[Item]] | None = None,
+) -> Replayed:
+    """Execute ``script`` with the foods of ``casting``; ``additions`` join at the unit of that place."""
+    stage = _Stage(casting, kitchen)
+    steps = []
+    for place, known in enumerate(script):
+        step = stage.perform(place, known, tuple((additions or {}).get(place, ())))
+        if step is not None:
+            steps.append(step)
+    return Replayed(tuple(steps), stage.items)
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """One unit while it is performed: its inputs that are there, and what they bring."""
+
+    present: Mapping[ObjectNode, Item]
+    gone: frozenset[ObjectNode]
+    added: tuple[Item, ...]
+    outputs: frozenset[ObjectNode]
+
+    @property
+    def atoms(self) -> frozenset[Atom]:
+        return frozenset().union(*(item.atoms for item in self.present.values()), *(i.atoms for i in self.added))
+
+    def of_label(self, label: str) -> list[Item]:
+        return [item for node, item in self.present.items() if node.label == label]
+
+
+class _Stage:
+    """What stands in the kitchen while a script is performed."""
+
+    def __init__(self, casting: Casting, kitchen: Kitchen) -> None:
+        self.casting = casting
+        self.kitchen = kitchen
+        self.items: dict[ObjectNode, Item | None] = {}
+        self.leaf_foods: set[str] = set()
+        self.used: set[ObjectNode] = set()
+        self.later: dict[ObjectNode, Item] = {}
+
+    def perform(self, place: int, known: KnownUnit, added: tuple[Item, ...]) -> Step | None:
+        """Execute one unit; answer what happens, or ``None`` where nothing does."""
+        unit = known.unit
+        there = [node for node in unit.input_nodes if not self._is_used(node)]
+        fetched = {node: self._fetch(node) for node in there}
+        present = {node: item for node, item in fetched.items() if item is not None}
+        gone = frozenset(node for node, item in fetched.items() if item is None)
+        scene = _Scene(present, gone, added, frozenset(unit.output_nodes))
+        if not self._happens(unit.motion, scene):
+            self._pass_through(unit.output_nodes, scene)
+            return None
+        made = self._make(unit.output_nodes, scene)
+        self.used |= {node for node in present if self._is_food(node) and node not in scene.outputs}
+        return self._step(place, known, scene, made)
+
+    def _is_food(self, node: ObjectNode) -> bool:
+        return not self.kitchen.is_utensil(node.label)
+
+    # ---- what is there
+
+    def _is_used(self, node: ObjectNode) -> bool:
+        """Say whether a food went elsewhere before: it is taken once (sense, S1 and S4), and is now in what took it."""
+        if node in self.used:
+            return True
+        return self._is_food(node) and node not in self.items and node.label in self.leaf_foods and bool(node.container)
+
+    def _fetch(self, node: ObjectNode) -> Item | None:
+        if node in self.items:
+            item = self.items[node]
+            while item is not None and item.node in self.later and self.later[item.node].node != item.node:
+                item = self.later[item.node]
+            return item
+        item = self._leaf(node)
+        self.items[node] = item
+        return item
+
+    def _leaf(self, node: ObjectNode) -> Item | None:
+        inside = [(name, self._name_now(name)) for name in node.ingredients]
+        atoms = {(name, now) for name, now in inside if now is not None}
+        names = tuple(now for _, now in atoms)
+        if not self._is_food(node):
+            if node.ingredients and not atoms:
+                return None
+            return Item(_with(node, ingredients=names), frozenset(atoms))
+        self.leaf_foods.add(node.label)
+        if self._name_now(node.label) is None:
+            return None
+        current = self._recast(node, names)
+        return Item(current, frozenset(atoms | {(node.label, current.label)}))
+
+    def _name_now(self, name: str) -> str | None:
+        recast = self.casting.foods.get(name, _AS_IT_IS)
+        if recast is None:
+            return None
+        return name if isinstance(recast, _AsItIs) else recast.label
+
+    def _recast(self, node: ObjectNode, ingredients: Iterable[str]) -> ObjectNode:
+        recast = self.casting.foods.get(node.label)
+        if recast is None:
+            return _with(node, ingredients=ingredients)
+        return _with(node, label=recast.label, states=recast.states_of(node), ingredients=ingredients)
+
+    # ---- does it happen
+
+    def _happens(self, motion: str, scene: _Scene) -> bool:
+        if scene.added:
+            return True
+        nodes = [*scene.present, *scene.gone]
+        acted = [node for node in nodes if self._is_food(node) and node not in scene.outputs]
+        if acted:
+            if not any(node in scene.present for node in acted):
+                return False
+            return not (scene.gone and motions.transfers(motion) and self._all_stay(acted, scene))
+        holders = [n for n in nodes if not self._is_food(n) and n.ingredients and n not in scene.outputs]
+        return not holders or any(n in scene.present and scene.present[n].atoms for n in holders)
+
+    def _all_stay(self, acted: Sequence[ObjectNode], scene: _Scene) -> bool:
+        """Say whether everything that is left of what the unit moves is there before and after, in its place."""
+        places = {(node.label, node.container) for node in scene.outputs}
+        left = [node for node in acted if node in scene.present]
+        return all((node.label, node.container) in places for node in left)
+
+    def _pass_through(self, outputs: Iterable[ObjectNode], scene: _Scene) -> None:
+        for node in outputs:
+            names = {node.label} if self._is_food(node) else set(node.ingredients)
+            if names and names <= self.casting.cut:
+                continue  # at hand: asked for later, it is a leaf
+            same = scene.of_label(node.label)
+            self.items.setdefault(node, None)
+            if same:
+                self.items[node] = same[0]
+
+    # ---- what comes of it
+
+    def _make(self, outputs: Sequence[ObjectNode], scene: _Scene) -> dict[ObjectNode, Item | None]:
+        foods = [node for node in outputs if self._is_food(node)]
+        made = {node: self._food(node, scene) for node in foods}
+        own = frozenset(
+            atom for node, item in made.items() if item is not None for atom in item.atoms if atom[0] == node.label
+        )
+        deep = {node.label: item.atoms for node, item in made.items() if item is not None}
+        made |= {node: self._vessel(node, scene, own, deep) for node in outputs if not self._is_food(node)}
+        return {node: made[node] for node in outputs}
+
+    def _food(self, node: ObjectNode, scene: _Scene) -> Item | None:
+        same = scene.of_label(node.label)
+        if node.label in self.leaf_foods or same or self._was_input(node.label, scene):
+            return self._same_food(node, scene, same)
+        sources = self._sources(node, scene)
+        if not sources:
+            return None
+        atoms = frozenset().union(*(item.atoms for item in sources))
+        current = _with(node, ingredients=self._listed(node, atoms | {(node.label, node.label)}, atoms))
+        return Item(current, atoms | {(node.label, node.label)})
+
+    def _was_input(self, label: str, scene: _Scene) -> bool:
+        return any(node.label == label for node in scene.gone)
+
+    def _same_food(self, node: ObjectNode, scene: _Scene, same: Sequence[Item]) -> Item | None:
+        names = {now for name, now in scene.atoms if name == node.label}
+        if not names:
+            return None
+        if same and (not node.ingredients or not self._is_mixed(node, scene)):
+            sources = list(same)
+        else:
+            sources = [*self._sources(node, scene), *same]
+        atoms = frozenset().union(*(item.atoms for item in sources)) if sources else scene.atoms
+        own = {(node.label, min(names))}
+        current = self._recast(node, self._listed(node, atoms - own, atoms - own))
+        if current.label not in names:
+            current = _with(current, label=min(names))
+        return Item(current, atoms | own)
+
+    def _is_mixed(self, node: ObjectNode, scene: _Scene) -> bool:
+        """Say whether a food takes others in here: it names some that it did not name before."""
+        before = {name for n in scene.present if n.label == node.label for name in n.ingredients}
+        return not set(node.ingredients) <= before
+
+    def _sources(self, node: ObjectNode, scene: _Scene) -> list[Item]:
+        """The inputs that go into a mixture: what is acted on, and the vessels that hold it."""
+        foods = [item for n, item in scene.present.items() if self._is_food(n) and n not in scene.outputs]
+        holders = [
+            item for n, item in scene.present.items() if not self._is_food(n) and n.ingredients and item.atoms
+        ]
+        if not foods and not holders:
+            return list(scene.added)
+        named = set(node.ingredients)
+        relevant = [
+            item
+            for item in (*foods, *holders)
+            if not named or any(name in named or not name for name, _ in item.atoms)
+        ]
+        return [*(relevant or [*foods, *holders]), *scene.added]
+
+    def _listed(self, node: ObjectNode, known: Iterable[Atom], inside: Iterable[Atom]) -> set[str]:
+        """The ingredients that ``node`` names now: those it named, those added, those it must carry."""
+        wanted = set(node.ingredients)
+        names = {now for name, now in known if name in wanted}
+        names |= {now for name, now in inside if not name}
+        names |= {now for _, now in inside if now in self.casting.carried}
+        return names - {self._name_now(node.label) or node.label}
+
+    def _vessel(
+        self,
+        node: ObjectNode,
+        scene: _Scene,
+        own: frozenset[Atom],
+        deep: Mapping[str, frozenset[Atom]],
+    ) -> Item | None:
+        if not node.ingredients:
+            return Item(node)
+        wanted = set(node.ingredients)
+        named = {atom for atom in scene.atoms | own if atom[0] in wanted}
+        inside = named.union(*(deep[name] for name in wanted if name in deep))
+        extra = {atom for atom in scene.atoms if not atom[0]}
+        shown_by_food = {atom for label in wanted if label in deep for atom in deep[label]}
+        hidden = {atom for n, item in scene.present.items() if n.label == node.label for atom in item.atoms}
+        names = {now for _, now in named} | {now for _, now in extra - shown_by_food}
+        if not names:
+            emptied = {s for s in node.states if s != EMPTY} | {EMPTY}
+            return Item(_with(node, states=emptied, ingredients=()))
+        return Item(_with(node, ingredients=names), frozenset(inside | extra | hidden))
+
+    # ---- telling it
+
+    def _step(
+        self, place: int, known: KnownUnit, scene: _Scene, made: Mapping[ObjectNode, Item | None]
+    ) -> Step | None:
+        unit = known.unit
+        left_behind = self._left_behind(scene, made)
+        inputs = [item.node for node, item in scene.present.items() if node not in left_behind]
+        added = tuple(item.node for item in scene.added)
+        outputs = []
+        for node, item in made.items():
+            origin = next((n for n in left_behind if n.label == node.label and not node.ingredients), None)
+            self.items[node] = scene.present[origin] if origin is not None and not self._is_food(node) else item
+            if item is not None and not (origin is not None and not self._is_food(node)):
+                outputs.append(item.node)
+        self._remember(scene, made)
+        inputs = list(dict.fromkeys([*inputs, *added]))
+        outputs = list(dict.fromkeys(outputs))
+        if not outputs or set(outputs) <= set(inputs):
+            return None
+        now = {**scene.present, **{node: item for node, item in made.items() if item is not None}}
+        moving = {now[p.node].node for p in (*unit.inputs, *unit.outputs) if p.moving and p.node in now}
+        motion = self._motion(unit.motion, scene)
+        return Step(place, known, tuple(inputs), motion, tuple(outputs), added, frozenset(moving.union(added)))
+
+    def _left_behind(self, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> set[ObjectNode]:
+        """Vessels of the script that bring nothing any more and take nothing: they are not touched."""
+        receiving = {node.label for node, item in made.items() if item is not None and item.atoms}
+        return {
+            node
+            for node, item in scene.present.items()
+            if not self._is_food(node) and node.ingredients and not item.atoms and node.label not in receiving
+        }
+
+    def _remember(self, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> None:
+        """Keep what a vessel has become, for a later unit of the script that still knows it as it was."""
+        for node, item in scene.present.items():
+            if self._is_food(node) or not item.node.ingredients:
+                continue
+            for output, now in made.items():
+                if now is None or output.label != node.label or now.node == item.node:
+                    continue
+                if _place(now.node) == _place(item.node) and set(now.node.ingredients) > set(item.node.ingredients):
+                    self.later[item.node] = now
+
+    def _motion(self, motion: str, scene: _Scene) -> str:
+        acted = {node.label for node in scene.present if self._is_food(node) and node not in scene.outputs}
+        if len(acted) != 1:
+            return motion
+        recast = self.casting.foods.get(next(iter(acted)))
+        return recast.motions.get(motion, motion) if recast is not None else motion
+
+
+class _AsItIs:
+    """The mark of a label that the casting does not name."""
+
+
+_AS_IT_IS = _AsItIs()
+
+
+def _place(node: ObjectNode) -> tuple[tuple[str, ...], str | None, str | None]:
+    return (node.states, node.relation, node.container)
+
+
+def _with(
+    node: ObjectNode,
+    *,
+    label: str | None = None,
+    states: Iterable[str] | None = None,
+    ingredients: Iterable[str] | None = None,
+) -> ObjectNode:
+    return ObjectNode(
+        node.label if label is None else label,
+        node.states if states is None else tuple(states),
+        node.ingredients if ingredients is None else tuple(ingredients),
+        node.relation,
+        node.container,
+    )

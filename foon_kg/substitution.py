@@ -1,0 +1,127 @@
+"""Which food, state and motion of FOON may stand for what a recipe wants (paper, algorithm 4, lines on equivalents).
+
+A known *diced potato* becomes a *sliced potato* with *slice* instead of *dice*: first the object, then a state
+of the same class, then the motion that makes the wanted state. What is sold in a state never stands for what
+somebody has to make (a whole potato for a sliced one): that would claim work that nobody does (contract, C8).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import Vocabulary
+from foon_kg.model import RequiredIngredient
+from foon_kg.replay import Recast
+
+FAIR = 0.5
+"""An equivalent below this confidence is none (contract, C6 and S5)."""
+
+SAME_CLASS = 0.5
+"""States at least this similar may stand for one another."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A food of FOON in a state that FOON makes, as an equivalent of a required one."""
+
+    label: str
+    state: str
+    name_confidence: float
+    state_confidence: float
+
+    @property
+    def confidence(self) -> float:
+        """How likely a cook would accept it, taking name and state as independent."""
+        return self.name_confidence * self.state_confidence
+
+
+@dataclass(frozen=True)
+class Equivalents:
+    """What the words of one FOON may stand for, seen from one recipe.
+
+    ``name_confidence`` maps (required object, FOON label) to a probability; ``state_similarity`` two states to 0..1.
+    """
+
+    vocabulary: Vocabulary
+    kitchen: Kitchen
+    name_confidence: Callable[[str, str], float]
+    state_similarity: Callable[[str, str], float]
+
+    def state_confidence(self, food: str, required: str, known: str) -> float:
+        """Say how well the FOON's state ``known`` stands for ``required`` of ``food``; 0 where it must not."""
+        if required == known:
+            return 1.0
+        sold = self.kitchen.is_start_state(food, required)
+        if sold != self.kitchen.is_start_state(food, known) and known:
+            return 0.0
+        if not known:
+            return SAME_CLASS if sold else 0.0
+        return self.state_similarity(required, known)
+
+    def candidates(self, want: RequiredIngredient, *, limit: int = 8) -> tuple[Candidate, ...]:
+        """Answer the fair equivalents that FOON makes, surest first, at most ``limit``; ties by label and state."""
+        found = []
+        for row in self.vocabulary.foods:
+            if not row.made or not row.state:
+                continue
+            name = self.name_confidence(want.object, row.label)
+            if name < FAIR:
+                continue
+            state = self.state_confidence(want.object, want.state, row.state)
+            if state >= SAME_CLASS:
+                found.append(Candidate(row.label, row.state, name, state))
+        found.sort(key=lambda c: (-c.confidence, c.label, c.state))
+        return tuple(found[:limit])
+
+    def recast(
+        self, want: RequiredIngredient, label: str, states: Iterable[str], made_by: Iterable[tuple[str, str]]
+    ) -> tuple[Recast, float] | None:
+        """Answer how the food ``label``, which passes ``states``, plays ``want``, and how well its states fit (0..1).
+
+        ``made_by`` are the (state, motion) of the line. ``None`` where none of its states can stand for the
+        wanted one.
+        """
+        passed = sorted(set(states)) or [""]
+        if want.state in passed:
+            return Recast(want.object), 1.0
+        best = max(passed, key=lambda s: (self.state_confidence(want.object, want.state, s), s))
+        fit = self.state_confidence(want.object, want.state, best)
+        if fit < SAME_CLASS:
+            return None
+        motion = dict(made_by).get(best)
+        renamed = {} if motion is None else self._motion_for(want.state, motion)
+        return Recast(want.object, {best: want.state}, renamed), fit
+
+    def _motion_for(self, state: str, motion: str) -> dict[str, str]:
+        """Answer the motion that stands for ``motion`` when ``state`` is made; nothing where FOON makes it so too."""
+        known = self._motions.get(state, ())
+        if not known or motion in {name for name, _ in known}:
+            return {}
+        return {motion: known[0][0]}
+
+    @cached_property
+    def _motions(self) -> dict[str, tuple[tuple[str, int], ...]]:
+        rows: dict[str, list[tuple[str, int]]] = {}
+        for row in self.vocabulary.motions:
+            rows.setdefault(row.state, []).append((row.motion, row.count))
+        return {state: tuple(sorted(found, key=lambda r: (-r[1], r[0]))) for state, found in rows.items()}
+
+    def labels_like(self, food: str) -> tuple[tuple[str, float], ...]:
+        """Answer the foods of FOON with their confidence as equivalents of ``food``, surest first."""
+        labels = sorted({row.label for row in self.vocabulary.foods} - {food})
+        return tuple(sorted(((n, self.name_confidence(food, n)) for n in labels), key=lambda r: (-r[1], r[0])))
+
+    def states_like(self, food: str, required: str, label: str) -> tuple[tuple[str, float], ...]:
+        """Answer the states of the known food ``label`` that may stand for ``required`` of ``food``, surest first."""
+        states = sorted({row.state for row in self.vocabulary.foods if row.label == label and row.state})
+        rows = ((state, self.state_confidence(food, required, state)) for state in states)
+        return tuple(sorted((row for row in rows if row[1] > 0), key=lambda r: (-r[1], r[0])))
+
+    def motions_like(self, state: str) -> tuple[tuple[str, float], ...]:
+        """Answer the motions that make ``state`` with their shares, most frequent first."""
+        rows = self._motions.get(state, ())
+        total = sum(count for _, count in rows)
+        return tuple((motion, count / total) for motion, count in rows)
