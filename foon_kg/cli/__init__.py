@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from foon_kg import __version__
-from foon_kg.cli import plan
+from foon_kg.cli import check, demo, plan, server
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -15,7 +15,7 @@ app = typer.Typer(
     name="foon",
     no_args_is_help=True,
     rich_markup_mode=None,  # plain help is quick to print and fits any width
-    pretty_exceptions_show_locals=False,
+    pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog="Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree.",
 )
@@ -36,7 +36,10 @@ def foon(
     """Plan the steps that make a dish from a knowledge graph of cooking videos, even for recipes nobody recorded."""
 
 
+app.command(epilog=demo.EXAMPLES)(demo.demo)
 app.command(epilog=plan.EXAMPLES)(plan.plan)
+app.command(epilog=check.EXAMPLES)(check.check)
+app.add_typer(server.app)
 
 
 def main() -> None:

@@ -9,19 +9,21 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from foon_kg.model import Recipe
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.progress import ProgressLine
 from foon_kg.result import PlannedUnit, PlanResult, Substitution
 from foon_kg.views.words import (
     ASIDE,
     MOTION,
+    STATE,
     UNSEEN,
     UNSEEN_SIGN,
     food_words,
+    in_a_row,
     motion_words,
     node_words,
-    nodes_words,
-    shown_nodes,
+    shown_inputs,
+    shown_outputs,
     stage_words,
 )
 
@@ -30,7 +32,7 @@ def plan_view(result: PlanResult) -> RenderableType:
     """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
     unseen = frozenset(s.object for s in result.substitutions if s.kind == "object")
     parts = [_header(result, unseen), _section("Steps", _steps(result, unseen))]
-    parts.append(_section("Kitchen", nodes_words(result.kitchen, unseen, between=" · ")))
+    parts.append(_section("Kitchen", in_a_row((node_words(n, unseen) for n in result.kitchen), " · ")))
     if result.substitutions:
         parts.append(_section("Substitutions", _substitutions(result.substitutions)))
     if result.assumptions:
@@ -51,12 +53,17 @@ def _section(title: str, body: RenderableType) -> RenderableType:
 
 def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
     table = Table.grid(padding=(0, 1))
-    asked = Text(", ").join(food_words(f"{i.object} ({i.state})", ()) for i in result.recipe.ingredients)
-    table.add_row(Text("dish", ASIDE), Text(f"{dish_name(result.recipe)}, a {result.recipe.dish_type}", "bold"))
+    asked = Text(", ").join(_asked(wanted) for wanted in result.recipe.ingredients)
+    name, dish_type = dish_name(result.recipe), result.recipe.dish_type
+    table.add_row(Text("dish", ASIDE), Text(name if name == dish_type else f"{name} ({dish_type})", "bold"))
     table.add_row(Text("asked", ASIDE), asked)
     table.add_row(Text("makes", ASIDE), node_words(result.goal, unseen))
     table.add_row(Text("like", ASIDE), _reference(result))
     return table
+
+
+def _asked(wanted: RequiredIngredient) -> Text:
+    return Text(f"{wanted.object} (") + Text(wanted.state, STATE) + Text(")")
 
 
 def _reference(result: PlanResult) -> Text:
@@ -71,15 +78,24 @@ def _reference(result: PlanResult) -> Text:
 def _steps(result: PlanResult, unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
+    told: set[tuple[str, tuple[str, ...]]] = set()
     for number, unit in enumerate(result.units, start=1):
-        table.add_row(str(number), _step(unit, unseen))
+        table.add_row(str(number), _step(unit, unseen, told))
     return table
 
 
-def _step(unit: PlannedUnit, unseen: frozenset[str]) -> Text:
+def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
+    """Answer what goes in, what is done and what comes out; what something holds is told once (``told``)."""
+
+    def words(node: ObjectNode) -> Text:
+        contents = (node.label, node.ingredients)
+        new = contents not in told
+        told.add(contents)
+        return node_words(node, unseen, contents=new)
+
     arrow = Text(" → ", ASIDE)
-    text = nodes_words(shown_nodes(unit.input_nodes), unseen) + arrow + motion_words(unit.motion_node) + arrow
-    text += nodes_words(shown_nodes(unit.output_nodes), unseen)
+    text = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ") + arrow + motion_words(unit.motion_node) + arrow
+    text += in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
     if unit.origin != "reference" and unit.seen_in:
         word = "like" if unit.origin == "substituted" else "from"
         text += Text(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
@@ -98,8 +114,7 @@ def _substitution(one: Substitution) -> Text:
     if one.kind == "object":
         text = Text(UNSEEN_SIGN + one.required, UNSEEN) + Text(f" is handled like {one.equivalent}")
     else:
-        of = "" if one.kind == "motion" else " is made as"
-        text = Text(f"{one.object}: {one.required}{of or ' instead of'} {one.equivalent}")
+        text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
     return text + Text(f"  or {others}", ASIDE) if others else text
 

@@ -17,12 +17,15 @@ MOTION = "bold red"
 UNSEEN = "blue"
 ASIDE = "dim"
 UNSEEN_SIGN = "~"
+EMPTY = "empty"
 
 
-def node_words(node: ObjectNode, unseen: Collection[str] = ()) -> Text:
+def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool = True) -> Text:
     """Answer ``onion (chopped, on cutting board)``; a food of ``unseen`` is marked as one that FOON has not seen so."""
-    text = food_words(node.label, unseen)
-    return text + _bracketed(node.states, _contents(node, unseen), _place(node.relation, node.container))
+    words = [Text(state, STATE) for state in node.states]
+    words += _contents(node, unseen) if contents else []
+    words += _place(node.relation, node.container)
+    return food_words(node.label, unseen) + (Text(" (") + _listed(words) + Text(")") if words else Text())
 
 
 def food_words(label: str, unseen: Collection[str] = ()) -> Text:
@@ -40,14 +43,20 @@ def motion_words(motion: str) -> Text:
     return Text(motion.upper(), MOTION)
 
 
-def nodes_words(nodes: Iterable[ObjectNode], unseen: Collection[str] = (), between: str = " + ") -> Text:
+def in_a_row(words: Iterable[Text], between: str) -> Text:
     """Answer several nodes in a row."""
-    return Text(between, ASIDE).join(node_words(node, unseen) for node in nodes)
+    return Text(between, ASIDE).join(words)
 
 
-def shown_nodes(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
+def shown_inputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
     """Leave out the vessels whose foods all stand beside them and say where they are."""
     return [node for node in nodes if not _told_by_others(node, nodes)]
+
+
+def shown_outputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
+    """Leave out the same vessels, and what is only empty now, where anything else comes out."""
+    shown = shown_inputs(nodes)
+    return [node for node in shown if node.states != (EMPTY,) or node.ingredients] or shown
 
 
 def _told_by_others(vessel: ObjectNode, nodes: Sequence[ObjectNode]) -> bool:
@@ -63,11 +72,6 @@ def _contents(node: ObjectNode, unseen: Collection[str]) -> list[Text]:
 
 def _place(relation: str | None, container: str | None) -> list[Text]:
     return [Text(f"{relation or 'at'} {container}")] if container else []
-
-
-def _bracketed(states: Sequence[str], *parts: list[Text]) -> Text:
-    words = [Text(state, STATE) for state in states] + [word for part in parts for word in part]
-    return Text(" (") + _listed(words) + Text(")") if words else Text()
 
 
 def _listed(words: Sequence[Text]) -> Text:

@@ -1,0 +1,89 @@
+"""``foon demo``: from nothing to a task tree that nobody recorded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from foon_kg.cli.console import Json, Quiet, Say, data, examples, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.model import Subgraph
+    from foon_kg.result import PlanResult
+    from foon_kg.server import ConnectionSettings
+
+EXAMPLES = examples("foon demo", "foon demo --json --quiet")
+
+RECIPE = "kohlrabi_salad"
+"""No video of the demo's FOON has seen a kohlrabi."""
+
+NEXT = """
+This tree was planned from the FOON in your local Neo4j. Next you could
+
+  ask for something else
+    foon plan --dish omelette "chopped leek" "beaten egg" "grated cheddar"
+    foon plan --dish soup "chopped parsnip" "chopped onion" --json
+  look at the graph
+    foon stats
+    foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"
+  load a larger FOON: 111 annotated cooking videos are public
+    git clone https://github.com/sadman3/consolidating-task-trees
+    foon load foon FOLDER     (the folder of its subgraphs)
+  stop the server
+    foon server stop"""
+
+
+def demo(as_json: Json = False, quiet: Quiet = False) -> None:
+    """Start a local Neo4j, load a small FOON and plan a salad with a vegetable that FOON has never seen.
+
+    The first time fetches Neo4j and Java, which takes a minute or two. The FOON is 23 subgraphs of common cooking
+    knowledge; it goes into the local Neo4j of this user, never into the one that NEO4J_URI names, and loading it again
+    changes nothing.
+    """
+    from foon_kg.server import ensure_running
+
+    say = sayer(quiet=quiet)
+    settings = ensure_running(say)
+    _load(settings, say)
+    result = _planned(settings, say)
+    if as_json:
+        print_json(result.to_json())
+        return
+    from foon_kg.views.tree import plan_view
+
+    data().print(plan_view(result))
+    say(NEXT)
+
+
+def _load(settings: ConnectionSettings, say: Say) -> None:
+    from foon_kg.graph import Connection, load
+
+    subgraphs = demo_subgraphs()
+    with Connection(settings) as connection:
+        report = load(connection, subgraphs)
+    there = f", {len(report.unchanged)} were there already" if report.unchanged else ""
+    say(f"Loaded {len(report.inserted) + len(report.replaced)} of the demo's {len(subgraphs)} subgraphs{there}.")
+
+
+def demo_subgraphs() -> list[Subgraph]:
+    """Read the demo's FOON, sorted by name."""
+    from foon_kg.demo import demo_folder
+    from foon_kg.loaders import read_paths
+
+    results = read_paths(sorted(demo_folder().glob("*.txt")))
+    return [result.subgraph for result in results if result.subgraph is not None]
+
+
+def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
+    from foon_kg.cli.knowledge import RememberedWords
+    from foon_kg.demo import demo_recipes
+    from foon_kg.graph import Neo4jGraph
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.planner import plan
+    from foon_kg.recipes import IngredientWords, read_recipe
+
+    path = next(path for path in demo_recipes() if path.stem == RECIPE)
+    with Neo4jGraph(settings) as graph, graph.reading() as view:
+        knowledge = RememberedWords(view)
+        read = read_recipe(path, IngredientWords(knowledge.vocabulary(), Kitchen.default()))
+        say(f"Planning {read.recipe.title}, from {', '.join(i.object for i in read.recipe.ingredients)}.\n")
+        return plan(knowledge, read.recipe)

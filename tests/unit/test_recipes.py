@@ -1,0 +1,159 @@
+"""What people ask is read as they meant it, and whatever was decided on the way is said."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.errors import ReadError, UsageError
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import SeenAs, Vocabulary
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.recipes import IngredientWords, read_recipe, recipe_files, recipe_of
+
+FOODS = (
+    SeenAs("apple", "whole", made=0, used=1),
+    SeenAs("garlic powder", "ground", made=0, used=1),
+    SeenAs("olive oil", "liquid", made=1, used=9),
+    SeenAs("olive oil", "solid", made=0, used=2),
+    SeenAs("onion", "chopped", made=4, used=4),
+    SeenAs("onion", "peeled", made=2, used=2),
+    SeenAs("onion", "raw", made=0, used=1),
+    SeenAs("onion", "whole", made=0, used=3),
+    SeenAs("sauce", "thick liquid", made=1, used=1),
+    SeenAs("stock", "", made=1, used=1),
+)
+WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
+
+
+@pytest.mark.parametrize(
+    ("text", "food", "state"),
+    [
+        ("chopped onion", "onion", "chopped"),
+        ("Chopped Onions", "onion", "chopped"),
+        ("onion, chopped", "onion", "chopped"),
+        ("chopped white onion", "white onion", "chopped"),
+        ("chopped dragon fruit", "dragon fruit", "chopped"),
+        ("spiralized onion", "onion", "spiralized"),
+        ("ground garlic powder", "garlic powder", "ground"),
+        ("thick liquid sauce", "sauce", "thick liquid"),
+    ],
+)
+def test_a_state_and_a_food_are_told_apart(text, food, state):
+    assert WORDS.read(text) == (RequiredIngredient(food, state), ())
+
+
+@pytest.mark.parametrize(
+    ("text", "food", "state"),
+    [
+        ("olive oil", "olive oil", "liquid"),
+        ("onions", "onion", "whole"),
+        ("stock", "stock", "whole"),
+        ("dragon fruit", "dragon fruit", "whole"),
+    ],
+)
+def test_a_food_without_a_state_is_taken_as_it_is_usually_sold_and_this_is_said(text, food, state):
+    wanted, (note,) = WORDS.read(text)
+    assert wanted == RequiredIngredient(food, state)
+    assert note == f"“{food}” names no state: taken as {state}"
+
+
+def test_of_several_states_the_last_processed_one_counts_and_the_others_are_named():
+    wanted, (note,) = WORDS.read("peeled finely chopped raw onion")
+    assert wanted == RequiredIngredient("onion", "chopped")
+    assert "“peeled raw finely” is left out" in note
+
+
+@pytest.mark.parametrize("text", ["", "  ", ","])
+def test_an_empty_ingredient_is_refused(text):
+    with pytest.raises(UsageError, match="an ingredient is empty"):
+        WORDS.read(text)
+
+
+@given(
+    st.lists(
+        st.sampled_from(["chopped", "raw", "onion", "olive", "oil", "finely", "whole", "thick", "liquid"]),
+        min_size=1,
+        max_size=5,
+    )
+)
+def test_no_word_of_an_ingredient_is_lost_unsaid(words):
+    wanted, notes = WORDS.read(" ".join(words))
+    said = " ".join([wanted.object, wanted.state, *notes]).split()
+    assert wanted.object
+    assert wanted.state
+    assert {word.strip("“”,:") for word in said} >= set(words)
+
+
+def test_a_recipe_in_words_keeps_the_order_and_what_is_asked_twice():
+    read = recipe_of("salad", ["chopped onion", "apple", "chopped onion"], WORDS)
+    onion = RequiredIngredient("onion", "chopped")
+    assert read.recipe == Recipe("salad", (onion, RequiredIngredient("apple", "whole"), onion))
+    assert len(read.notes) == 1
+
+
+def write(folder, name, value):
+    path = folder / name
+    path.write_text(value if isinstance(value, str) else json.dumps(value), encoding="utf-8")
+    return path
+
+
+def test_a_recipe_file_is_read_with_every_decision_noted(tmp_path):
+    ingredients = [
+        {"object": "onion", "state": "chopped"},
+        {"object": " ", "state": "raw"},
+        {"object": "olive oil", "state": ""},
+        {"object": "onion", "state": "chopped"},
+    ]
+    path = write(tmp_path, "17.json", {"type": "salad", "ingredients": ingredients})
+    read = read_recipe(path, WORDS)
+    onion = RequiredIngredient("onion", "chopped")
+    assert read.recipe == Recipe("salad", (onion, RequiredIngredient("olive oil", "liquid"), onion), id="17")
+    assert read.notes == (
+        f"{path}: ingredients[1]: “object” is empty; the ingredient is left out",
+        f"{path}: ingredients[2]: “olive oil” names no state: taken as liquid",
+    )
+
+
+def test_the_recipe_of_a_plan_result_is_a_recipe_file_too(tmp_path):
+    path = write(tmp_path, "r.json", {"id": "a", "title": "B", "dish_type": "soup", "ingredients": []})
+    assert read_recipe(path, WORDS).recipe == Recipe("soup", (), id="a", title="B")
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ('{\n"type": "salad",\n}', r"bad\.json:3: not JSON"),
+        ("[]", r"bad\.json: expected a JSON object"),
+        ('{"ingredients": []}', "“type” is missing"),
+        ('{"type": "salad", "ingredients": ["onion"]}', r"ingredients\[0\]: expected a JSON object"),
+    ],
+)
+def test_a_file_that_is_no_recipe_is_refused_with_its_place(tmp_path, content, message):
+    with pytest.raises(ReadError, match=message) as caught:
+        read_recipe(write(tmp_path, "bad.json", content), WORDS)
+    assert caught.value.hint
+
+
+def test_a_recipe_that_is_not_utf8_is_refused(tmp_path):
+    path = tmp_path / "latin.json"
+    path.write_bytes('{"title": "Crème"}'.encode("latin-1"))
+    with pytest.raises(ReadError, match="not UTF-8"):
+        read_recipe(path, WORDS)
+
+
+def test_a_folder_stands_for_its_recipes_by_name_and_paths_keep_their_order(tmp_path):
+    for name in ("b.json", "a.json", "c.txt"):
+        write(tmp_path, name, {})
+    last = write(tmp_path, "a.json", {})
+    assert [path.name for path in recipe_files([tmp_path, last])] == ["a.json", "b.json", "a.json"]
+
+
+def test_a_path_that_is_not_there_or_has_no_recipes_is_wrong_usage(tmp_path):
+    with pytest.raises(UsageError, match="no file or folder"):
+        list(recipe_files([tmp_path / "nowhere"]))
+    with pytest.raises(UsageError, match="has no recipes"):
+        list(recipe_files([tmp_path]))
