@@ -5,84 +5,124 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from foon_kg.search.core import Core
+from foon_kg.search.core import Core, bits_of
+from foon_kg.search.cuts import Web, cut_bound
 from foon_kg.search.forward import chain, cheapest_first
 from foon_kg.search.landmarks import Landmarks, landmarks_of
+from foon_kg.search.partial import Choice
+from foon_kg.search.penalty import reachable
+
+Value = tuple[int, int, int, int]
+"""(penalty, minus overlap, units, minus the set of steps): the whole order between trees, the lesser the better."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reduced:
-    """What is left of a core: ``makers`` of each node, the ``landmarks``, and a first tree to be bettered.
+    """What is left of a core: for each node its possible makers, and what every way of making it needs.
 
-    ``behind`` holds, for each node, all steps that may take part in making it.
+    ``behind`` holds, for each node, all steps that may take part in making it, ``around`` all nodes of these steps and
+    ``foods`` the wanted foods that occur in them. ``penalty`` is the least there is.
     """
 
     core: Core
-    makers: list[tuple[int, ...]]
+    penalty: int
+    web: Web
+    choice: Choice
     landmarks: Landmarks
     behind: list[int]
-    first_tree: int
+    around: list[int]
+    foods: list[int]
 
+    @classmethod
+    def of(cls, core: Core, penalty: int, steps: Collection[int]) -> Reduced:
+        """Reduce ``core`` to what may be in a tree made of ``steps`` with that ``penalty``."""
+        while True:
+            steps = reachable(core, steps)
+            order, _ = chain(core, steps)
+            landmarks = landmarks_of(core, order)
+            choice = Choice(core, _makers(core, order, landmarks, penalty), landmarks.nodes_of_step)
+            kept = _chosen_from(choice)
+            if len(kept) == len(steps):
+                return cls(core, penalty, Web.of(core, kept), choice, landmarks, *_behind(choice))
+            steps = kept
 
-def reduced(core: Core) -> Reduced | None:
-    """Reduce ``core`` until nothing more can be thrown out; ``None`` when nothing makes its goal."""
-    steps: Collection[int] = range(core.step_count)
-    best: tuple[tuple[int, int, int, int], int] | None = None
-    while True:
-        tree = cheapest_first(core, steps)
+    def first_tree(self) -> int:
+        """Answer some tree, as a set of steps."""
+        tree = cheapest_first(self.core, self.web.steps)
         if tree is None:
-            return None
-        found = (value_of(core, tree), tree)
-        best = found if best is None else min(best, found)
-        order, _ = chain(core, steps)
-        landmarks = landmarks_of(core, order)
-        makers = _makers(core, order, landmarks, best[0][0])
-        kept = _reachable(core, makers)
-        if len(kept) == len(steps):
-            return Reduced(core, makers, landmarks, _behind(core, makers), best[1])
-        steps = kept
+            raise AssertionError("reducing a core keeps all its best trees")
+        return tree
+
+    def without_longer_than(self, units: int) -> Reduced:
+        """Reduce further to what may be in a tree of at most so many units."""
+        needed = self.landmarks.steps_of_node[self.core.goal]
+        weights = self.unit_weights(needed)
+        cuts = cut_bound(self.web, weights, [self.core.goal])
+        if cuts is None:
+            raise AssertionError("reducing a core keeps all its best trees")
+        spare = units - self.core.units_in(needed)
+        kept = [step for step in self.web.steps if cuts.least_with(self.core, step) <= spare]
+        return self if len(kept) == len(self.web.steps) else Reduced.of(self.core, self.penalty, kept)
+
+    def unit_weights(self, paid: int) -> list[int]:
+        """Answer the weight of each step where units count one, and gaps and the steps in ``paid`` nothing."""
+        weights = [0] * len(self.core.gap_nodes) + [1] * len(self.core.units)
+        for step in bits_of(paid):
+            weights[step] = 0
+        return weights
 
 
-def value_of(core: Core, steps: int) -> tuple[int, int, int, int]:
-    """Answer the place in the order of trees: penalty, overlap, units, least keys. The lesser is the better."""
+def value_of(core: Core, steps: int) -> Value:
+    """Answer the place of the tree ``steps`` in the order of trees."""
     return (core.penalty_of(steps), -core.foods_of(steps).bit_count(), core.units_in(steps), -steps)
 
 
-def _makers(core: Core, order: list[int], landmarks: Landmarks, penalty: int) -> list[tuple[int, ...]]:
+def _makers(core: Core, order: list[int], landmarks: Landmarks, penalty: int) -> list[list[int]]:
     """Answer the steps that may be chosen for each node: within the penalty, and possible without the node itself."""
     needed = landmarks.steps_of_node[core.goal]
     makers: list[list[int]] = [[] for _ in core.nodes]
-    for step in order:
+    for step in sorted(order):
         if core.penalty_of(needed | landmarks.steps_of_step[step]) <= penalty:
             for node in core.outputs[step]:
                 if not landmarks.nodes_of_step[step] >> node & 1:
                     makers[node].append(step)
-    return [tuple(sorted(steps)) for steps in makers]
+    return makers
 
 
-def _reachable(core: Core, makers: list[tuple[int, ...]]) -> set[int]:
-    waiting, nodes, steps = [core.goal], {core.goal}, set[int]()
+def _chosen_from(choice: Choice) -> set[int]:
+    waiting, nodes, steps = [choice.core.goal], {choice.core.goal}, set[int]()
     for node in waiting:  # grows while it is read
-        for step in makers[node]:
-            if step not in steps:
-                steps.add(step)
-                fresh = [n for n in core.inputs[step] if n not in nodes]
-                nodes.update(fresh)
-                waiting.extend(fresh)
+        steps.update(choice.makers[node])
+        for step in choice.makers[node]:
+            fresh = [n for n in choice.core.inputs[step] if n not in nodes]
+            nodes.update(fresh)
+            waiting.extend(fresh)
     return steps
 
 
-def _behind(core: Core, makers: list[tuple[int, ...]]) -> list[int]:
+def _behind(choice: Choice) -> tuple[list[int], list[int], list[int]]:
+    """Answer, for each node, the steps that may take part in making it, their nodes and their foods."""
+    core = choice.core
     behind = [0] * len(core.nodes)
     changed = True
     while changed:
         changed = False
-        for node, steps in enumerate(makers):
-            mask = 0
-            for step in steps:
+        for node, makers in enumerate(choice.makers):
+            mask = behind[node]
+            for step in makers:
                 mask |= 1 << step
                 for needed in core.inputs[step]:
                     mask |= behind[needed]
             if mask != behind[node]:
                 behind[node], changed = mask, True
-    return behind
+    distinct = {mask: _nodes_of(core, mask) for mask in set(behind)}
+    foods = {mask: core.foods_of(mask) for mask in distinct}
+    return behind, [distinct[mask] for mask in behind], [foods[mask] for mask in behind]
+
+
+def _nodes_of(core: Core, steps: int) -> int:
+    nodes = 0
+    for step in bits_of(steps):
+        for node in (*core.inputs[step], *core.outputs[step]):
+            nodes |= 1 << node
+    return nodes

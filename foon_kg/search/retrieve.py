@@ -6,11 +6,12 @@ import time
 from dataclasses import replace
 
 from foon_kg.model import ObjectNode
-from foon_kg.search.branch import Search
+from foon_kg.search.branch import OverlapSearch, UnitSearch
 from foon_kg.search.core import Core, bits_of, core_behind
 from foon_kg.search.missing import no_way
+from foon_kg.search.penalty import within_least_penalty
 from foon_kg.search.problem import Bound, ReferenceTree, SearchProblem, weakest
-from foon_kg.search.reduction import reduced
+from foon_kg.search.reduction import Reduced
 from foon_kg.search.schedule import schedule
 
 
@@ -47,12 +48,23 @@ def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: float | None)
     if number is None:
         return None
     core = core_behind(problem, number)
-    what_is_left = reduced(core)
-    if what_is_left is None:
+    within = within_least_penalty(core)
+    if within is None:
         return None
-    search = Search(what_is_left, deadline)
-    exact = search.run()
-    return _as_tree(problem, core, search.best, bound=None if exact else search.bound())
+    steps, bound = _best_steps(Reduced.of(core, *within), deadline)
+    return _as_tree(problem, core, steps, bound)
+
+
+def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[int, Bound | None]:
+    """Answer the best tree as a set of steps, with what is proven about it if that is not that it is the best."""
+    first = reduced.first_tree()
+    widest = OverlapSearch(reduced, first, deadline)
+    if not widest.run():
+        return widest.best or first, widest.bound()
+    units = widest.value[2]
+    shortest = UnitSearch(reduced.without_longer_than(units), widest.best, deadline)
+    proven = shortest.run()
+    return shortest.best, None if proven else shortest.bound()
 
 
 def _as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
