@@ -1,0 +1,132 @@
+"""A lower bound on the sum of weights of any tree: LM-cut.
+
+Every tree has a step of every *cut* between the start and the goal. Cuts are taken one after another, each pays its
+cheapest step, and its steps get that much cheaper; what was paid is a lower bound (Helmert, Domshlak: Landmarks,
+critical paths and abstractions, ICAPS 2009). What is left of the weights tells which steps no good tree can have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from heapq import heappop, heappush
+
+from foon_kg.search.core import Core
+
+_FREE = -1  # the supporter of a step that needs nothing
+
+
+@dataclass(frozen=True, eq=False)
+class Web:
+    """Some steps of a core with, for each node, the steps that take and that make it."""
+
+    core: Core
+    steps: tuple[int, ...]
+    users: list[list[int]]
+    makers: list[list[int]]
+
+    @classmethod
+    def of(cls, core: Core, steps: Iterable[int]) -> Web:
+        """Answer the web of ``steps``."""
+        users: list[list[int]] = [[] for _ in core.nodes]
+        makers: list[list[int]] = [[] for _ in core.nodes]
+        kept = tuple(sorted(steps))
+        for step in kept:
+            for node in core.inputs[step]:
+                users[node].append(step)
+            for node in core.outputs[step]:
+                makers[node].append(step)
+        return cls(core, kept, users, makers)
+
+
+@dataclass(frozen=True, eq=False)
+class Heights:
+    """How much a node costs at least, ``None`` where nothing makes it; and the dearest input of each step."""
+
+    of_node: list[int | None]
+    supporter: dict[int, int]
+
+
+@dataclass(frozen=True, eq=False)
+class CutBound:
+    """``bound``: what any tree weighs at least. ``left``: the weights after that. ``heights``: by these weights."""
+
+    bound: int
+    left: list[int]
+    heights: Heights
+
+    def least_with(self, core: Core, step: int) -> int:
+        """Answer what any tree with ``step`` weighs at least."""
+        below = (self.heights.of_node[node] or 0 for node in core.inputs[step])
+        return self.bound + self.left[step] + max(below, default=0)
+
+
+def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
+    """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
+    inputs, outputs = web.core.inputs, web.core.outputs
+    of_node: list[int | None] = [None] * len(web.core.nodes)
+    missing = {step: len(inputs[step]) for step in web.steps}
+    supporter = dict.fromkeys((step for step in web.steps if not missing[step]), _FREE)
+    waiting = [(0, node) for node in sorted(there)]
+    for step in supporter:
+        for node in outputs[step]:
+            heappush(waiting, (weights[step], node))
+    while waiting:
+        height, node = heappop(waiting)
+        if of_node[node] is not None:
+            continue
+        of_node[node] = height
+        for step in web.users[node]:
+            missing[step] -= 1
+            if not missing[step]:
+                supporter[step] = node
+                for made in outputs[step]:
+                    if of_node[made] is None:
+                        heappush(waiting, (height + weights[step], made))
+    return Heights(of_node, supporter)
+
+
+def cut_bound(web: Web, weights: Sequence[int], goals: Collection[int], there: Collection[int] = ()) -> CutBound | None:
+    """Answer the bound for making all of ``goals`` where the nodes ``there`` are free; ``None`` when nothing does."""
+    left, paid = list(weights), 0
+    while True:
+        found = heights(web, left, there)
+        dearest, height = -1, -1
+        for goal in goals:
+            of_goal = found.of_node[goal]
+            if of_goal is None:
+                return None
+            if of_goal > height:
+                dearest, height = goal, of_goal
+        if height <= 0:
+            return CutBound(paid, left, found)
+        cut = _cut(web, left, found, dearest, there)
+        price = min(left[step] for step in cut)
+        paid += price
+        for step in cut:
+            left[step] -= price
+
+
+def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collection[int]) -> set[int]:
+    """Answer the steps that lead from what the start reaches into what reaches the goal for nothing."""
+    zone, waiting = {goal}, [goal]
+    for node in waiting:  # grows while it is read
+        for step in web.makers[node]:
+            supporter = found.supporter.get(step, _FREE)
+            if supporter != _FREE and not left[step] and supporter not in zone:
+                zone.add(supporter)
+                waiting.append(supporter)
+    by_supporter: dict[int, list[int]] = {}
+    for step, supporter in found.supporter.items():
+        by_supporter.setdefault(supporter, []).append(step)
+    cut, reached = set[int](), {*there, _FREE}
+    waiting = sorted(reached)
+    for node in waiting:
+        for step in by_supporter.get(node, ()):
+            for made in web.core.outputs[step]:
+                if made in zone:
+                    cut.add(step)
+                elif made not in reached:
+                    reached.add(made)
+                    waiting.append(made)
+    return cut

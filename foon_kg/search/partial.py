@@ -1,0 +1,73 @@
+"""A tree that is being chosen: some nodes have their producer, others wait for one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from foon_kg.search.core import Core
+
+
+@dataclass(frozen=True, eq=False)
+class Partial:
+    """``chosen`` steps, ``decided`` nodes, and the nodes ``waiting``, each with the decided nodes that depend on it.
+
+    As a node's producer must not depend on the node itself, the nodes above a waiting one are all that has to be known
+    to keep a tree well-founded.
+    """
+
+    chosen: int
+    decided: int
+    waiting: dict[int, int]
+
+    def take(self, core: Core, node: int, step: int) -> Partial:
+        """Answer this tree with ``step`` as the producer of the waiting ``node``."""
+        waiting = dict(self.waiting)
+        above = waiting.pop(node) | 1 << node
+        decided = self.decided | 1 << node
+        for needed in core.inputs[step]:
+            if needed in waiting:
+                waiting[needed] |= above
+            elif decided >> needed & 1:
+                for other, others in waiting.items():
+                    if others >> needed & 1:
+                        waiting[other] = others | above
+            else:
+                waiting[needed] = above
+        return Partial(self.chosen | 1 << step, decided, waiting)
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """Which steps may be chosen for each node. ``needed_by`` holds the nodes that each step cannot do without."""
+
+    core: Core
+    makers: Sequence[Sequence[int]]
+    needed_by: Sequence[int]
+
+    def start(self) -> Partial:
+        """Answer the tree in which nothing is chosen and the goal waits."""
+        return Partial(0, 0, {self.core.goal: 0})
+
+    def forced(self, partial: Partial) -> tuple[Partial, int, list[int]]:
+        """Choose while a waiting node has one option only; then answer the node with the fewest options, and these.
+
+        There are no options where a node cannot be made, and the node is -1 where none waits.
+        """
+        while partial.waiting:
+            node, options = self._tightest(partial.waiting)
+            if len(options) != 1:
+                return partial, node, options
+            partial = partial.take(self.core, node, options[0])
+        return partial, -1, []
+
+    def _tightest(self, waiting: dict[int, int]) -> tuple[int, list[int]]:
+        tightest, fewest = -1, list[int]()
+        for node, above in waiting.items():
+            blocked = above | 1 << node
+            options = [step for step in self.makers[node] if not self.needed_by[step] & blocked]
+            if tightest < 0 or len(options) < len(fewest):
+                tightest, fewest = node, options
+                if len(options) <= 1:
+                    break
+        return tightest, fewest
