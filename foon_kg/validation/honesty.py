@@ -18,14 +18,14 @@ def honest(case: Case) -> Iterator[Finding]:
     entries = case.tree.substitutions or ()
     for place, entry in enumerate(entries):
         for reason in _incomplete(entry):
-            yield Finding("C7", f"substitution {place} ({_told(entry)}): {reason}")
+            yield Finding("C7", f"substitution {place}, {_told(entry)}: {reason}")
         if entry in entries[:place]:
-            yield Finding("C7", f"substitution {place} ({_told(entry)}) is there twice")
+            yield Finding("C7", f"substitution {place}, {_told(entry)}, is there twice")
         elif case.foon is not None and entry not in used:
-            yield Finding("C7", f"substitution {place} ({_told(entry)}): no unit uses it")
+            yield Finding("C7", f"substitution {place}, {_told(entry)}: no unit uses it")
     for place, found in enumerate(case.derivations):
         for missing in found.undeclared if found else ():
-            yield Finding("C7", f"no substitution says {_told(missing)}", place)
+            yield Finding("C7", f"no substitution says “{_told(missing)}”", place)
         if found and found.used and case.tree.units[place].origin not in (None, "substituted"):
             yield Finding(
                 "C7", f"its origin is “{case.tree.units[place].origin}”, and it has something substituted", place
@@ -90,5 +90,5 @@ def _raw_for_processed(entry: Substituted, kitchen: Kitchen) -> bool:
 
 
 def _told(entry: Substituted) -> str:
-    name = f"{entry.object} " if entry.kind == "state" and entry.object else ""
-    return f"{name}{entry.required or 'nothing'} for {entry.equivalent or 'nothing'}, {entry.kind or 'no kind'}"
+    about = f"{entry.object}: " if entry.kind != "object" and entry.object else ""
+    return f"{about}{entry.required or 'nothing'} for {entry.equivalent or 'nothing'} ({entry.kind or 'no kind'})"

@@ -71,10 +71,10 @@ def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
 
 
 def joinings(case: Case) -> tuple[Joining, ...]:
-    """Answer where each required food joins others for the first time, and again for each time it is taken anew."""
+    """Answer where each required food joins others, as often as it comes to them anew; free foods never do."""
     found = []
     for place, unit in enumerate(case.tree.units):
-        for food in sorted(case.required_names):
+        for food in sorted(name for name in case.required_names if not case.kitchen.is_free(name)):
             nodes = tuple(node for node in unit.input_nodes if singular(node.label) == food)
             if _comes_alone(case, unit, food) and _is_with_others(case, unit, food):
                 found.append(Joining(food, place, nodes))
@@ -103,7 +103,10 @@ def _others(case: Case, names: frozenset[str], food: str) -> set[str]:
 
 
 def in_time(case: Case) -> Iterator[Finding]:
-    """S2: a food joins others no later than the last unit that mixes or heats, unless FOON's unit takes it there."""
+    """S2: a food joins others no later than the last unit that mixes or heats, unless FOON's unit takes it there.
+
+    Free foods count neither as what joins nor as what is joined.
+    """
     units = case.tree.units
     working = [
         place

@@ -15,15 +15,23 @@ from foon_kg.validation import KnownFoon, TaskTree, check
 GARDEN = (
     "cutting board(empty); tomato(whole) > pick-and-place > cutting board{tomato}; tomato(whole)@on cutting_board",
     "tomato(whole)@on cutting_board; knife > chop > tomato(chopped)@on cutting_board; knife",
-    "cutting board{tomato}; tomato(chopped)@on cutting_board; salad bowl(empty) > pour > "
-    "salad bowl{tomato}; tomato(chopped)@in salad_bowl; cutting board(empty)",
-    "bottle{olive oil}; olive oil(liquid)@in bottle; salad bowl{tomato} > pour > "
-    "bottle{olive oil}; olive oil(liquid)@in salad_bowl; salad bowl{olive oil,tomato}",
-    "shaker{salt}; salt(granulated)@in shaker; salad bowl{olive oil,tomato} > sprinkle > "
-    "shaker{salt}; salt(granulated)@in salad_bowl; salad bowl{olive oil,salt,tomato}",
-    "salad bowl{olive oil,salt,tomato}; tomato(chopped)@in salad_bowl; olive oil(liquid)@in salad_bowl; "
-    "salt(granulated)@in salad_bowl; spoon > mix > "
-    "garden salad(mixed){olive oil,salt,tomato}@in salad_bowl; salad bowl{garden salad}; spoon",
+    (
+        "cutting board{tomato}; tomato(chopped)@on cutting_board; salad bowl(empty) > pour > "
+        "salad bowl{tomato}; tomato(chopped)@in salad_bowl; cutting board(empty)"
+    ),
+    (
+        "bottle{olive oil}; olive oil(liquid)@in bottle; salad bowl{tomato} > pour > "
+        "bottle{olive oil}; olive oil(liquid)@in salad_bowl; salad bowl{olive oil,tomato}"
+    ),
+    (
+        "shaker{salt}; salt(granulated)@in shaker; salad bowl{olive oil,tomato} > sprinkle > "
+        "shaker{salt}; salt(granulated)@in salad_bowl; salad bowl{olive oil,salt,tomato}"
+    ),
+    (
+        "salad bowl{olive oil,salt,tomato}; tomato(chopped)@in salad_bowl; olive oil(liquid)@in salad_bowl; "
+        "salt(granulated)@in salad_bowl; spoon > mix > "
+        "garden salad(mixed){olive oil,salt,tomato}@in salad_bowl; salad bowl{garden salad}; spoon"
+    ),
 )
 RADISH = (
     "cutting board(empty); radish(whole) > pick-and-place > cutting board{radish}; radish(whole)@on cutting_board",
@@ -34,10 +42,14 @@ RADISH = (
 STALE = (*GARDEN[:5], GARDEN[5].replace("spoon > mix", "salad bowl{tomato}; spoon > mix"))
 GARNISHED = (
     *GARDEN[:4],
-    "salad bowl{olive oil,tomato}; tomato(chopped)@in salad_bowl; olive oil(liquid)@in salad_bowl; spoon > mix > "
-    "garden salad(mixed){olive oil,tomato}@in salad_bowl; salad bowl{garden salad}; spoon",
-    "feta(cube); garden salad(mixed){olive oil,tomato}@in salad_bowl > sprinkle > "
-    "garden salad(mixed){feta,olive oil,tomato}@in salad_bowl",
+    (
+        "salad bowl{olive oil,tomato}; tomato(chopped)@in salad_bowl; olive oil(liquid)@in salad_bowl; spoon > mix > "
+        "garden salad(mixed){olive oil,tomato}@in salad_bowl; salad bowl{garden salad}; spoon"
+    ),
+    (
+        "feta(cube); garden salad(mixed){olive oil,tomato}@in salad_bowl > sprinkle > "
+        "garden salad(mixed){feta,olive oil,tomato}@in salad_bowl"
+    ),
 )
 IDLE = ("spoon > polish > spoon", "fork > polish > fork(clean)")
 FLUFFY = (
@@ -45,12 +57,19 @@ FLUFFY = (
     "stove(on); cooking pan(empty) > heat > cooking pan(hot)@on stove; stove(on)",
     "egg(whole); bowl(empty) > crack > egg(cracked)@in bowl; bowl{egg}",
     "egg(cracked)@in bowl; bowl{egg}; whisk > beat > egg(beaten)@in bowl; bowl{egg}; whisk",
-    "bowl{egg}; egg(beaten)@in bowl; cooking pan(hot)@on stove > pour > "
-    "cooking pan(hot){egg}@on stove; egg(beaten)@in cooking_pan; bowl(empty)",
-    "pepper mill{black pepper}; black pepper(peppercorn)@in pepper_mill > grind > pepper mill{black pepper}; "
-    "black pepper(ground)@in cooking_pan",
-    "cooking pan(hot){egg}@on stove; egg(beaten)@in cooking_pan; black pepper(ground)@in cooking_pan; stove(on) > cook > "
-    "fluffy omelette(cooked){black pepper,egg}@in cooking_pan; stove(on); cooking pan(hot){fluffy omelette}@on stove",
+    (
+        "bowl{egg}; egg(beaten)@in bowl; cooking pan(hot)@on stove > pour > "
+        "cooking pan(hot){egg}@on stove; egg(beaten)@in cooking_pan; bowl(empty)"
+    ),
+    (
+        "pepper mill{black pepper}; black pepper(peppercorn)@in pepper_mill > grind > pepper mill{black pepper}; "
+        "black pepper(ground)@in cooking_pan"
+    ),
+    (
+        "cooking pan(hot){egg}@on stove; egg(beaten)@in cooking_pan; black pepper(ground)@in cooking_pan; "
+        "stove(on) > cook > fluffy omelette(cooked){black pepper,egg}@in cooking_pan; stove(on); "
+        "cooking pan(hot){fluffy omelette}@on stove"
+    ),
 )
 OMELETTES = {
     "omelette": FLUFFY,
@@ -100,7 +119,7 @@ def nodes(*texts):
     return [node_to_json(node(text)) for text in texts]
 
 
-def entry(kind, food, required, equivalent, confidence=0.8, alternatives=("zucchini",)):
+def entry(kind, food, required, equivalent, *, confidence=0.8, alternatives=("zucchini",)):
     return {
         "kind": kind,
         "object": food,
