@@ -72,12 +72,12 @@ def watch(place: Home, server: psutil.Process) -> None:
             used = time.monotonic()
         elif not quiet:
             quiet = True
-            _startup_cache().make()
+            the_startup_cache().make()
         before = now or before
         if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
             break
     if not quiet:
-        _startup_cache().make()
+        the_startup_cache().make()
 
 
 def _memory_of(place: Home, server: psutil.Process) -> Memory | None:
@@ -101,7 +101,8 @@ def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) 
         return asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
 
 
-def _startup_cache() -> StartupCache:
+def the_startup_cache() -> StartupCache:
+    """Return the cache for the jars of this version."""
     jar_set = pinned()
     return StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}")
 
