@@ -41,7 +41,8 @@ class TextReader:
     def read(self, text: str, name: str, file: str = "") -> ReadResult:
         """Answer what :func:`read_text` answers."""
         journal = Journal(file or name)
-        lines = [self._line(line) for line in _LINE_END.split(text)]
+        known = self._lines
+        lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]
         hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
         read = [self._annotation(draft, journal, hours=hours) for draft in _drafts(lines, journal)]
         annotations = [annotation for annotation in read if annotation is not None]
@@ -49,17 +50,16 @@ class TextReader:
         return journal.result(name, annotations, sources)
 
     def _line(self, text: str) -> Line:
-        if text not in self._lines:
-            self._lines[text] = read_line(text)
-        return self._lines[text]
+        line = self._lines[text] = read_line(text)
+        return line
 
     def _annotation(self, draft: _UnitDraft, journal: Journal, *, hours: bool) -> Annotation | None:
         """Answer the unit that a draft makes, ``None`` (and a word in the journal) where it makes none."""
-        draft.remark(journal)
+        for number, remark in draft.remarks:
+            journal.remark(number, remark)
         problem = draft.problem or draft.missing()
-        if problem is not None or draft.motion is None:
-            line, reason = problem or (draft.last_line, _NO_MOTION)
-            journal.reject(line, reason)
+        if problem is not None:
+            journal.reject(*problem)
             return None
         timing, odd = read_timing(draft.motion.time_columns, hours=hours)
         for remark in odd:
@@ -74,12 +74,13 @@ class TextReader:
 
     def _participant(self, draft: _ObjectDraft, journal: Journal) -> Participant:
         key = (draft.head.label, *draft.states)
-        if key not in self._nodes:
+        known = self._nodes.get(key)
+        if known is None:
             node, remark = _node(draft.head.label, draft.states)
-            self._nodes[key] = self._one_of_equals.setdefault(node, node), remark
-        node, remark = self._nodes[key]
+            known = self._nodes[key] = self._one_of_equals.setdefault(node, node), remark
+        node, remark = known
         if remark:
-            journal.remark(draft.lines[-1], remark)
+            journal.remark(draft.last_line, remark)
         return Participant(node, draft.head.moving, draft.head.dish_type)
 
 
@@ -88,65 +89,70 @@ _NO_INPUTS = Problem(NoticeKind.UNIT_WITHOUT_INPUTS, "a unit without inputs")
 _NO_OUTPUTS = Problem(NoticeKind.UNIT_WITHOUT_OUTPUTS, "a unit without outputs")
 _TWO_MOTIONS = Problem(NoticeKind.TWO_MOTIONS, "a second motion in one unit; is a // missing before it?")
 _STRAY_STATE = Problem(NoticeKind.STRAY_STATE, "a state that follows no object")
+_NONE_YET = MotionLine("", accepts_any=False, time_columns=())
 _EMPTY_UNIT = Remark(NoticeKind.EMPTY_UNIT, "nothing between two separators", "left out")
 
 
 @dataclass
 class _ObjectDraft:
-    """An object line with the state lines below it; ``lines`` are their numbers, the object's own first."""
+    """An object line with the state lines below it; ``last_line`` is the number of the last of them."""
 
     head: ObjectLine
     states: list[StateLine]
-    lines: list[int]
-
-    def remark(self, journal: Journal) -> None:
-        remarks = (self.head.remarks, *(state.remarks for state in self.states))
-        for number, on_this_line in zip(self.lines, remarks, strict=True):
-            for remark in on_this_line:
-                journal.remark(number, remark)
+    last_line: int
 
 
 @dataclass
 class _UnitDraft:
-    """The lines between two separators. ``problem`` is the first line that spoils the unit, and why."""
+    """The lines between two separators.
+
+    ``motion_at`` is the line of the motion, 0 before there is one; ``problem`` is the first line that spoils the unit,
+    and why.
+    """
 
     inputs: list[_ObjectDraft] = field(default_factory=list)
-    motion: MotionLine | None = None
-    outputs: list[_ObjectDraft] = field(default_factory=list)
-    problem: tuple[int, Problem] | None = None
+    motion: MotionLine = _NONE_YET
     motion_at: int = 0
+    outputs: list[_ObjectDraft] = field(default_factory=list)
+    remarks: list[tuple[int, Remark]] = field(default_factory=list)
+    problem: tuple[int, Problem] | None = None
     last_line: int = 0
 
     def take(self, number: int, line: ObjectLine | StateLine | MotionLine | Problem) -> None:
-        objects = self.inputs if self.motion is None else self.outputs
-        if isinstance(line, ObjectLine):
-            objects.append(_ObjectDraft(line, [], [number]))
-        elif isinstance(line, StateLine) and objects:
+        objects = self.outputs if self.motion_at else self.inputs
+        if isinstance(line, StateLine) and objects:
             objects[-1].states.append(line)
-            objects[-1].lines.append(number)
-        elif isinstance(line, MotionLine) and self.motion is None:
+            objects[-1].last_line = number
+            self.remarks += [(number, remark) for remark in line.remarks]
+        elif isinstance(line, ObjectLine):
+            objects.append(_ObjectDraft(line, [], number))
+            self.remarks += [(number, remark) for remark in line.remarks]
+            if line.dish_type is not None and not self.motion_at:
+                self.remarks.append((number, _class_on_input(line.dish_type)))
+        elif isinstance(line, MotionLine) and not self.motion_at:
             self.motion, self.motion_at = line, number
         elif self.problem is None:
-            spoiled = (
-                line if isinstance(line, Problem) else _STRAY_STATE if isinstance(line, StateLine) else _TWO_MOTIONS
-            )
-            self.problem = (number, spoiled)
+            self.problem = (number, _why_spoiled(line))
 
     def missing(self) -> tuple[int, Problem] | None:
         """Answer what the unit lacks, at the line where it ends."""
-        if self.motion is None:
+        if not self.motion_at:
             return self.last_line, _NO_MOTION
         if not self.inputs:
             return self.last_line, _NO_INPUTS
         return None if self.outputs else (self.last_line, _NO_OUTPUTS)
 
-    def remark(self, journal: Journal) -> None:
-        for one in (*self.inputs, *self.outputs):
-            one.remark(journal)
-        for one in self.inputs:
-            if one.head.dish_type is not None:
-                message = f"an input with the dish class {one.head.dish_type!r}"
-                journal.remark(one.lines[0], Remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal"))
+
+def _class_on_input(dish_type: str) -> Remark:
+    message = f"an input with the dish class {dish_type!r}"
+    return Remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal")
+
+
+def _why_spoiled(line: Line) -> Problem:
+    """Answer why a line does not fit where it stands, or what is wrong with itself."""
+    if isinstance(line, Problem):
+        return line
+    return _STRAY_STATE if isinstance(line, StateLine) else _TWO_MOTIONS
 
 
 def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
