@@ -47,7 +47,7 @@ def start(
     _show(server.status(), as_json=as_json)
 
 
-@app.command()
+@app.command(epilog=examples("foon server stop"))
 def stop(*, as_json: Json = False, quiet: Quiet = False) -> None:
     """Stop the local Neo4j; its data stays."""
     from foon_kg import server
@@ -59,7 +59,7 @@ def stop(*, as_json: Json = False, quiet: Quiet = False) -> None:
         typer.echo("The local Neo4j was not running.")
 
 
-@app.command()
+@app.command(epilog=examples("foon server status", "foon server status --json"))
 def status(*, as_json: Json = False) -> None:
     """Tell whether the local Neo4j runs, where it answers, and where its data, password and log are."""
     from foon_kg import server

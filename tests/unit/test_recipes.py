@@ -73,13 +73,10 @@ def test_an_empty_ingredient_is_refused(text):
         WORDS.read(text)
 
 
-@given(
-    st.lists(
-        st.sampled_from(["chopped", "raw", "onion", "olive", "oil", "finely", "whole", "thick", "liquid"]),
-        min_size=1,
-        max_size=5,
-    )
-)
+SOME_WORDS = ["chopped", "raw", "onion", "olive", "oil", "finely", "whole", "thick", "liquid"]
+
+
+@given(st.lists(st.sampled_from(SOME_WORDS), min_size=1, max_size=5))
 def test_no_word_of_an_ingredient_is_lost_unsaid(words):
     wanted, notes = WORDS.read(" ".join(words))
     said = " ".join([wanted.object, wanted.state, *notes]).split()

@@ -1,0 +1,111 @@
+"""The documentation cannot rot: every command explains itself, and README names it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from foon_kg import __version__
+from foon_kg.cli import app
+from foon_kg.cli.console import ErrorsAtTheEdge
+from foon_kg.errors import NoTreeError
+
+README = Path(__file__).parents[2] / "README.md"
+
+
+def commands(group, words=()):
+    """Every command that does something, with the words that call it."""
+    for name, command in sorted(group.commands.items()):
+        if hasattr(command, "commands"):
+            yield from commands(command, (*words, name))
+        else:
+            yield (*words, name), command
+
+
+COMMANDS = dict(commands(typer.main.get_command(app)))
+every_command = pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+
+
+@every_command
+def test_every_command_and_option_explains_itself(words):
+    command = COMMANDS[words]
+    assert command.help
+    assert [p.name for p in command.params if not getattr(p, "help", None)] == []
+    first = command.help.split("\n\n")[0]
+    assert first.endswith((".", ":")), first
+
+
+@every_command
+def test_every_command_has_examples_that_call_it(words):
+    epilog = COMMANDS[words].epilog or ""
+    calls = [line.strip() for line in epilog.splitlines() if line.strip().startswith("foon ")]
+    assert calls
+    assert all(call.startswith(" ".join(["foon", *words])) for call in calls)
+
+
+@every_command
+def test_every_option_in_an_example_exists(words):
+    known = {option for p in COMMANDS[words].params for option in p.opts} | {"-h", "--help"}
+    used = set(re.findall(r"(?<=\s)--?[a-z][a-z-]*", COMMANDS[words].epilog or ""))
+    assert used <= known
+
+
+@every_command
+def test_readme_names_every_command(words):
+    text = README.read_text(encoding="utf-8")
+    assert f"foon {words[0]}" in text
+    assert set(words) <= set(re.findall(r"\w+", text))
+
+
+def test_every_command_that_readme_names_exists():
+    known = {words[0] for words in COMMANDS}
+    called = set(re.findall(r"^\s*(?:\$ )?foon ([a-z]+)", README.read_text(encoding="utf-8"), flags=re.MULTILINE))
+    assert called <= known
+
+
+@pytest.mark.parametrize("words", [(), ("server",), *COMMANDS], ids=" ".join)
+def test_help_fits_a_terminal(words):
+    answer = CliRunner().invoke(app, [*words, "--help"])
+    assert answer.exit_code == 0
+    assert max(map(len, answer.stdout.splitlines())) <= 80
+
+
+def test_help_imports_nothing_heavy():
+    program = "import sys; import foon_kg.cli; print(*sorted(sys.modules))"
+    loaded = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.split()
+    heavy = {"neo4j", "numpy", "rich", "requests", "psutil", "jgo", "spacy", "foon_kg.planner", "foon_kg.loaders"}
+    assert heavy.isdisjoint(loaded)
+
+
+def test_version_is_printed():
+    answer = CliRunner().invoke(app, ["--version"])
+    assert (answer.exit_code, answer.stdout) == (0, f"foon-kg {__version__}\n")
+
+
+def test_an_error_is_one_line_with_its_hint_whatever_it_holds():
+    root = typer.Typer(cls=ErrorsAtTheEdge)
+
+    @root.command()
+    def fail() -> None:
+        raise NoTreeError("no [bold]tree[/bold] for " + "a very long name " * 9, hint="Ask [again].")
+
+    @root.command()
+    def other() -> None: ...
+
+    answer = CliRunner().invoke(root, ["fail"])
+    assert answer.exit_code == 3
+    error, hint = answer.stderr.splitlines()
+    assert error == "error: no [bold]tree[/bold] for " + "a very long name " * 9
+    assert hint == "hint: Ask [again]."
+
+
+def test_a_dish_type_is_completed():
+    environment = {"_FOON_COMPLETE": "complete_bash", "COMP_WORDS": "foon plan --dish sa", "COMP_CWORD": "3"}
+    answer = CliRunner().invoke(app, [], prog_name="foon", env=environment)
+    assert answer.stdout.split() == ["sandwich", "sauce", "salad", "sausage"]

@@ -1,0 +1,171 @@
+"""``foon plan``: data on stdout, messages on stderr, and exit codes that scripts can rely on."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.cli.demo import demo_subgraphs
+from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.loaders import read_text
+from foon_kg.result import PlanFailure, PlanResult
+
+SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]
+
+
+@pytest.fixture(scope="module")
+def demo_files(tmp_path_factory):
+    """The demo's subgraphs alone, in a folder."""
+    folder = tmp_path_factory.mktemp("foon")
+    for path in demo_folder().glob("*.txt"):
+        (folder / path.name).write_bytes(path.read_bytes())
+    return folder
+
+
+@pytest.fixture
+def foon(demo_files):
+    return lambda *arguments: CliRunner().invoke(app, ["plan", *map(str, arguments), "--files", str(demo_files)])
+
+
+def recipe_file(folder, name, **fields):
+    path = folder / f"{name}.json"
+    path.write_text(json.dumps(fields), encoding="utf-8")
+    return path
+
+
+def asked(*foods):
+    return [{"object": food, "state": state} for food, state in foods]
+
+
+def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
+    answer = foon(*SALAD)
+    assert answer.exit_code == 0, answer.stderr
+    for title in ("dish", "asked", "makes", "like", "Steps", "Kitchen", "Progress of each ingredient"):
+        assert f"\n{title}" in f"\n{answer.stdout}"
+    assert "CHOP" in answer.stdout
+    assert "“olive oil” names no state: taken as liquid" in answer.stderr
+    assert "\x1b[" not in answer.stdout
+
+
+def test_json_is_one_result_on_stdout_and_quiet_keeps_stderr_empty(foon):
+    answer = foon(*SALAD, "--json", "--quiet")
+    assert answer.stderr == ""
+    (line,) = answer.stdout.splitlines()
+    result = PlanResult.from_json(json.loads(line))
+    assert result.goal in result.units[-1].output_nodes
+    assert [(i.object, i.state) for i in result.recipe.ingredients] == [
+        ("onion", "chopped"),
+        ("tomato", "chopped"),
+        ("olive oil", "liquid"),
+        ("salt", "granulated"),
+    ]
+    assert {line.ingredient for line in result.progress_lines} == {"onion", "tomato", "olive oil", "salt"}
+    assert all(line.end_product == result.goal.label for line in result.progress_lines)
+
+
+def test_foon_text_is_read_back_as_the_same_steps(foon):
+    text = foon(*SALAD, "--foon", "--quiet").stdout
+    result = PlanResult.from_json(json.loads(foon(*SALAD, "--json").stdout))
+    read = read_text(text, "plan", "plan.txt")
+    assert read.notices == ()
+    units = [annotation.unit for annotation in read.subgraph.annotations]
+    assert [(u.input_nodes, u.motion, u.output_nodes) for u in units] == [
+        (u.input_nodes, u.motion_node, u.output_nodes) for u in result.units
+    ]
+    assert [p.dish_type for p in units[-1].outputs if p.node == result.goal] == ["salad"]
+
+
+def test_the_same_question_has_the_same_answer(foon):
+    assert foon(*SALAD, "--json").stdout == foon(*SALAD, "--json").stdout
+
+
+def test_many_recipes_are_lines_in_their_order_and_a_failure_is_a_line_too(foon, tmp_path):
+    good = recipe_file(tmp_path, "b", type="salad", ingredients=asked(("onion", "chopped"), ("salt", "granulated")))
+    unreadable = tmp_path / "a.json"
+    unreadable.write_text("{", encoding="utf-8")
+    no_goal = recipe_file(tmp_path, "c", id="Pie", type="pie", ingredients=asked(("apple", "chopped")))
+    answer = foon(good, unreadable, no_goal, good, "--json")
+    values = [json.loads(line) for line in answer.stdout.splitlines()]
+    assert [value["recipe"]["id"] for value in values] == ["b", "a", "Pie", "b"]
+    assert ["error" in value for value in values] == [False, True, True, False]
+    assert [PlanFailure.from_json(values[place]).code for place in (1, 2)] == ["read", "no-goal"]
+    assert values[0] == values[3]
+    assert answer.exit_code == 3
+    assert "error: a: " in answer.stderr
+    assert "error: Pie: this FOON has no pie" in answer.stderr
+
+
+def test_a_folder_of_recipes_is_planned_whole(foon, tmp_path):
+    for name in ("2", "1"):
+        recipe_file(tmp_path, name, type="salad", ingredients=asked(("onion", "chopped")))
+    answer = foon(tmp_path, "--json")
+    assert [json.loads(line)["recipe"]["id"] for line in answer.stdout.splitlines()] == ["1", "2"]
+    assert answer.exit_code == 0
+
+
+def test_an_ingredient_asked_twice_stays_twice_in_the_recipe(foon, tmp_path):
+    twice = asked(("onion", "chopped"), ("onion", "chopped"))
+    answer = foon(recipe_file(tmp_path, "r", type="salad", ingredients=twice), "--json")
+    assert json.loads(answer.stdout)["recipe"]["ingredients"] == twice
+
+
+def test_an_empty_name_is_reported_and_left_out(foon, tmp_path):
+    path = recipe_file(tmp_path, "r", type="salad", ingredients=asked(("", "raw"), ("onion", "chopped")))
+    answer = foon(path, "--json")
+    assert f"{path}: ingredients[0]: “object” is empty; the ingredient is left out" in answer.stderr
+    assert json.loads(answer.stdout)["recipe"]["ingredients"] == asked(("onion", "chopped"))
+
+
+def test_no_tree_is_exit_code_3_with_a_reason_and_a_hint(foon):
+    answer = foon("--dish", "pie", "chopped apple")
+    assert (answer.exit_code, answer.stdout) == (3, "")
+    error, hint = answer.stderr.splitlines()
+    assert error == "error: this FOON has no pie"
+    assert hint.startswith("hint: ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--dish", "salat", "chopped onion"], "“salat” is no dish type"),
+        (["nowhere.json"], "there is no file or folder nowhere.json"),
+        (["--dish", "salad", " "], "an ingredient is empty"),
+        ([*SALAD, "--json", "--foon"], "--json and --foon ask for two forms of one answer"),
+        (["--dish", "salad"], "Missing argument"),
+        (["--fish", "salad", "onion"], "No such option"),
+    ],
+)
+def test_wrong_usage_is_exit_code_2_and_nothing_on_stdout(foon, arguments, message):
+    answer = foon(*arguments)
+    assert (answer.exit_code, answer.stdout) == (2, "")
+    assert message in answer.stderr
+
+
+def test_foon_text_of_many_recipes_is_refused(foon, tmp_path):
+    for name in ("1", "2"):
+        recipe_file(tmp_path, name, type="salad", ingredients=asked(("onion", "chopped")))
+    answer = foon(tmp_path, "--foon")
+    assert (answer.exit_code, answer.stdout) == (2, "")
+    assert "--foon prints one tree, and these are 2 recipes" in answer.stderr
+
+
+@pytest.mark.parametrize(("folder", "exit_code"), [("nowhere", 2), ("here", 1)])
+def test_files_without_a_subgraph_are_an_error_that_names_them(tmp_path, folder, exit_code):
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here" / "notes.md").write_text("hello")
+    answer = CliRunner().invoke(app, ["plan", *SALAD, "--files", str(tmp_path / folder)])
+    assert (answer.exit_code, answer.stdout) == (exit_code, "")
+    assert str(tmp_path / folder) in answer.stderr.splitlines()[0]
+
+
+def test_every_recipe_of_the_demo_has_a_tree(foon):
+    answer = foon(*demo_recipes(), "--json")
+    assert answer.exit_code == 0, answer.stderr
+    assert len(answer.stdout.splitlines()) == len(demo_recipes())
+
+
+def test_the_demo_reads_its_own_foon_without_a_remark():
+    assert len(demo_subgraphs()) == len(list(demo_folder().glob("*.txt"))) >= 15
