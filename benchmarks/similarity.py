@@ -1,0 +1,181 @@
+"""How often the similarity is right, and how honest its confidence is; ``--write`` fits and stores its weights.
+
+    python benchmarks/similarity.py [--write]
+
+Judged are three sets of foods that the FOON does not know, each with the known ones that a cook would accept: the
+public one beside the checkout, and two of our own in tests/language/data. Every set is measured twice: as it is, and
+*strange*, with each wanted food struck from the table of groups first (what a food gets that nobody listed). Weights
+are fitted on every other food of all sets and measured on the rest, both ways round; the weights that ship are fitted
+on everything. Printed besides: the raw cosine, reliability, Brier scores, goals picked by Algorithm 2, and times.
+"""
+
+import argparse
+import dataclasses
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+
+from foon_kg.kitchen import Kitchen
+from foon_kg.loaders.text_reader import read_text
+from foon_kg.names import canonical
+from foon_kg.similarity import cosine_similarity
+from foon_kg.similarity.evidence import KINDS, Evidence
+from foon_kg.similarity.food import FoodSimilarity
+from foon_kg.similarity.groups import FoodGroups, food_groups
+from foon_kg.similarity.taxonomy import food_taxonomy
+from foon_kg.similarity.vectors import food_vectors
+from foon_kg.snapshot import Snapshot
+
+ROOT = Path(__file__).parents[1]
+SHARED = ROOT.parent / "shared" / "data"
+WEIGHTS = ROOT / "foon_kg" / "data" / "similarity.json"
+DECIMALS = 4
+RIDGE = 1.0
+
+
+@dataclasses.dataclass(frozen=True)
+class Judged:
+    """Judged foods: evidence (kind, food, known), whether a cook accepts (food, known), which pairs count."""
+
+    set_name: str
+    strange: bool
+    foods: list[str]
+    evidence: np.ndarray
+    accepted: np.ndarray
+    counts: np.ndarray
+
+    def half(self, which: int) -> "Judged":
+        """Answer every other food, from the first (0) or the second (1)."""
+        places = range(which, len(self.foods), 2)
+        foods = [self.foods[place] for place in places]
+        kept = (self.evidence[:, places], self.accepted[places], self.counts[places])
+        return Judged(self.set_name, self.strange, foods, *kept)
+
+
+def known_foods() -> list[str]:
+    files = sorted((SHARED / "foon-111" / "TXT").glob("*.txt"))
+    subgraphs = [read_text(file.read_text(encoding="utf-8"), file.stem).subgraph for file in files]
+    vocabulary = Snapshot.of(subgraphs, Kitchen.default()).vocabulary()
+    return sorted({canonical(row.label) for row in vocabulary.foods})
+
+
+def judgements() -> dict[str, dict[str, set[str]]]:
+    own = json.loads((ROOT / "tests" / "language" / "data" / "accepted.json").read_text(encoding="utf-8"))
+    own["public"] = json.loads((SHARED / "substitutes.json").read_text(encoding="utf-8"))
+    sets = {name: own[name] for name in ("public", "unseen foods", "recipe words")}
+    return {
+        name: {canonical(food): set(map(canonical, accepted)) for food, accepted in foods.items()}
+        for name, foods in sets.items()
+    }
+
+
+def without(groups: FoodGroups, food: str) -> FoodGroups:
+    kept = [place for place, name in enumerate(groups.foods) if name != food]
+    foods = tuple(groups.foods[place] for place in kept)
+    places = {name: place for place, name in enumerate(foods)}
+    return dataclasses.replace(groups, foods=foods, listed=groups.listed[kept], places=places, _guessed={})
+
+
+def judge(name: str, accepted: dict[str, set[str]], known: list[str], *, strange: bool) -> Judged:
+    foods = sorted(accepted)
+    whole = Evidence(food_vectors(), food_taxonomy(), food_groups())
+    columns = []
+    about = whole.about(known)
+    for food in foods:
+        evidence = dataclasses.replace(whole, food_groups=without(food_groups(), food)) if strange else whole
+        columns.append(whole.between(evidence.about([food]), about))
+    truth = np.array([[other in accepted[food] for other in known] for food in foods])
+    counts = np.array([[other != food for other in known] for food in foods])
+    return Judged(name, strange, foods, np.concatenate(columns, axis=1), truth, counts)
+
+
+def fit(sets: list[Judged]) -> np.ndarray:
+    """Answer the weights of all kinds and the bias, by Newton's method with a small ridge on the weights."""
+    rows = np.concatenate([judged.evidence[:, judged.counts].T for judged in sets])
+    truth = np.concatenate([judged.accepted[judged.counts] for judged in sets]).astype(float)
+    rows = np.c_[rows, np.ones(len(rows))]
+    ridge = np.diag([RIDGE] * len(KINDS) + [0.0])
+    weights = np.zeros(len(KINDS) + 1)
+    for _ in range(30):
+        guess = 1 / (1 + np.exp(-rows @ weights))
+        slope = rows.T @ (guess - truth) + ridge @ weights
+        weights -= np.linalg.solve((rows * (guess * (1 - guess))[:, None]).T @ rows + ridge, slope)
+    return weights
+
+
+def answer(judged: Judged, weights: np.ndarray) -> np.ndarray:
+    return 1 / (1 + np.exp(-(np.tensordot(weights[:-1], judged.evidence, axes=1) + weights[-1])))
+
+
+def top(judged: Judged, answers: np.ndarray, known: list[str]) -> tuple[float, float, list[str]]:
+    """Answer top 1 and top 3 in percent, and what was wrong."""
+    first = third = 0
+    wrong = []
+    for row, food in enumerate(judged.foods):
+        order = sorted((-answers[row, place], known[place], place) for place in np.flatnonzero(judged.counts[row]))[:3]
+        hits = [bool(judged.accepted[row, place]) for _, _, place in order]
+        first, third = first + hits[0], third + any(hits)
+        if not hits[0]:
+            wrong.append(f"{food}: " + ", ".join(f"{name} {-value:.2f}" for value, name, _ in order))
+    return 100 * first / len(judged.foods), 100 * third / len(judged.foods), wrong
+
+
+def reliability(answers: np.ndarray, truth: np.ndarray) -> None:
+    base = truth.mean()
+    print(f"Brier {((answers - truth) ** 2).mean():.4f}; always answering the base rate: {base * (1 - base):.4f}")
+    for low, high in ((0, 0.1), (0.1, 0.3), (0.3, 0.5), (0.5, 0.7), (0.7, 0.9), (0.9, 1.01)):
+        inside = (answers >= low) & (answers < high)
+        if inside.any():
+            said, was = answers[inside].mean(), truth[inside].mean()
+            print(f"  said {low:.1f}-{min(high, 1):.1f}: {inside.sum():6d} pairs, said {said:.2f}, was {was:.2f}")
+
+
+def report(sets: list[Judged], known: list[str]) -> None:
+    cosine = cosine_similarity()
+    for judged in sets:
+        if not judged.strange:
+            first, third, _ = top(judged, cosine.matrix(judged.foods, known), known)
+            print(f"raw cosine of the food vectors, {judged.set_name}: {first:.0f}/{third:.0f}")
+    all_answers, all_truth = [], []
+    for half in (0, 1):
+        weights = fit([judged.half(half) for judged in sets])
+        for judged in (judged.half(1 - half) for judged in sets):
+            answers = answer(judged, weights)
+            first, third, wrong = top(judged, answers, known)
+            kind = "strange" if judged.strange else "listed "
+            print(f"half {2 - half}, {kind}, {judged.set_name}: {first:.0f}/{third:.0f} of {len(judged.foods)}")
+            if not judged.strange:
+                print("".join(f"    {line}\n" for line in wrong), end="")
+            all_answers.append(answers[judged.counts])
+            all_truth.append(judged.accepted[judged.counts])
+    reliability(np.concatenate(all_answers), np.concatenate(all_truth))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--write", action="store_true", help="store weights fitted on everything")
+    write = parser.parse_args().write
+    known = known_foods()
+    sets = [judge(name, foods, known, strange=s) for name, foods in judgements().items() for s in (False, True)]
+    report(sets, known)
+    weights = fit(sets).round(DECIMALS).tolist()
+    if write:
+        document = {
+            "about": "Weights of the evidence for one food standing for another; made by benchmarks/similarity.py.",
+            "bias": weights[-1],
+            "weights": dict(zip(KINDS, weights, strict=False)),
+        }
+        WEIGHTS.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
+    similarity = FoodSimilarity(
+        Evidence(food_vectors(), food_taxonomy(), food_groups()), np.array(weights[:-1]), weights[-1]
+    )
+    wanted = sorted({food for judged in sets for food in judged.foods})
+    start = time.perf_counter()
+    similarity.matrix(wanted, known)
+    print(f"{len(wanted)} wanted x {len(known)} known: {time.perf_counter() - start:.2f} s")
+
+
+if __name__ == "__main__":
+    main()

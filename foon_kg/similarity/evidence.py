@@ -1,0 +1,126 @@
+"""What speaks for and against one food standing for another: one number of each kind for each pair of names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from foon_kg.similarity.groups import FoodGroups
+from foon_kg.similarity.taxonomy import FoodTaxonomy
+from foon_kg.similarity.vectors import FoodVectors
+
+Table = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
+
+KINDS = (
+    "vectors",  # cosine of the names' food vectors
+    "head vectors",  # the same of their last words
+    "kind",  # what WordNet says both are
+    "kind unknown",  # WordNet does not know one of them
+    "group",  # both are listed in one group of cooks' uses
+    "guessed group",  # one of them had to be placed in a group
+    "shelf",  # their groups stand on one shelf
+    "same head word",  # rice vinegar, vinegar
+    "more specific",  # the known one is a sort of the wanted: oil, olive oil
+    "more general",  # the wanted one is a sort of the known: brown sugar, sugar
+    "shared word",  # another word than the last is in both: almond, almond butter
+    "prepared dish",  # the known one is a dish or a mixture, the wanted one is not
+)
+"""The kinds of evidence, in the order in which :meth:`Evidence.between` answers them."""
+
+_KIND_SHARE, _ALONE = 0.5, 0.8
+
+
+@dataclass(frozen=True)
+class Names:
+    """All that is known of some canonical names, one row each, ready to be compared with other names."""
+
+    vectors: Table
+    heads: Table
+    kinds: Table
+    groups: Table
+    shelves: Table
+    listed: Flags
+    dish: Table
+    words: tuple[frozenset[str], ...]
+    last_words: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Brings the vectors, the kinds, the groups and the words of names together."""
+
+    food_vectors: FoodVectors
+    taxonomy: FoodTaxonomy
+    food_groups: FoodGroups
+
+    def about(self, names: Sequence[str]) -> Names:
+        """Answer all that is known of canonical ``names``."""
+        groups = self.food_groups.rows(names, self._near_listed)
+        last_words = tuple(name.rpartition(" ")[2] for name in names)
+        return Names(
+            vectors=self.food_vectors.embed(names),
+            heads=self.food_vectors.embed(last_words),
+            kinds=self.taxonomy.rows(names),
+            groups=groups,
+            shelves=self.food_groups.shelves(groups),
+            listed=np.array([name in self.food_groups.places for name in names], dtype=bool),
+            dish=np.minimum(groups @ self._is_dish, 1.0),
+            words=tuple(frozenset(name.split()) for name in names),
+            last_words=last_words,
+        )
+
+    def between(self, wanted: Names, known: Names) -> Table:
+        """Answer an array (kind of evidence, wanted, known): 0 says nothing, 1 is the most there can be."""
+        kind_unknown = ~np.outer(wanted.kinds.any(axis=1), known.kinds.any(axis=1))
+        agreement = np.minimum(wanted.groups @ known.groups.T, 1.0)
+        both_listed = np.outer(wanted.listed, known.listed)
+        return np.array(
+            [
+                wanted.vectors @ known.vectors.T,
+                wanted.heads @ known.heads.T,
+                wanted.kinds @ known.kinds.T,
+                kind_unknown,
+                agreement * both_listed,
+                agreement * ~both_listed,
+                np.minimum(wanted.shelves @ known.shelves.T, 1.0),
+                *_by_words(wanted, known),
+                np.outer(1 - wanted.dish, known.dish),
+            ],
+            dtype=np.float64,
+        )
+
+    @cached_property
+    def _is_dish(self) -> Table:
+        groups = self.food_groups
+        return (groups.shelf_of == groups.shelf_of[groups.groups.index("mixtures")]).astype(np.float64)
+
+    def _near_listed(self, names: Sequence[str]) -> Table:
+        """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
+        vectors, kinds, known = self._listed
+        rows = self.taxonomy.rows(names)
+        both = np.outer(rows.any(axis=1), known)
+        cosines = self.food_vectors.embed(names) @ vectors.T
+        near: Table = np.where(both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * (rows @ kinds.T), _ALONE * cosines)
+        return near
+
+    @cached_property
+    def _listed(self) -> tuple[Table, Table, Flags]:
+        kinds = self.taxonomy.rows(self.food_groups.foods)
+        return self.food_vectors.embed(self.food_groups.foods), kinds, kinds.any(axis=1)
+
+
+def _by_words(wanted: Names, known: Names) -> Table:
+    """Answer the four kinds of evidence that compare the names word by word."""
+    flags = [
+        (head == other_head, words < others, others < words, not words.isdisjoint(others))
+        for words, head in zip(wanted.words, wanted.last_words, strict=True)
+        for others, other_head in zip(known.words, known.last_words, strict=True)
+    ]
+    same_head, wider, narrower, shared = np.array(flags, dtype=bool).reshape(-1, 4).T
+    by_words = np.array([same_head, wider & same_head, narrower & same_head, shared & ~same_head], dtype=np.float64)
+    return by_words.reshape(4, len(wanted.words), len(known.words))

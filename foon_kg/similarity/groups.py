@@ -1,0 +1,94 @@
+"""Foods by what cooks use them for: the groups and shelves of ``data/food-groups.txt``.
+
+A food that the table does not list is placed by its last words, or else by the listed foods nearest to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.resources import files
+
+import numpy as np
+import numpy.typing as npt
+
+from foon_kg.names import canonical
+
+Memberships = npt.NDArray[np.float64]
+Nearness = Callable[[Sequence[str]], Memberships]
+"""How near (0..1) each of some names is to every listed food, in the order of ``FoodGroups.foods``."""
+
+_SHORTENED = 0.9  # "sweet italian basil" is some basil
+_NEAREST = 8
+_SHARPNESS = 12.0
+
+
+@dataclass(frozen=True)
+class FoodGroups:
+    """Which groups the listed ``foods`` are in (one row of ``listed`` each), and on which shelf each group stands."""
+
+    groups: tuple[str, ...]
+    shelf_of: npt.NDArray[np.int64]
+    foods: tuple[str, ...]
+    listed: Memberships
+    places: dict[str, int]
+    _guessed: dict[str, Memberships] = field(default_factory=dict, compare=False)
+
+    def rows(self, names: Sequence[str], nearness: Nearness) -> Memberships:
+        """Answer one row of memberships (0 to 1 in each group) for each canonical name."""
+        unknown = [name for name in dict.fromkeys(names) if name not in self.places and name not in self._guessed]
+        if unknown:
+            self._guess(unknown, nearness)
+        rows = [self.listed[self.places[name]] if name in self.places else self._guessed[name] for name in names]
+        return np.array(rows).reshape(len(names), len(self.groups))
+
+    def shelves(self, memberships: Memberships) -> Memberships:
+        """Answer the memberships in shelves that those in groups amount to."""
+        shelves = np.zeros((len(memberships), int(self.shelf_of.max()) + 1))
+        for group, shelf in enumerate(self.shelf_of):
+            shelves[:, shelf] = np.maximum(shelves[:, shelf], memberships[:, group])
+        return shelves
+
+    def shared(self, one: str, other: str) -> tuple[str, ...]:
+        """Answer the groups in which the table lists both canonical names."""
+        if not {one, other} <= self.places.keys():
+            return ()
+        both = self.listed[self.places[one]] * self.listed[self.places[other]]
+        return tuple(group for group, member in zip(self.groups, both, strict=True) if member)
+
+    def _guess(self, names: Sequence[str], nearness: Nearness) -> None:
+        by_words = {name: place for name in names if (place := self._place_of_ending(name)) is not None}
+        strange = [name for name in names if name not in by_words]
+        self._guessed.update({name: _SHORTENED * self.listed[place] for name, place in by_words.items()})
+        if strange:
+            self._guessed.update(zip(strange, map(self._vote, nearness(strange)), strict=True))
+
+    def _place_of_ending(self, name: str) -> int | None:
+        words = name.split()
+        endings = (" ".join(words[start:]) for start in range(1, len(words)))
+        return next((self.places[ending] for ending in endings if ending in self.places), None)
+
+    def _vote(self, near: Memberships) -> Memberships:
+        nearest = np.argsort(-near, kind="stable")[:_NEAREST]
+        weights = np.exp(_SHARPNESS * (near[nearest] - 1)) * (near[nearest] > 0)
+        votes: Memberships = weights @ self.listed[nearest] / max(float(weights.sum()), np.finfo(float).tiny)
+        return votes * max(float(near[nearest[0]]), 0.0)
+
+
+@lru_cache(maxsize=1)
+def food_groups() -> FoodGroups:
+    """Answer the groups that ship with foon-kg, read once."""
+    text = files("foon_kg.data").joinpath("food-groups.txt").read_text(encoding="utf-8")
+    lines = [line.partition(":") for line in text.splitlines() if line and not line.startswith("#")]
+    members = [sorted(set(map(canonical, foods.split(",")))) for _, _, foods in lines]
+    foods = sorted(set().union(*members))
+    places = {food: place for place, food in enumerate(foods)}
+    listed = np.zeros((len(foods), len(lines)))
+    for group, names in enumerate(members):
+        listed[[places[name] for name in names], group] = 1.0
+    shelf_names = [heading.split(" / ")[0] for heading, _, _ in lines]
+    shelves = sorted(set(shelf_names))
+    shelf_of = np.array([shelves.index(name) for name in shelf_names])
+    groups = tuple(heading.split(" / ")[1] for heading, _, _ in lines)
+    return FoodGroups(groups, shelf_of, tuple(foods), listed, places)

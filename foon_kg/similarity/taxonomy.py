@@ -1,0 +1,93 @@
+"""Foods by what they are: the food nouns of WordNet, so that kinds of one thing are near each other.
+
+The nearness of two foods is Lin's (1998): how much of what is known of both is said already by what they share.
+A name's row holds, at each kind it belongs to, the root of the information that this kind adds to the kinds above
+it; the product of two rows is then the information they share, and the cosine Lin's measure in a geometric mean.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from importlib.resources import files
+
+import numpy as np
+import numpy.typing as npt
+
+Kinds = dict[int, float]
+_SHORTENED = 0.9  # of "red onion" only the onion was found
+
+
+@dataclass(frozen=True)
+class FoodTaxonomy:
+    """The kinds of foods, each with the information it adds (0..1), and the kinds that a word may mean."""
+
+    added: tuple[float, ...]
+    above: tuple[frozenset[int], ...]
+    meanings: dict[str, tuple[int, ...]]
+    _known: dict[str, Kinds] = field(default_factory=dict, compare=False)
+
+    def rows(self, names: Sequence[str]) -> npt.NDArray[np.float64]:
+        """Answer one row for each canonical name, of length at most 1; zeros where WordNet has no such food."""
+        matrix = np.zeros((len(names), len(self.added)))
+        for row, name in enumerate(names):
+            kinds = self._kinds(name)
+            matrix[row, list(kinds)] = list(kinds.values())
+        return matrix
+
+    def _kinds(self, name: str) -> Kinds:
+        if name not in self._known:
+            self._known[name] = self._look_up(name)
+        return self._known[name]
+
+    def _look_up(self, name: str) -> Kinds:
+        words = name.split()
+        for start in range(len(words)):
+            meanings = self.meanings.get(" ".join(words[start:]))
+            if meanings:
+                kinds = {kind for meaning in meanings for kind in self.above[meaning]}
+                scale = (_SHORTENED if start else 1.0) / math.sqrt(sum(self.added[kind] for kind in kinds) or 1.0)
+                return {kind: scale * math.sqrt(self.added[kind]) for kind in sorted(kinds)}
+        return {}
+
+
+@lru_cache(maxsize=1)
+def food_taxonomy() -> FoodTaxonomy:
+    """Answer the kinds that ship with foon-kg, read once."""
+    text = files("foon_kg.data").joinpath("food-taxonomy.txt").read_text(encoding="utf-8")
+    parents: list[list[int]] = []
+    meanings: dict[str, list[int]] = {}
+    for line in text.splitlines():
+        if not line.startswith("#"):
+            number, above, words = line.split(":", 2)
+            parents.append([int(parent) for parent in above.split()])
+            for word in words.strip().split(", "):
+                meanings.setdefault(word, []).append(int(number))
+    above_each = _closure(parents)
+    return FoodTaxonomy(_information_added(parents, above_each), above_each, {w: tuple(m) for w, m in meanings.items()})
+
+
+def _closure(parents: Sequence[Sequence[int]]) -> tuple[frozenset[int], ...]:
+    done: dict[int, frozenset[int]] = {}
+
+    def above(kind: int) -> frozenset[int]:
+        if kind not in done:
+            done[kind] = frozenset({kind}).union(*(above(parent) for parent in parents[kind]))
+        return done[kind]
+
+    return tuple(above(kind) for kind in range(len(parents)))
+
+
+def _information_added(parents: Sequence[Sequence[int]], above: Sequence[frozenset[int]]) -> tuple[float, ...]:
+    """Answer what each kind adds to the most telling kind above it; information as Seco (2004): few kinds below."""
+    below = [0] * len(parents)
+    for kinds in above:
+        for kind in kinds:
+            below[kind] += 1
+    information = [1 - math.log(count) / math.log(len(parents)) for count in below]
+    return tuple(
+        max(0.0, information[kind] - max((information[parent] for parent in parents[kind]), default=0.0))
+        for kind in range(len(parents))
+    )
