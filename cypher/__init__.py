@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 from importlib.resources.abc import Traversable
-from typing import Literal, LiteralString, cast
+from typing import Literal, cast
 
 Mode = Literal["read", "write"]
 
@@ -26,7 +26,7 @@ class NamedQuery:
     """One query of the catalogue with what its header declares; ``parameters`` maps each name to its Cypher type."""
 
     name: str
-    text: LiteralString
+    text: str
     answers: str
     parameters: dict[str, str]
     columns: tuple[str, ...]
@@ -67,7 +67,7 @@ def read_query(name: str, text: str) -> NamedQuery:
     parameters = {param: kind for param, _, kind in (line.partition(" ") for line in fields["param"])}
     return NamedQuery(
         name,
-        cast("LiteralString", text),  # a file of the package: as literal as text in the program
+        text,
         " ".join(prose),
         parameters,
         tuple(fields["column"]),

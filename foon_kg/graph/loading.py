@@ -28,6 +28,10 @@ class LoadReport:
     replaced: tuple[str, ...] = ()
     unchanged: tuple[str, ...] = ()
 
+    def __len__(self) -> int:
+        """Answer how many videos it is about."""
+        return len(self.inserted) + len(self.replaced) + len(self.unchanged)
+
     def __add__(self, other: LoadReport) -> LoadReport:
         """Answer both reports as one."""
         return LoadReport(

@@ -1,0 +1,114 @@
+"""``foon cypher``: ask the graph in its own language."""
+
+from __future__ import annotations
+
+import csv
+import json
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.graph.free_cypher import Answer
+
+EXAMPLES = examples(
+    'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
+    'foon cypher "MATCH (o:Object {label: $food}) RETURN o.states" --param food=onion --json',
+)
+
+
+def cypher(
+    query: Annotated[str, typer.Argument(help="The Cypher text; - reads it from standard input.")],
+    *,
+    write: Annotated[bool, typer.Option("--write", help="Let the query change the graph.")] = False,
+    param: Annotated[
+        list[str] | None,
+        typer.Option("--param", "-P", metavar="NAME=VALUE", help="A parameter; the value as JSON, or as it stands."),
+    ] = None,
+    limit: Annotated[int, typer.Option(min=1, help="Show no more rows than this.")] = 1000,
+    timeout: Annotated[float, typer.Option(min=0.1, metavar="SECONDS", help="Give up after this time.")] = 30,
+    as_json: Json = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the answer as CSV.")] = False,
+    quiet: Quiet = False,
+) -> None:
+    """Ask the graph in Cypher. Without --write, anything but a look at the graph is refused.
+
+    Refused are writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL {...} IN TRANSACTIONS,
+    and procedures that do more than look at the graph.
+    """
+    from foon_kg.errors import UsageError
+    from foon_kg.graph.connection import Connection
+    from foon_kg.graph.free_cypher import ask_freely
+    from foon_kg.server import connection_settings
+
+    if as_json and as_csv:
+        raise UsageError("--json and --csv exclude each other", hint="Leave one of them out.")
+    say = sayer(quiet=quiet)
+    text, parameters = sys.stdin.read() if query == "-" else query, dict(map(_parameter, param or ()))
+    with Connection(connection_settings(say)) as connection:
+        answer = ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
+    _show(answer, as_json=as_json, as_csv=as_csv)
+    if answer.cut:
+        say(f"There are more rows than {limit}: show more with --limit.")
+    if answer.changes:
+        say("Changed: " + ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in answer.changes.items()))
+
+
+def _parameter(text: str) -> tuple[str, object]:
+    from foon_kg.errors import UsageError
+
+    name, equals, value = text.partition("=")
+    if not equals or not name:
+        raise UsageError(f"--param {text}: there is no name before a “=”", hint="Write --param food=onion.")
+    try:
+        return name, json.loads(value)
+    except json.JSONDecodeError:
+        return name, value
+
+
+def _show(answer: Answer, *, as_json: bool, as_csv: bool) -> None:
+    rows = [[as_plain(value) for value in row] for row in answer.rows]
+    if as_json:
+        print_json([dict(zip(answer.columns, row, strict=True)) for row in rows])
+    elif as_csv:
+        writer = csv.writer(sys.stdout, lineterminator="\n")
+        writer.writerows([answer.columns, *([_in_a_cell(value) for value in row] for row in rows)])
+    elif answer.columns:
+        _print_table(answer.columns, rows)
+
+
+def _print_table(columns: Sequence[str], rows: Sequence[Sequence[object]]) -> None:
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(*columns)
+    for row in rows:
+        table.add_row(*(Text(_in_a_cell(value)) for value in row))
+    data().print(table)
+
+
+def _in_a_cell(value: object) -> str:
+    if value is None:
+        return ""
+    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+
+
+def as_plain(value: Any) -> object:  # noqa: ANN401 - whatever a driver can answer
+    """Answer a value of the driver as JSON knows it: nodes, edges and paths as objects, times and places as text."""
+    from neo4j.graph import Node, Path, Relationship
+
+    if isinstance(value, Node):
+        return {"labels": sorted(value.labels), "properties": as_plain(dict(value))}
+    if isinstance(value, Relationship):
+        return {"type": value.type, "properties": as_plain(dict(value))}
+    if isinstance(value, Path):
+        return {"nodes": list(map(as_plain, value.nodes)), "relationships": list(map(as_plain, value.relationships))}
+    if isinstance(value, dict):
+        return {str(key): as_plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return list(map(as_plain, value))
+    return value if isinstance(value, str | int | float | bool | None) else str(value)

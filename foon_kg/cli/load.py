@@ -1,0 +1,133 @@
+"""``foon load``: bring FOONs into the graph."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.graph import LoadReport
+    from foon_kg.loaders import ReadResult
+    from foon_kg.model import Subgraph
+
+app = typer.Typer(
+    cls=ErrorsAtTheEdge,
+    name="load",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Load FOONs into Neo4j.",
+)
+
+
+@app.callback()
+def load() -> None:
+    """Load FOONs into Neo4j."""
+
+
+@app.command(
+    epilog=examples(
+        "foon load foon subgraphs/",
+        "foon load foon subgraphs/ --bad-tolerance 3 --report notices.jsonl",
+        "foon load foon 0001.txt 0002.json --dry-run",
+    )
+)
+def foon(
+    paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Subgraph files (text or JSON), or folders.")],
+    *,
+    report: Annotated[
+        Path | None,
+        typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
+    ] = None,
+    bad_tolerance: Annotated[
+        int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units are unusable.")
+    ] = 0,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load subgraphs: FOON text in both dialects, or JSON.
+
+    A video is in the graph whole or not at all. Loading it again changes nothing; with other content it replaces what
+    was there. Units that cannot be used (no motion, no outputs, ...) are left out, and each is told with file and
+    line; when there are more than --bad-tolerance allows, nothing is loaded.
+    """
+    from foon_kg.loaders import read_paths
+
+    say = sayer(quiet=quiet)
+    results = list(read_paths(paths))
+    _tell_notices(results, report, say)
+    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    rejected = sum(result.rejected for result in results)
+    _refuse_too_many(results, rejected, bad_tolerance)
+    loaded = None if dry_run else _load(subgraphs, say, quiet=quiet)
+    counts = _counts(subgraphs, loaded, rejected)
+    if as_json:
+        print_json(counts)
+    else:
+        typer.echo(", ".join(f"{count} {what.replace('_', ' ')}" for what, count in counts.items()))
+
+
+def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) -> None:
+    """Write every notice to ``report``; say the rejected ones, and count the others."""
+    from foon_kg.errors import UsageError
+    from foon_kg.loaders import Severity, summary, write_report
+
+    notices = [notice for result in results for notice in result.notices]
+    if report:
+        try:
+            with report.open("w", encoding="utf-8") as stream:
+                write_report(notices, stream)
+        except OSError as error:
+            hint = "Name a file that can be written after --report."
+            raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
+    for notice in notices:
+        if notice.severity is Severity.REJECTED:
+            say(str(notice))
+    assumed = [notice for notice in notices if notice.severity is not Severity.REJECTED]
+    if assumed:
+        where = f"see {report}" if report else "--report FILE lists them"
+        say(f"{len(assumed)} places were read with an assumption ({where}): {'; '.join(summary(assumed))}")
+
+
+def _refuse_too_many(results: Sequence[ReadResult], rejected: int, tolerance: int) -> None:
+    from foon_kg.errors import ToleranceError
+
+    if rejected > tolerance:
+        units = "1 unit is" if rejected == 1 else f"{rejected} units are"
+        bad = sum(result.rejected > 0 for result in results)
+        raise ToleranceError(
+            f"{units} unusable, in {bad} of {len(results)} files; nothing was loaded",
+            hint=f"Mend the lines named above, or load all the rest with --bad-tolerance {rejected}.",
+        )
+
+
+def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport:
+    """Load with a progress bar, which only a terminal shows."""
+    from rich.progress import Progress
+
+    from foon_kg.graph import Connection, load
+    from foon_kg.server import connection_settings
+
+    settings = connection_settings(say)
+    console = messages(quiet=quiet)
+    with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
+        task = progress.add_task("Loading", total=len(subgraphs))
+        return load(connection, subgraphs, stored=lambda report: progress.advance(task, len(report)))
+
+
+def _counts(subgraphs: Sequence[Subgraph], loaded: LoadReport | None, rejected: int) -> dict[str, int]:
+    units = sum(len(subgraph.annotations) for subgraph in subgraphs)
+    counts = {"subgraphs": len(subgraphs), "units": units, "rejected_units": rejected}
+    if loaded is None:
+        return counts
+    return {
+        "inserted": len(loaded.inserted),
+        "unchanged": len(loaded.unchanged),
+        "replaced": len(loaded.replaced),
+        **counts,
+    }

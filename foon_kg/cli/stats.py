@@ -1,0 +1,57 @@
+"""``foon stats``: how much a FOON holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.snapshot import Snapshot
+
+EXAMPLES = examples("foon stats", "foon stats --json", "foon stats --files subgraphs/")
+
+
+def stats(files: Files = None, as_json: Json = False, quiet: Quiet = False) -> None:
+    """Count what the FOON holds: videos, units, nodes, motions, states, goals by dish type, most used motions."""
+    from foon_kg.statistics import Statistics
+
+    figures = Statistics.of(_foon(files, sayer(quiet=quiet))).to_json()
+    if as_json:
+        print_json(figures)
+        return
+    lines = {name: count for name, count in figures.items() if not isinstance(count, Mapping)}
+    _print_table("FOON", lines)
+    for name, counts in figures.items():
+        if isinstance(counts, Mapping):
+            _print_table(name, counts)
+
+
+def _foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
+    if files:
+        from foon_kg.cli.knowledge import snapshot_of
+
+        return snapshot_of(files, say)
+    from foon_kg.graph import Neo4jGraph
+    from foon_kg.server import connection_settings
+
+    with Neo4jGraph(connection_settings(say)) as graph:
+        return graph.snapshot()
+
+
+def _print_table(title: str, counts: Mapping[str, object]) -> None:
+    from rich.table import Table
+
+    if not counts:
+        typer.echo(f"no {title.replace('_', ' ')}")
+        return
+    table = Table(title=title.replace("_", " "), show_header=False, title_justify="left", box=None)
+    table.add_column()
+    table.add_column(justify="right")
+    for name, count in counts.items():
+        table.add_row(name.replace("_", " "), str(count))
+    data().print(table)
