@@ -97,7 +97,7 @@ class Evidence:
     @cached_property
     def _is_dish(self) -> Table:
         groups = self.food_groups
-        return (groups.shelf_of == groups.shelf_of[groups.groups.index("mixtures")]).astype(np.float64)
+        return np.asarray(groups.shelf_of == groups.shelf_of[groups.groups.index("mixtures")], dtype=np.float64)
 
     def _near_listed(self, names: Sequence[str]) -> Table:
         """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
@@ -111,7 +111,7 @@ class Evidence:
     @cached_property
     def _listed(self) -> tuple[Table, Table, Flags]:
         kinds = self.taxonomy.rows(self.food_groups.foods)
-        return self.food_vectors.embed(self.food_groups.foods), kinds, kinds.any(axis=1)
+        return self.food_vectors.embed(self.food_groups.foods), kinds, np.asarray(kinds.any(axis=1), dtype=np.bool_)
 
 
 def _by_words(wanted: Names, known: Names) -> Table:

@@ -10,18 +10,19 @@ from importlib.resources import files
 
 import numpy as np
 import numpy.typing as npt
+from Stemmer import Stemmer
 
 Vectors = npt.NDArray[np.float64]
 
 _WORD = re.compile(r"[a-z]+")
 
 
-@lru_cache(maxsize=65_536)
+_STEMMER = Stemmer("english")
+
+
 def stem(word: str) -> str:
     """Answer the English Snowball stem, under which the vectors are kept."""
-    from snowballstemmer import stemmer  # noqa: PLC0415 - 50 ms that a program asking no word need not spend
-
-    return str(stemmer("english").stemWord(word))
+    return str(_STEMMER.stemWord(word))
 
 
 @dataclass(frozen=True)
