@@ -63,7 +63,7 @@ def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
 
 
 def _asked(wanted: RequiredIngredient) -> Text:
-    return Text(f"{wanted.object} (") + Text(wanted.state, STATE) + Text(")")
+    return Text.assemble(f"{wanted.object} (", (wanted.state, STATE), ")")
 
 
 def _reference(result: PlanResult) -> Text:
@@ -93,12 +93,12 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
         told.add(contents)
         return node_words(node, unseen, contents=new)
 
-    arrow = Text(" → ", ASIDE)
-    text = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ") + arrow + motion_words(unit.motion_node) + arrow
-    text += in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
+    taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
+    made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
+    text = Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made)
     if unit.origin != "reference" and unit.seen_in:
         word = "like" if unit.origin == "substituted" else "from"
-        text += Text(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
+        text.append(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
     return text
 
 
@@ -112,15 +112,15 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 def _substitution(one: Substitution) -> Text:
     if one.kind == "object":
-        text = Text(UNSEEN_SIGN + one.required, UNSEEN) + Text(f" is handled like {one.equivalent}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" is handled like {one.equivalent}")
     else:
         text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
-    return text + Text(f"  or {others}", ASIDE) if others else text
+    return text.append(f"  or {others}", ASIDE) if others else text
 
 
 def _assumptions(result: PlanResult) -> RenderableType:
-    return Group(*(node_words(one.node) + Text(f": {one.why}") for one in result.assumptions))
+    return Group(*(Text.assemble(node_words(one.node), f": {one.why}") for one in result.assumptions))
 
 
 def _progress(lines: tuple[ProgressLine, ...], unseen: frozenset[str]) -> Group:
@@ -129,7 +129,7 @@ def _progress(lines: tuple[ProgressLine, ...], unseen: frozenset[str]) -> Group:
 
 def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
     if not line.steps:
-        return food_words(line.ingredient, unseen) + Text(" does not reach the dish", ASIDE)
+        return Text.assemble(food_words(line.ingredient, unseen), (" does not reach the dish", ASIDE))
     return Group(food_words(line.ingredient, unseen), Padding(Text(" ").join(_stages(line)), (0, 0, 0, 2)))
 
 
@@ -140,7 +140,7 @@ def _stages(line: ProgressLine) -> Iterator[Text]:
         stage = stage_words(step.states, step.relation, step.container)
         if step.object and step.object != name:
             name = step.object
-            stage = Text(f"{name} ") + stage
+            stage = Text.assemble(f"{name} ", stage)
         yield stage or Text("as it is")
         yield Text(f"→ {step.motion} →", MOTION)
     yield Text(line.end_product or "", "bold")

@@ -25,7 +25,8 @@ def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool
     words = [Text(state, STATE) for state in node.states]
     words += _contents(node, unseen) if contents else []
     words += _place(node.relation, node.container)
-    return food_words(node.label, unseen) + (Text(" (") + _listed(words) + Text(")") if words else Text())
+    name = food_words(node.label, unseen)
+    return Text.assemble(name, " (", in_a_row(words, ", "), ")") if words else name
 
 
 def food_words(label: str, unseen: Collection[str] = ()) -> Text:
@@ -35,7 +36,7 @@ def food_words(label: str, unseen: Collection[str] = ()) -> Text:
 
 def stage_words(states: Sequence[str], relation: str | None, container: str | None) -> Text:
     """Answer ``chopped, on cutting board``: how and where something is."""
-    return _listed([Text(state, STATE) for state in states] + _place(relation, container))
+    return in_a_row([Text(state, STATE) for state in states] + _place(relation, container), ", ")
 
 
 def motion_words(motion: str) -> Text:
@@ -44,8 +45,8 @@ def motion_words(motion: str) -> Text:
 
 
 def in_a_row(words: Iterable[Text], between: str) -> Text:
-    """Answer several nodes in a row."""
-    return Text(between, ASIDE).join(words)
+    """Answer ``words`` with something plain between them, each in its own colour."""
+    return Text(between).join(words)
 
 
 def shown_inputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
@@ -67,12 +68,8 @@ def _told_by_others(vessel: ObjectNode, nodes: Sequence[ObjectNode]) -> bool:
 def _contents(node: ObjectNode, unseen: Collection[str]) -> list[Text]:
     if not node.ingredients:
         return []
-    return [Text("with ") + Text(", ").join(food_words(name, unseen) for name in node.ingredients)]
+    return [Text.assemble("with ", in_a_row((food_words(name, unseen) for name in node.ingredients), ", "))]
 
 
 def _place(relation: str | None, container: str | None) -> list[Text]:
     return [Text(f"{relation or 'at'} {container}")] if container else []
-
-
-def _listed(words: Sequence[Text]) -> Text:
-    return Text(", ").join(words)

@@ -1,0 +1,138 @@
+"""A plan in a terminal says the same with and without colour, wide and narrow."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from rich.console import Console
+
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.progress import ProgressLine, ProgressStep
+from foon_kg.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.views.tree import plan_view
+from foon_kg.views.words import node_words, shown_inputs, shown_outputs
+
+ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
+
+KOHLRABI = ObjectNode("kohlrabi", ("whole",))
+GRATED = ObjectNode("kohlrabi", ("grated",), (), "in", "salad bowl")
+BOWL = ObjectNode("salad bowl", ("empty",))
+FULL_BOWL = ObjectNode("salad bowl", (), ("kohlrabi",))
+GRATER = ObjectNode("grater")
+SALAD = ObjectNode("salad", ("mixed",), ("kohlrabi",), "in", "salad bowl")
+CREAM = ObjectNode("cream", ("whipped",))
+
+PLAN = PlanResult(
+    recipe=Recipe("salad", (RequiredIngredient("kohlrabi", "grated"),), title="Grated kohlrabi"),
+    reference=ReferenceSummary(SALAD, 7, 0, exact=True),
+    goal=SALAD,
+    units=(
+        PlannedUnit((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL), "substituted", (Sighting("carrot", 2),)),
+        PlannedUnit((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER), "reference", (Sighting("greens", 5),)),
+    ),
+    kitchen=(KOHLRABI, GRATER, BOWL, CREAM),
+    substitutions=(
+        Substitution("object", "kohlrabi", "kohlrabi", "carrot", 0.534, (Alternative("celery", 0.2),)),
+        Substitution("state", "kohlrabi", "grated", "shredded", 0.9),
+    ),
+    assumptions=(Assumption(CREAM, "nothing makes it"),),
+    progress_lines=(
+        ProgressLine(
+            "kohlrabi",
+            (
+                ProgressStep(("whole",), None, None, "grate", "kohlrabi"),
+                ProgressStep(("grated",), "in", "salad bowl", "toss", "slaw"),
+            ),
+            "salad",
+        ),
+        ProgressLine("prune", (), None),
+    ),
+)
+
+
+def printed(renderable, width=100, *, colour=False):
+    console = Console(width=width, force_terminal=colour, color_system="standard" if colour else None, highlight=False)
+    with console.capture() as capture:
+        console.print(renderable)
+    return capture.get()
+
+
+def lines_of(renderable, width=100):
+    return [line.rstrip() for line in printed(renderable, width).splitlines()]
+
+
+def test_every_part_of_a_plan_is_there():
+    lines = lines_of(plan_view(PLAN), width=140)
+    assert lines[0] == "dish  Grated kohlrabi (salad)"
+    assert "like  salad (video greens): 7 steps, 0 of the 1 ingredients, no other tree covers more in fewer" in lines
+    assert "  0.53 ~kohlrabi is handled like carrot  or celery 0.20" in lines
+    assert "  0.90 kohlrabi: grated where FOON has shredded" in lines
+    assert "  cream (whipped): nothing makes it" in lines
+    assert "  ~kohlrabi (whole) · grater · salad bowl (empty) · cream (whipped)" in lines
+
+
+def test_steps_say_what_goes_in_what_is_done_and_what_comes_out():
+    lines = lines_of(plan_view(PLAN), width=140)
+    place = lines.index("Steps")
+    taken, made = "~kohlrabi (whole) + grater + salad bowl (empty)", "~kohlrabi (grated, in salad bowl)"
+    assert lines[place + 1] == f"  1 {taken} → GRATE → {made}  [like carrot]"
+    taken, made = f"{made} + cream (whipped)", "salad (mixed, with ~kohlrabi, in salad bowl) + grater"
+    assert lines[place + 2] == f"  2 {taken} → TOSS → {made}"
+
+
+def test_a_progress_line_names_what_the_food_has_become_part_of():
+    lines = lines_of(plan_view(PLAN))
+    place = lines.index("Progress of each ingredient")
+    assert lines[place + 1 :] == [
+        "  ~kohlrabi",
+        "    whole → grate → slaw grated, in salad bowl → toss → salad",
+        "  prune does not reach the dish",
+    ]
+
+
+@pytest.mark.parametrize("width", [60, 80, 200])
+def test_nothing_is_wider_than_the_terminal_and_no_word_is_lost(width):
+    wide = printed(plan_view(PLAN), 400)
+    narrow = printed(plan_view(PLAN), width)
+    assert max(map(len, narrow.splitlines())) <= width
+    assert narrow.split() == wide.split()
+
+
+def test_colour_adds_nothing_but_colour():
+    coloured = printed(plan_view(PLAN), colour=True)
+    assert ESCAPE.sub("", coloured) == printed(plan_view(PLAN))
+    assert "\x1b[32mgrated" in coloured
+    assert "\x1b[1;31mGRATE" in coloured
+    assert "\x1b[34m~kohlrabi" in coloured
+
+
+words = st.sampled_from(["onion", "cutting board", "[bold]", "bowl"])
+nodes = st.builds(
+    ObjectNode,
+    words,
+    st.lists(st.sampled_from(["empty", "chopped", "[red]"]), max_size=2).map(tuple),
+    st.lists(words, max_size=2).map(tuple),
+    st.none() | st.just("on"),
+    st.none() | words,
+)
+
+
+@given(nodes)
+def test_a_node_in_words_has_every_word_of_the_node(node):
+    text = node_words(node).plain
+    assert all(word in text for word in (node.label, *node.states, *node.ingredients, node.container or ""))
+
+
+@given(st.lists(nodes, max_size=5))
+def test_a_vessel_is_left_out_only_where_its_foods_say_that_they_are_in_it(some):
+    for node in set(some) - set(shown_inputs(some)):
+        assert node.ingredients
+        assert all(any(o.label == name and o.container == node.label for o in some) for name in node.ingredients)
+
+
+@given(st.lists(nodes, min_size=1, max_size=5))
+def test_of_what_comes_out_something_is_always_shown_where_anything_is_left(some):
+    assert bool(shown_outputs(some)) == bool(shown_inputs(some))
