@@ -66,9 +66,11 @@ def _one_step(text: str, table: AliasTable) -> str:
 
 
 def _tidied(name: str) -> str:
-    plain = unicodedata.normalize("NFKD", name.casefold().translate(_APOSTROPHES))
-    plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
-    return " ".join(_TIDY.sub(" ", plain.casefold()).split())
+    plain = name.translate(_APOSTROPHES).casefold()
+    if not plain.isascii():
+        letters = unicodedata.normalize("NFKD", plain)
+        plain = "".join(letter for letter in letters if not unicodedata.combining(letter)).casefold()
+    return " ".join(_TIDY.sub(" ", plain).split())
 
 
 def _singular(word: str, kept: frozenset[str]) -> str:

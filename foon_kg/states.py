@@ -79,22 +79,24 @@ def is_processed(state: str, food: str = "") -> bool:
 
 
 def motion_for(state: str, vocabulary: Vocabulary) -> MadeBy | None:
-    """Answer the motion that most often makes ``state`` in the FOON, or one that sounds like it (sliced, slice).
+    """Answer the motion that makes ``state`` in the FOON: the one named after it (minced, mince), else the commonest.
 
-    Motions that only bring things together (pour, place) answer for no state but their own. Ties go to the motion
-    that sounds like the state, then to the first by name. ``count`` is 0 where only the sound speaks for a motion;
-    ``None`` where nothing does.
+    Motions that only bring things together (pour, place) make no state but their own. Ties go to the first by name.
+    ``count`` is 0 where the FOON knows a motion of that name but never saw it make the state; ``None`` where nothing
+    speaks for any motion.
     """
     wanted, stems = canonical(state), _stems(state)
     counts: Counter[str] = Counter()
     for row in vocabulary.motions:
         if canonical(row.state) == wanted and (_changes(row.motion) or _stems(row.motion) & stems):
             counts[row.motion] += row.count
-    if counts:
-        motion = min(counts, key=lambda motion: (-counts[motion], _stems(motion) != stems, motion))
-        return MadeBy(state, motion, counts[motion])
-    known = {row.motion for row in vocabulary.motions if _stems(row.motion) & stems}
-    return MadeBy(state, min(known, key=lambda motion: (len(motion.split()), motion)), 0) if known else None
+    named = {row.motion for row in vocabulary.motions if _stems(row.motion) & stems}
+    just_so = {motion for motion in named if _stems(motion) == stems}
+    candidates = (named & counts.keys()) or just_so or counts.keys() or named
+    if not candidates:
+        return None
+    motion = min(candidates, key=lambda motion: (-counts[motion], len(motion.split()), motion))
+    return MadeBy(state, motion, counts[motion])
 
 
 def _changes(motion: str) -> bool:
