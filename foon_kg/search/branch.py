@@ -13,6 +13,9 @@ from foon_kg.search.partial import Partial
 from foon_kg.search.problem import Bound, weakest
 from foon_kg.search.reduction import Reduced, Value, value_of
 
+Options = dict[int, list[int]]
+"""The steps that may be chosen for each waiting node; empty where the tree is given up."""
+
 _CLOCK_EVERY = 16
 
 
@@ -23,31 +26,39 @@ class Search(ABC):
     reduced: Reduced
     best: int
     deadline: float | None = None
-    tried: int = 0
     untried: list[Partial] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         found = value_of(self.reduced.core, self.best)
         is_tree = self.best and found[0] == self.reduced.penalty
         self.value: Value = found if is_tree else (self.reduced.penalty + 1, 1, 0, 0)
+        self.untried.append(self.reduced.choice.start())
 
-    def run(self) -> bool:
-        """Search on until the best is proven (True) or the deadline has passed (False)."""
+    def run(self, patience: int | None = None) -> bool:
+        """Search until the best is proven (True), or ``patience`` trees were tried or the deadline passed (False)."""
         choice, core = self.reduced.choice, self.reduced.core
-        self.untried = [choice.start()]
+        tried = 0
         while self.untried and not self.is_proven():
-            self.tried += 1
-            if self.deadline is not None and self.tried % _CLOCK_EVERY == 0 and time.monotonic() > self.deadline:
+            if tried == patience or (tried % _CLOCK_EVERY == 0 and self.is_late()):
                 return False
-            partial, node, options = choice.forced(self.untried.pop())
-            if node < 0:
+            tried += 1
+            partial = choice.forced(self.untried.pop())
+            if partial is None:
+                continue
+            if not partial.waiting:
                 self._offer(partial.chosen)
-            elif options:
-                outlook = Outlook.of(self.reduced, partial)
-                if outlook.penalty <= self.reduced.penalty and not self.is_hopeless(partial, outlook):
-                    options.sort(key=lambda step: self._promise(step, outlook), reverse=True)
-                    self.untried += [partial.take(core, node, step) for step in options]
+                continue
+            outlook = Outlook.of(self.reduced, partial)
+            options = self.options(partial, outlook)
+            if options:
+                node = min(options, key=lambda waiting: (len(options[waiting]), waiting))
+                ordered = sorted(options[node], key=lambda step: self._promise(step, outlook), reverse=True)
+                self.untried += [partial.take(core, node, step) for step in ordered]
         return True
+
+    def is_late(self) -> bool:
+        """Whether the deadline has passed."""
+        return self.deadline is not None and time.monotonic() > self.deadline
 
     def bound(self) -> Bound:
         """Answer what no tree can be better than: the best found, or anything still to be tried."""
@@ -63,8 +74,28 @@ class Search(ABC):
         """Whether nothing can be better than the best so far."""
 
     @abstractmethod
-    def is_hopeless(self, partial: Partial, outlook: Outlook) -> bool:
-        """Whether no tree that grows from ``partial`` is better than the best so far."""
+    def options(self, partial: Partial, outlook: Outlook) -> Options:
+        """Answer what may be chosen for the waiting nodes; nothing where no tree that grows from here is better."""
+
+    def affordable(self, partial: Partial, outlook: Outlook) -> Options:
+        """Answer what may be chosen for the waiting nodes without more than the least penalty."""
+        spare = self.reduced.penalty - outlook.penalty
+        if spare < 0:
+            return {}
+        options = {node: self.reduced.choice.options(partial, node) for node in partial.waiting}
+        if self.reduced.gaps_are_settled:
+            return options
+        return self._within(spare, self.reduced.gap_weights(outlook.needed), partial, options)
+
+    def _within(self, spare: int, weights: list[int], partial: Partial, options: Options) -> Options:
+        """Leave out of ``options`` what no tree can have that weighs at most ``spare``."""
+        cuts = cut_bound(self.reduced.web, weights, partial.waiting, list(bits_of(partial.decided)))
+        if cuts is None or cuts.bound > spare:
+            return {}
+        core = self.reduced.core
+        return {
+            node: [step for step in steps if cuts.least_with(core, step) <= spare] for node, steps in options.items()
+        }
 
     def _offer(self, steps: int) -> None:
         value = value_of(self.reduced.core, steps)
@@ -121,16 +152,16 @@ class OverlapSearch(Search):
         """Whether the best has every wanted food that any tree of least penalty could have."""
         return -self.value[1] == self.reduced.foods[self.reduced.core.goal].bit_count()
 
-    def is_hopeless(self, partial: Partial, outlook: Outlook) -> bool:
-        """Whether no wanted food can be gained, or another partial tree with the same future has them all."""
+    def options(self, partial: Partial, outlook: Outlook) -> Options:
+        """Go on unless no wanted food can be gained, or another tree with the same future has them all."""
         if outlook.reach.bit_count() <= -self.value[1]:
-            return True
+            return {}
         penalty, foods = self.reduced.core.penalty_of(partial.chosen), self.reduced.core.foods_of(partial.chosen)
         before = self.seen.setdefault((penalty, *outlook.same_future(partial)), [])
         if any(foods & ~others == 0 for others in before):
-            return True
+            return {}
         before.append(foods)
-        return False
+        return self.affordable(partial, outlook)
 
 
 @dataclass(eq=False)
@@ -139,27 +170,30 @@ class UnitSearch(Search):
 
     seen: dict[Hashable, tuple[int, int]] = field(default_factory=dict)
 
+    @classmethod
+    def from_tree(cls, reduced: Reduced, best: int, deadline: float | None) -> UnitSearch:
+        """Answer a search among what may be in a tree no longer than ``best``."""
+        return cls(reduced.without_longer_than(reduced.core.units_in(best)), best, deadline)
+
     def is_proven(self) -> bool:
         """Whether the best is known to be so before everything is tried: never, for the sake of the least keys."""
         return False
 
-    def is_hopeless(self, partial: Partial, outlook: Outlook) -> bool:
-        """Whether the overlap is lost, too many units are needed, or a better partial tree has the same future."""
-        core, (penalty, overlap, units, steps) = self.reduced.core, self.value
-        if outlook.reach.bit_count() < -overlap:
-            return True
-        fewest = core.units_in(outlook.needed)
-        if fewest > units:
+    def options(self, partial: Partial, outlook: Outlook) -> Options:
+        """Go on unless a tree is known that is not worse than any that grows from here."""
+        if self._is_worse(outlook) or self._seen_better(partial, outlook):
+            return {}
+        options = self.affordable(partial, outlook)
+        spare = self.value[2] - self.reduced.core.units_in(outlook.needed)
+        return options and self._within(spare, self.reduced.unit_weights(outlook.needed), partial, options)
+
+    def _is_worse(self, outlook: Outlook) -> bool:
+        penalty, overlap, units, steps = self.value
+        fewest = self.reduced.core.units_in(outlook.needed)
+        if outlook.reach.bit_count() < -overlap or fewest > units:
             return True
         # as many units, and no gap that could still come: what is needed is the whole tree
-        if fewest == units and outlook.penalty == penalty and -outlook.needed >= steps:
-            return True
-        return self._seen_better(partial, outlook) or self._too_long(partial, outlook, units - fewest)
-
-    def _too_long(self, partial: Partial, outlook: Outlook, spare: int) -> bool:
-        weights = self.reduced.unit_weights(outlook.needed)
-        cuts = cut_bound(self.reduced.web, weights, partial.waiting, list(bits_of(partial.decided)))
-        return cuts is None or cuts.bound > spare
+        return fewest == units and outlook.penalty == penalty and -outlook.needed >= steps
 
     def _seen_better(self, partial: Partial, outlook: Outlook) -> bool:
         core = self.reduced.core

@@ -29,8 +29,11 @@ def chain(core: Core, steps: Collection[int]) -> tuple[list[int], list[bool]]:
     return order, made
 
 
-def cheapest_first(core: Core, steps: Collection[int]) -> int | None:
-    """Answer the steps of a tree that makes the goal, cheap derivations first; ``None`` when nothing makes it."""
+def cheapest_first(core: Core, steps: Collection[int]) -> int:
+    """Answer the steps of a tree that makes the goal, cheap derivations first.
+
+    Raises ValueError when nothing makes it; :func:`chain` tells.
+    """
     users, missing = _users(core, steps)
     waiting: list[tuple[int, int, int, int]] = []
     for step in steps:
@@ -49,7 +52,7 @@ def cheapest_first(core: Core, steps: Collection[int]) -> int | None:
                 missing[user] -= 1
                 if not missing[user]:
                     _queue(waiting, core, user, _union(core, user, derivation))
-    return None
+    raise ValueError("nothing makes the goal")
 
 
 def _queue(waiting: list[tuple[int, int, int, int]], core: Core, step: int, steps: int) -> None:

@@ -49,23 +49,26 @@ class Choice:
         """Answer the tree in which nothing is chosen and the goal waits."""
         return Partial(0, 0, {self.core.goal: 0})
 
-    def forced(self, partial: Partial) -> tuple[Partial, int, list[int]]:
-        """Choose while a waiting node has one option only; then answer the node with the fewest options, and these.
+    def options(self, partial: Partial, node: int) -> list[int]:
+        """Answer the steps that may be chosen for the waiting ``node``: those that need nothing that depends on it."""
+        blocked = partial.waiting[node] | 1 << node
+        return [step for step in self.makers[node] if not self.needed_by[step] & blocked]
 
-        There are no options where a node cannot be made, and the node is -1 where none waits.
-        """
+    def forced(self, partial: Partial) -> Partial | None:
+        """Choose while a waiting node has one option only; ``None`` where one has none."""
         while partial.waiting:
-            node, options = self._tightest(partial.waiting)
-            if len(options) != 1:
-                return partial, node, options
+            node, options = self._tightest(partial)
+            if not options:
+                return None
+            if len(options) > 1:
+                break
             partial = partial.take(self.core, node, options[0])
-        return partial, -1, []
+        return partial
 
-    def _tightest(self, waiting: dict[int, int]) -> tuple[int, list[int]]:
+    def _tightest(self, partial: Partial) -> tuple[int, list[int]]:
         tightest, fewest = -1, list[int]()
-        for node, above in waiting.items():
-            blocked = above | 1 << node
-            options = [step for step in self.makers[node] if not self.needed_by[step] & blocked]
+        for node in partial.waiting:
+            options = self.options(partial, node)
             if tightest < 0 or len(options) < len(fewest):
                 tightest, fewest = node, options
                 if len(options) <= 1:

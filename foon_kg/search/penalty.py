@@ -26,8 +26,10 @@ def within_least_penalty(core: Core) -> tuple[int, list[int]] | None:
     if not reached[core.goal]:
         return None
     penalty, cuts = _least(_needy(core, made), _weights(core))
-    whole = replace(cuts, heights=heights(Web.of(core, everything), cuts.left))
-    return penalty, [step for step in everything if whole.least_with(core, step) <= penalty]
+    gaps = {step for step, node in enumerate(core.outputs[: len(core.gap_nodes)]) if made[node[0]]}
+    steps = [step for step in everything if step not in gaps]  # what can be made is never a gap in a best tree
+    whole = replace(cuts, heights=heights(Web.of(core, steps), cuts.left))
+    return penalty, [step for step in steps if whole.least_with(core, step) <= penalty]
 
 
 def _weights(core: Core) -> list[int]:
@@ -45,36 +47,60 @@ def _needy(core: Core, made: list[bool]) -> Core:
 
 def _least(core: Core, weights: list[int]) -> tuple[int, CutBound]:
     steps: Collection[int] = reachable(core, range(core.step_count))
-    best = None
+    best = core.penalty_of(cheapest_first(core, steps))
     while True:
-        tree = cheapest_first(core, steps)
-        cuts = cut_bound(Web.of(core, steps), weights, [core.goal])
-        if tree is None or cuts is None:
-            raise AssertionError("the goal of a needy core has at least its own derivation")
-        found = core.penalty_of(tree)
-        best = found if best is None else min(best, found)
+        cuts = _cuts(Web.of(core, steps), weights)
         kept = reachable(core, [step for step in steps if cuts.least_with(core, step) <= best])
-        if cuts.bound == best or len(kept) == len(steps):
-            return _proven(core, kept, weights, best, cuts), cuts
+        if cuts.bound == best:
+            return best, cuts
+        if len(kept) == len(steps):
+            best = _proven(core, kept, weights, best, cuts)
+            return best, _sharpened(core, kept, weights, best)
         steps = kept
+        best = min(best, core.penalty_of(cheapest_first(core, steps)))
+
+
+def _sharpened(core: Core, steps: Collection[int], weights: list[int], penalty: int) -> CutBound:
+    """Answer cuts for trees of that ``penalty`` alone: without the gaps that cost more, whatever is chosen beside."""
+    while True:
+        web = Web.of(core, steps)
+        cuts = _cuts(web, weights)
+        gaps = [step for step in web.steps if weights[step]]
+        dear = {gap for gap in gaps if weights[gap] + _cuts(web, _without(weights, gap)).bound > penalty}
+        if cuts.bound == penalty or not dear:
+            return cuts
+        steps = reachable(core, [step for step in steps if step not in dear])
+
+
+def _cuts(web: Web, weights: list[int]) -> CutBound:
+    cuts = cut_bound(web, weights, [web.core.goal])
+    if cuts is None:
+        raise AssertionError("a tree of least penalty is never thrown out")
+    return cuts
+
+
+def _without(weights: list[int], step: int) -> list[int]:
+    return [*weights[:step], 0, *weights[step + 1 :]]
 
 
 def _proven(core: Core, steps: Collection[int], weights: list[int], best: int, cuts: CutBound) -> int:
     """Answer the least penalty, at most ``best``, by branch and bound with LM-cut at every tree."""
-    if cuts.bound == best:
-        return best
     order, _ = chain(core, steps)
     landmarks = landmarks_of(core, order)
     web = Web.of(core, order)
     choice = Choice(core, web.makers, landmarks.nodes_of_step)
     stack = [choice.start()]
     while stack and best > cuts.bound:
-        partial, node, options = choice.forced(stack.pop())
-        if node < 0:
-            best = min(best, core.penalty_of(partial.chosen))
-        elif options and _outlook(web, weights, partial) < best:
-            options.sort(key=lambda step: (cuts.least_with(core, step), step), reverse=True)
-            stack += [partial.take(core, node, step) for step in options]
+        partial = choice.forced(stack.pop())
+        if partial is None or _outlook(web, weights, partial) >= best:
+            continue
+        if not partial.waiting:
+            best = core.penalty_of(partial.chosen)
+            continue
+        options = {node: choice.options(partial, node) for node in partial.waiting}
+        node = min(options, key=lambda waiting: (len(options[waiting]), waiting))
+        options[node].sort(key=lambda step: (cuts.least_with(core, step), step), reverse=True)
+        stack += [partial.take(core, node, step) for step in options[node]]
     return best
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from foon_kg.search.core import Core, bits_of
 from foon_kg.search.cuts import Web, cut_bound
-from foon_kg.search.forward import chain, cheapest_first
+from foon_kg.search.forward import chain
 from foon_kg.search.landmarks import Landmarks, landmarks_of
 from foon_kg.search.partial import Choice
 from foon_kg.search.penalty import reachable
@@ -46,23 +46,31 @@ class Reduced:
                 return cls(core, penalty, Web.of(core, kept), choice, landmarks, *_behind(choice))
             steps = kept
 
-    def first_tree(self) -> int:
-        """Answer some tree, as a set of steps."""
-        tree = cheapest_first(self.core, self.web.steps)
-        if tree is None:
-            raise AssertionError("reducing a core keeps all its best trees")
-        return tree
-
     def without_longer_than(self, units: int) -> Reduced:
-        """Reduce further to what may be in a tree of at most so many units."""
-        needed = self.landmarks.steps_of_node[self.core.goal]
-        weights = self.unit_weights(needed)
-        cuts = cut_bound(self.web, weights, [self.core.goal])
-        if cuts is None:
-            raise AssertionError("reducing a core keeps all its best trees")
-        spare = units - self.core.units_in(needed)
-        kept = [step for step in self.web.steps if cuts.least_with(self.core, step) <= spare]
-        return self if len(kept) == len(self.web.steps) else Reduced.of(self.core, self.penalty, kept)
+        """Reduce further to what may be in a tree of at most so many units; ValueError where none is so short."""
+        reduced = self
+        while True:
+            needed = reduced.landmarks.steps_of_node[self.core.goal]
+            cuts = cut_bound(reduced.web, self.unit_weights(needed), [self.core.goal])
+            if cuts is None:
+                raise ValueError(f"no tree has at most {units} units")
+            spare = units - self.core.units_in(needed)
+            kept = [step for step in reduced.web.steps if cuts.least_with(self.core, step) <= spare]
+            if len(kept) == len(reduced.web.steps):
+                return reduced
+            reduced = Reduced.of(self.core, self.penalty, kept)
+
+    @property
+    def gaps_are_settled(self) -> bool:
+        """Whether the gaps that every tree needs make up the whole penalty."""
+        return self.core.penalty_of(self.landmarks.steps_of_node[self.core.goal]) == self.penalty
+
+    def gap_weights(self, paid: int) -> list[int]:
+        """Answer the weight of each step where gaps count their cost, and units and the steps in ``paid`` nothing."""
+        weights = [*self.core.costs, *[0] * len(self.core.units)]
+        for step in bits_of(paid & ((1 << len(self.core.costs)) - 1)):
+            weights[step] = 0
+        return weights
 
     def unit_weights(self, paid: int) -> list[int]:
         """Answer the weight of each step where units count one, and gaps and the steps in ``paid`` nothing."""

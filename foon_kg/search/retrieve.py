@@ -8,11 +8,15 @@ from dataclasses import replace
 from foon_kg.model import ObjectNode
 from foon_kg.search.branch import OverlapSearch, UnitSearch
 from foon_kg.search.core import Core, bits_of, core_behind
+from foon_kg.search.forward import cheapest_first
 from foon_kg.search.missing import no_way
 from foon_kg.search.penalty import within_least_penalty
 from foon_kg.search.problem import Bound, ReferenceTree, SearchProblem, weakest
 from foon_kg.search.reduction import Reduced
 from foon_kg.search.schedule import schedule
+
+_PATIENCE = 16
+"""How many partial trees to try before looking whether the FOON can be cut down further; doubled each time."""
 
 
 def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> ReferenceTree:
@@ -57,14 +61,20 @@ def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: float | None)
 
 def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[int, Bound | None]:
     """Answer the best tree as a set of steps, with what is proven about it if that is not that it is the best."""
-    first = reduced.first_tree()
+    first = cheapest_first(reduced.core, reduced.web.steps)
     widest = OverlapSearch(reduced, first, deadline)
     if not widest.run():
         return widest.best or first, widest.bound()
-    units = widest.value[2]
-    shortest = UnitSearch(reduced.without_longer_than(units), widest.best, deadline)
-    proven = shortest.run()
-    return shortest.best, None if proven else shortest.bound()
+    search, patience = UnitSearch.from_tree(reduced, widest.best, deadline), _PATIENCE
+    while True:
+        length = search.value[2]
+        if search.run(patience):
+            return search.best, None
+        if search.is_late():
+            return search.best, search.bound()
+        patience *= 2
+        if search.value[2] < length:  # a shorter tree rules more out: worth starting again with less
+            search = UnitSearch.from_tree(search.reduced, search.best, deadline)
 
 
 def _as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
