@@ -39,7 +39,7 @@ def main(folder: Path) -> None:
 
 def _synset(fields: list[str]) -> tuple[list[str], list[str]]:
     count = int(fields[3], 16)
-    words = sorted({canonical(word) for word in fields[4 : 4 + 2 * count : 2]})
+    words = list(dict.fromkeys(canonical(word) for word in fields[4 : 4 + 2 * count : 2]))
     pointers = fields[5 + 2 * count :]
     above = [pointers[place + 1] for place in range(0, len(pointers) - 3, 4) if pointers[place] in {"@", "@i"}]
     return words, above

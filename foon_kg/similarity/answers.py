@@ -11,6 +11,10 @@ import numpy.typing as npt
 
 Confidences = npt.NDArray[np.float64]
 
+DECIMALS = 6
+"""Confidences are rounded to this, so that the last bits of a matrix product, which depend on its shape, decide no
+tie (C9)."""
+
 
 @dataclass(frozen=True, order=True)
 class Neighbour:
@@ -29,6 +33,10 @@ class Similarity(Protocol):
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
         """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name."""
+        ...
+
+    def why(self, name: str, known: str) -> tuple[str, ...]:
+        """Answer in a few words each what speaks for ``known`` standing for ``name``, the weightiest first."""
         ...
 
 

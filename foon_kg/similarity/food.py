@@ -3,7 +3,7 @@
 ``confidence = 1 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
 judged as a cook would; ``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on
 halves that they were not fitted on. So 0.5 means: as likely as not, a cook would accept the known food. Equal
-canonical names are one food and answer 1; nothing else answers more than 0.99.
+canonical names are one food and answer 1; nothing else reaches 0.99.
 """
 
 from __future__ import annotations
@@ -18,15 +18,22 @@ import numpy as np
 import numpy.typing as npt
 
 from foon_kg.names import canonical
-from foon_kg.similarity.answers import Confidences, Neighbour, best
+from foon_kg.similarity.answers import DECIMALS, Confidences, Neighbour, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names, Table
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
 
 _MOST = 0.99
-_DECIMALS = 6  # so that the last bits of a matrix product, which depend on its shape, decide no tie (C9)
 _TOLD = 0.3  # evidence of less weight than this changes no answer that a person would notice
+_TOLD_AS = {
+    "vectors": "named in like company",
+    "kind": "of one kind",
+    "group": "both used alike",
+    "guessed group": "likely used alike",
+    "more specific": "a sort of it",
+    "more general": "a wider name of it",
+}
 
 
 @dataclass(frozen=True)
@@ -66,13 +73,15 @@ class FoodSimilarity:
             return ("the same food",)
         evidence = self.evidence.between(self.evidence.about([one]), self.evidence.about([other]))[:, 0, 0]
         weight = dict(zip(KINDS, (self._weights * evidence).tolist(), strict=True))
-        told = sorted((kind for kind in KINDS if weight[kind] >= _TOLD), key=lambda kind: (-weight[kind], kind))
+        told = sorted((kind for kind in _TOLD_AS if weight[kind] >= _TOLD), key=lambda kind: (-weight[kind], kind))
         return tuple(self._in_words(kind, one, other, float(evidence[KINDS.index(kind)])) for kind in told)
 
     def _in_words(self, kind: str, one: str, other: str, value: float) -> str:
         if kind == "group":
-            return "both are used as " + ", ".join(self.evidence.food_groups.shared(one, other))
-        return f"{kind} {value:.2f}"
+            return "both used as " + ", ".join(self.evidence.food_groups.shared(one, other))
+        if kind == "kind" and (shared := self.evidence.taxonomy.shared(one, other)):
+            return f"both are {shared} ({value:.2f})"
+        return _TOLD_AS[kind] + (f" ({value:.2f})" if value < 1 else "")
 
     def _about_known(self, known: tuple[str, ...]) -> _Known:
         return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), {})
@@ -80,7 +89,7 @@ class FoodSimilarity:
     def _confidences(self, wanted: Sequence[str], side: _Known) -> Confidences:
         evidence = self.evidence.between(self.evidence.about(wanted), side.about)
         odds = np.tensordot(self._weights, evidence, axes=1) + self._bias
-        confidences = np.minimum(np.round(1 / (1 + np.exp(-odds)), _DECIMALS), _MOST)
+        confidences = np.round(_MOST / (1 + np.exp(-odds)), DECIMALS)
         return np.where(np.array(wanted)[:, None] == side.names[None, :], 1.0, confidences)
 
 

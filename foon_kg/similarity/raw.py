@@ -9,7 +9,7 @@ import numpy as np
 
 from foon_kg.errors import UsageError
 from foon_kg.names import canonical
-from foon_kg.similarity.answers import Confidences, Neighbour, best
+from foon_kg.similarity.answers import DECIMALS, Confidences, Neighbour, best
 from foon_kg.similarity.vectors import Vectors, food_vectors
 
 
@@ -22,13 +22,17 @@ class CosineSimilarity:
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Answer cosines cut to 0..1, one row for each wanted name, one column for each known one."""
         rows, columns = [canonical(name) for name in wanted], [canonical(name) for name in known]
-        cosines = np.clip(self._embed(rows) @ self._embed(columns).T, 0.0, 1.0)
+        cosines = np.round(np.clip(self._embed(rows) @ self._embed(columns).T, 0.0, 1.0), DECIMALS)
         same = np.array([[row == column for column in columns] for row in rows]).reshape(cosines.shape)
         return np.where(same, 1.0, cosines)
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
         """Answer the ``limit`` known names with the greatest cosine, best first, ties by name."""
         return best(known, self.matrix([name], known)[0], limit)
+
+    def why(self, name: str, known: str) -> tuple[str, ...]:
+        """Answer that only the vectors speak for it."""
+        return ("the same food",) if canonical(name) == canonical(known) else ("vectors",)
 
 
 def cosine_similarity() -> CosineSimilarity:

@@ -22,8 +22,9 @@ _SHORTENED = 0.9  # of "red onion" only the onion was found
 
 @dataclass(frozen=True)
 class FoodTaxonomy:
-    """The kinds of foods, each with the information it adds (0..1), and the kinds that a word may mean."""
+    """The kinds of foods, each with its name and the information it adds (0..1), and the kinds that a word may mean."""
 
+    names: tuple[str, ...]
     added: tuple[float, ...]
     above: tuple[frozenset[int], ...]
     meanings: dict[str, tuple[int, ...]]
@@ -36,6 +37,12 @@ class FoodTaxonomy:
             kinds = self._kinds(name)
             matrix[row, list(kinds)] = list(kinds.values())
         return matrix
+
+    def shared(self, one: str, other: str) -> str | None:
+        """Answer the name of the most telling kind that both canonical names belong to."""
+        both = self._kinds(one).keys() & self._kinds(other).keys()
+        telling = {kind: sum(self.added[above] for above in self.above[kind]) for kind in both}
+        return self.names[min(both, key=lambda kind: (-telling[kind], kind))] if both else None
 
     def _kinds(self, name: str) -> Kinds:
         if name not in self._known:
@@ -58,15 +65,18 @@ def food_taxonomy() -> FoodTaxonomy:
     """Answer the kinds that ship with foon-kg, read once."""
     text = files("foon_kg.data").joinpath("food-taxonomy.txt").read_text(encoding="utf-8")
     parents: list[list[int]] = []
+    names: list[str] = []
     meanings: dict[str, list[int]] = {}
     for line in text.splitlines():
         if not line.startswith("#"):
             number, above, words = line.split(":", 2)
             parents.append([int(parent) for parent in above.split()])
+            names.append(words.strip().split(", ")[0])
             for word in words.strip().split(", "):
                 meanings.setdefault(word, []).append(int(number))
     above_each = _closure(parents)
-    return FoodTaxonomy(_information_added(parents, above_each), above_each, {w: tuple(m) for w, m in meanings.items()})
+    added = _information_added(parents, above_each)
+    return FoodTaxonomy(tuple(names), added, above_each, {word: tuple(kinds) for word, kinds in meanings.items()})
 
 
 def _closure(parents: Sequence[Sequence[int]]) -> tuple[frozenset[int], ...]:
