@@ -292,8 +292,17 @@ class _Comparison:
         kept = {singular(name) for name in mine.ingredients} | {singular(mine.label)}
         for name in theirs.ingredients:
             lost = not any(singular(now) in kept for now in self._names_now(name))
-            if lost and singular(name) in before and self._is_brought(name):
+            if lost and self._is_still_in(name):
                 yield Fault(f"{name} goes in and is not in it, as it is in FOON", mine)
+
+    def _is_still_in(self, name: str) -> bool:
+        """Say whether an input that is or holds ``name`` in FOON is or holds it in the tree."""
+        for mine, theirs in self.inputs:
+            if singular(name) in _names((theirs,), self._is_food):
+                there = _names((mine,), self._is_food)
+                if any(singular(now) in there for now in self._names_now(name)):
+                    return True
+        return False
 
     def _still_made(self, node: ObjectNode) -> bool:
         """Say whether what an output of FOON's unit comes from is still among the inputs.

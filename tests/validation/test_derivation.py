@@ -60,6 +60,9 @@ def test_every_unit_comes_from_itself(source):
         # one of two products taken out
         ("egg(whole); bowl(empty) > crack > bowl{egg white}; egg white@in bowl",
          "egg(whole); bowl(empty) > crack > bowl{egg white,egg yolk}; egg white@in bowl; egg yolk@in bowl"),
+        # the ice of the glass is gone; there is ice in the juice that is poured, too
+        ("glass(empty); jug{juice,ice}; juice{ice}@in jug > pour > glass{juice}; juice{ice}@in glass",
+         "glass{ice}; ice@in glass; jug{juice}; juice@in jug > pour > glass{ice,juice}; juice@in glass"),
         # plural and singular are one name
         ("oats; bowl > weigh > bowl{oats}; oats@in bowl", "oats; bowl > weigh > bowl{oat}; oats@in bowl"),
     ],
