@@ -66,6 +66,11 @@ class Home:
         return self.root / "run" / "used"
 
     @property
+    def watch_lock(self) -> Path:
+        """Held by the one process that watches the server."""
+        return self.root / "run" / "watch.lock"
+
+    @property
     def memory_file(self) -> Path:
         """The JSON of ``Memory``."""
         return self.root / "run" / "server.json"

@@ -15,17 +15,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import psutil
+from filelock import FileLock
 
 from foon_kg.server import process as processes
-from foon_kg.server.home import Home, Memory, cache_folder
-from foon_kg.server.jars import pinned
+from foon_kg.server.home import Home, Memory
 from foon_kg.server.launch import settings_of
 from foon_kg.server.lifecycle import stop_locked
 from foon_kg.server.settings import ConnectionSettings
-from foon_kg.server.startup_cache import StartupCache
+from foon_kg.server.startup_cache import the_startup_cache
 
 LOOK_SECONDS = 60.0
-NICE = 15
+NICE = 19
 VISIT = "foon-kg-idle-watch"
 
 
@@ -101,19 +101,14 @@ def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) 
         return asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
 
 
-def the_startup_cache() -> StartupCache:
-    """Return the cache for the jars of this version."""
-    jar_set = pinned()
-    return StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}")
-
-
 def main(root: str, pid: str) -> None:
-    """Watch the server that the arguments name."""
+    """Watch the server that the arguments name; after another watcher of this home, if there is one."""
     os.nice(NICE)
     place = Home(Path(root))
-    server = processes.find(place, place.recall())
-    if server and server.pid == int(pid):
-        watch(place, server)
+    with FileLock(place.watch_lock):
+        server = processes.find(place, place.recall())
+        if server and server.pid == int(pid):
+            watch(place, server)
 
 
 if __name__ == "__main__":

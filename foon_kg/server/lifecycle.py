@@ -21,7 +21,7 @@ from foon_kg.server.jars import JarSet, pinned
 from foon_kg.server.java import java
 from foon_kg.server.launch import ended_on_failure, launch, settings_of
 from foon_kg.server.settings import ConnectionSettings, connection_from_environment
-from foon_kg.server.startup_cache import StartupCache
+from foon_kg.server.startup_cache import StartupCache, the_startup_cache
 
 Say = Callable[[str], None]
 """Told, in one line of words, what takes time."""
@@ -115,6 +115,7 @@ def _rebuilt(place: Home, running: psutil.Process) -> Memory:
     listening = [item.laddr.port for item in running.net_connections("tcp") if item.status == psutil.CONN_LISTEN]
     memory = Memory(running.pid, next(iter(listening), None), version=pinned().version)
     place.remember(memory)
+    _watch(place, running.pid)
     return memory
 
 
@@ -131,8 +132,8 @@ def _remembered(place: Home, known: Memory | None, port: int | None, idle_minute
 def _launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> ConnectionSettings:
     """Fetch what is missing, start, remember; once more without the start-up cache if that start fails."""
     java()
-    jar_set = pinned()
-    folder = cache_folder() / f"neo4j-{jar_set.version}"
+    cache = the_startup_cache()
+    jar_set, folder = cache.jar_set, cache.folder
     if missing := jar_set.missing(folder):
         size = sum(jar.size for jar in missing) / 1e6
         say(f"fetching Neo4j {jar_set.version} into {folder}: {len(missing)} files, {size:.0f} MB, only this once")
@@ -140,7 +141,6 @@ def _launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Co
             fetch(jar_set, folder)
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)
-    cache = StartupCache(jar_set, folder)
     say(f"starting Neo4j {jar_set.version}")
     try:
         return _launch_on(place, port, memory, cache)
@@ -156,8 +156,8 @@ def _launch_on(place: Home, port: int, memory: Memory, cache: StartupCache) -> C
     child, settings = launch(place, port, cache.jar_set, cache.folder, cache.flags())
     with ended_on_failure(child):
         place.remember(replace(memory, pid=child.pid))
-        processes.wait_for_answer(psutil.Process(child.pid), settings, place)
         _watch(place, child.pid)
+        processes.wait_for_answer(psutil.Process(child.pid), settings, place)
     return settings
 
 

@@ -30,12 +30,12 @@ def find(home: Home, memory: Memory | None) -> psutil.Process | None:
     A process counts only if it was started with our argument file: a number that another process has got since does
     not. Where nothing is remembered all processes are looked at, so that a server is found even if its record is lost.
     """
-    if memory is None:
-        candidates = psutil.process_iter()
-    elif memory.pid is None or not psutil.pid_exists(memory.pid):
+    if memory is not None and memory.pid is None:
         return None
-    else:
-        candidates = iter([psutil.Process(memory.pid)])
+    try:
+        candidates = psutil.process_iter() if memory is None else iter([psutil.Process(memory.pid)])
+    except psutil.NoSuchProcess:
+        return None
     return next((process for process in candidates if _is_ours(process, home)), None)
 
 

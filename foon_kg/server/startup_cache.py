@@ -7,8 +7,11 @@ whole start and stop, so it is done on a throw-away home, in the background, by 
 from __future__ import annotations
 
 import hashlib
+import os
+import shutil
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,11 +21,13 @@ from filelock import FileLock, Timeout
 from foon_kg.errors import FoonError, ServerError
 from foon_kg.server import process as processes
 from foon_kg.server.home import Home, cache_folder
-from foon_kg.server.jars import JarSet
+from foon_kg.server.jars import JarSet, pinned
 from foon_kg.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.server.launch import ended_on_failure, launch
 from foon_kg.server.settings import ConnectionSettings
 
+UNUSED_SECONDS = 60 * 86_400
+TRAINING_PREFIX = "training-"
 TRAINING = (
     "CREATE CONSTRAINT IF NOT EXISTS FOR (n:Training) REQUIRE n.key IS UNIQUE",
     "UNWIND range(1, 200) AS i MERGE (n:Training {key: i}) SET n.even = i % 2 = 0",
@@ -51,9 +56,17 @@ class StartupCache:
         """The file that says why the cache could not be made the last time."""
         return self.file.with_suffix(".failed")
 
+    @property
+    def lock(self) -> Path:
+        """The lock of whoever makes a cache."""
+        return cache_folder() / "startup.lock"
+
     def flags(self) -> list[str]:
         """Return the Java flags that use the cache, none while there is no cache."""
-        return [f"-XX:AOTCache={self.file}"] if self.file.exists() else []
+        if not self.file.exists():
+            return []
+        os.utime(self.file)  # a cache in use is not swept away
+        return [f"-XX:AOTCache={self.file}"]
 
     def discard(self) -> bool:
         """Remove the cache; answers whether there was one."""
@@ -75,7 +88,7 @@ class StartupCache:
         if self.file.exists():
             return
         try:
-            with FileLock(cache_folder() / "startup.lock", timeout=0):
+            with FileLock(self.lock, timeout=0):
                 self._make()
                 self.why_not.unlink(missing_ok=True)
         except Timeout:
@@ -87,10 +100,9 @@ class StartupCache:
         recording = self.file.with_suffix(".recording")
         draft = self.file.with_suffix(".new")
         try:
+            _sweep()
             self._record(recording)
             self._build(recording, draft)
-            for older in self.file.parent.glob("startup-*.aot"):
-                older.unlink()
             draft.replace(self.file)
         finally:
             recording.unlink(missing_ok=True)
@@ -98,7 +110,7 @@ class StartupCache:
 
     def _record(self, recording: Path) -> None:
         flags = ["-XX:AOTMode=record", f"-XX:AOTConfiguration={recording}"]
-        with tempfile.TemporaryDirectory(dir=cache_folder(), prefix="training-") as folder:
+        with tempfile.TemporaryDirectory(dir=cache_folder(), prefix=TRAINING_PREFIX) as folder:
             place = Home(Path(folder))
             place.create()
             child, settings = launch(place, processes.free_port(), self.jar_set, self.folder, flags)
@@ -122,6 +134,23 @@ class StartupCache:
             raise ServerError(
                 f"Java built nothing (exit code {done.returncode}): {(done.stderr or done.stdout)[-500:]}"
             )
+
+
+def the_startup_cache() -> StartupCache:
+    """Return the cache for the jars that this version of foon-kg runs, where they are kept."""
+    jar_set = pinned()
+    return StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}")
+
+
+def _sweep() -> None:
+    """Remove caches that nobody uses any more, and what a training that was killed has left behind."""
+    for cache in cache_folder().glob("startup-*.aot"):
+        if cache.stat().st_mtime < time.time() - UNUSED_SECONDS:
+            cache.unlink()
+    for folder in cache_folder().glob(f"{TRAINING_PREFIX}*"):
+        if left := processes.find(Home(folder), None):
+            processes.end(left)
+        shutil.rmtree(folder)
 
 
 def _train(settings: ConnectionSettings) -> None:

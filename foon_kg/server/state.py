@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from foon_kg.server import process as processes
 from foon_kg.server.configuration import HOST
-from foon_kg.server.home import Memory, cache_folder, home
+from foon_kg.server.home import Memory, home
 from foon_kg.server.jars import pinned
-from foon_kg.server.startup_cache import StartupCache
+from foon_kg.server.startup_cache import the_startup_cache
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,17 +34,16 @@ def status() -> Status:
     known = place.recall()
     running = processes.find(place, known)
     memory = known or Memory()
-    jar_set = pinned()
     return Status(
         user="neo4j",
         running=running is not None,
         uri=f"bolt://{HOST}:{memory.port}" if running and memory.port else None,
         pid=running.pid if running else None,
-        version=memory.version if running and memory.version else jar_set.version,
+        version=memory.version if running and memory.version else pinned().version,
         memory=running.memory_info().rss if running else None,
         idle_minutes=memory.idle_minutes,
         data=str(place.root / "data"),
         password_file=str(place.password_file),
         log_file=str(place.console_log),
-        startup_cache=StartupCache(jar_set, cache_folder() / f"neo4j-{jar_set.version}").state(),
+        startup_cache=the_startup_cache().state(),
     )

@@ -226,7 +226,7 @@ def test_a_lost_password_is_said_with_its_path(place):
 
 def test_a_broken_startup_cache_does_not_stop_the_start(place, tmp_path, monkeypatch):
     from foon_kg.server.home import cache_folder
-    from foon_kg.server.idle import the_startup_cache
+    from foon_kg.server.startup_cache import the_startup_cache
 
     stop()
     private = tmp_path / "cache"

@@ -1,0 +1,88 @@
+"""How long the local Neo4j takes: first fetch, first start, start-up cache, later starts, stop, memory.
+
+    python benchmarks/server_start.py [RUNS]
+
+Everything happens in a temporary home and cache; the first fetch needs the network (180 MB). Figures are wall-clock
+seconds; the load of the machine is printed beside them because it changes them more than anything else does.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import contextmanager
+from pathlib import Path
+
+import neo4j
+from filelock import FileLock
+
+from foon_kg.server import ConnectionSettings, start, status, stop
+from foon_kg.server.fetch import fetch
+from foon_kg.server.jars import pinned
+from foon_kg.server.startup_cache import the_startup_cache
+
+
+def seconds(action: Callable[[], object]) -> float:
+    begun = time.perf_counter()
+    action()
+    return time.perf_counter() - begun
+
+
+def report(name: str, figures: list[float], unit: str = "s") -> None:
+    load = os.getloadavg()[0]
+    print(f"{name:34} {statistics.median(figures):8.2f} {unit:3} of {len(figures)}, load {load:.1f}", flush=True)
+
+
+def starts(runs: int) -> tuple[list[float], list[float], list[float]]:
+    """Start, ask a first managed query, look at the memory, stop; once a run."""
+    up, first, down = [], [], []
+    for _ in range(runs):
+        reached: list[ConnectionSettings] = []
+        up.append(seconds(lambda into=reached: into.append(start(after_start=lambda _settings: None))))
+        first.append(seconds(lambda found=reached: first_write(found[0])))
+        down.append(seconds(stop))
+    return up, first, down
+
+
+def first_write(settings: ConnectionSettings) -> None:
+    with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
+        driver.execute_query("UNWIND range(1, 100) AS i MERGE (n:Measured {key: i}) RETURN count(n)")
+
+
+@contextmanager
+def private_folders():
+    with tempfile.TemporaryDirectory(prefix="foon-kg-bench-") as folder:
+        os.environ["FOON_KG_HOME"] = f"{folder}/home"
+        os.environ["FOON_KG_CACHE"] = f"{folder}/cache"
+        try:
+            yield Path(folder)
+        finally:
+            stop()
+
+
+def main(runs: int) -> None:
+    with private_folders() as folder:
+        jars = pinned()
+        report("first fetch", [seconds(lambda: fetch(jars, folder / "cache" / f"neo4j-{jars.version}"))])
+        with FileLock(the_startup_cache().lock):  # nobody makes the cache meanwhile
+            report("first start, with a new password", [seconds(lambda: start(after_start=lambda _settings: None))])
+            report("memory after the first start", [(status().memory or 0) / 1e6], "MB")
+            stop()
+            up, first, down = starts(runs)
+        report("start, plain", up)
+        report("  first write after it", first)
+        report("  stop", down)
+        report("making the start-up cache", [seconds(the_startup_cache().make)])
+        print(f"start-up cache: {the_startup_cache().state()}, {the_startup_cache().file.stat().st_size / 1e6:.0f} MB")
+        up, first, down = starts(runs)
+        report("start, with the start-up cache", up)
+        report("  first write after it", first)
+        report("  stop", down)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 3)
