@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.lines import FoodLine, food_lines
+from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.replay import Casting, Item, Recast, Replayed, Step, replay
 from foon_kg.substitution import FAIR, Candidate, Equivalents
@@ -93,7 +93,7 @@ class Integration:
         for number, want in enumerate(self.wants):
             for line in lines.values():
                 name = self.equivalents.name_confidence(want.object, line.label)
-                cast = self.equivalents.recast(want, line.label, line.states, line.made_by) if name >= FAIR else None
+                cast = self._cast(want, line) if name >= FAIR else None
                 if cast is not None and self._leaves_stand(line, cast[0]):
                     offers.append((-name * cast[1], number, line.label, cast[0]))
         offers.sort(key=lambda offer: offer[:3])
@@ -109,6 +109,16 @@ class Integration:
             taken.add(label)
         return played
 
+    def _cast(self, want: RequiredIngredient, line: FoodLine) -> tuple[Recast, float] | None:
+        """How a line plays a food: a processed state must be there still where the food joins others (sense, S7)."""
+        sold = self.kitchen.is_start_state(want.object, want.state)
+        if sold and is_whole(want.state) and not line.opened and self._can_be_opened(want):
+            return None
+        return self.equivalents.recast(want, line.label, line.states if sold else line.at_join, line.made_by)
+
+    def _can_be_opened(self, want: RequiredIngredient) -> bool:
+        return next(self._opened_forms(want), None) is not None
+
     def _leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
         """Say whether every leaf of the line is at hand under its new name (contract, C6)."""
         for node in line.leaves:
@@ -122,7 +132,8 @@ class Integration:
     def _casting(
         self, lines: Mapping[str, FoodLine], played: Mapping[RequiredIngredient, tuple[str, Recast]]
     ) -> Casting:
-        foods: dict[str, Recast | None] = {label: None for label in lines if not self.kitchen.is_free(label)}
+        names = {*lines, *held_names(self.script, self.kitchen)}
+        foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
         foods |= {label: recast for label, recast in played.values()}
         return Casting(foods)
 
@@ -136,11 +147,7 @@ class Integration:
         while True:
             steps, item = self._executed(replay(self.script, casting, self.kitchen))
             arrived = {now for _, now in item.atoms} if item is not None else set()
-            lost = [
-                want
-                for want in played
-                if want.object not in arrived or not _shows(want, steps)
-            ]
+            lost = [want for want in played if want.object not in arrived or not _shows(want, steps)]
             if not lost:
                 return casting, played
             played = {want: role for want, role in played.items() if want not in lost}
@@ -172,6 +179,8 @@ class Integration:
     def _forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
         """The ways to have a food ready, best first: made apart where it has to be made, else as it is sold."""
         if self.kitchen.is_start_state(want.object, want.state):
+            if is_whole(want.state):
+                yield from self._opened_forms(want)
             yield ObjectNode(want.object, (want.state,)), None
             return
         for candidate in self.equivalents.candidates(want):
@@ -180,25 +189,56 @@ class Integration:
                 yield preparation.node, preparation
         yield ObjectNode(want.object, (want.state,)), None
 
+    def _opened_forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation]]:
+        """The ways to crack, peel, open or cut a food that is asked whole, before it joins others (sense, S3)."""
+        found = []
+        for state in self.equivalents.states_known(want.object):
+            script = None
+            if not self.kitchen.is_start_state(want.object, state):
+                script = self.derive(Candidate(want.object, state, 1.0, 1.0))
+            if script and any(opens_food(want.object, known) for known in script):
+                found.append((len(script), state, script))
+        for _, state, script in sorted(found, key=lambda row: row[:2]):
+            preparation = self._from_whole(want, state, script)
+            if preparation is not None:
+                yield preparation.node, preparation
+
+    def _from_whole(self, want: RequiredIngredient, state: str, script: Sequence[KnownUnit]) -> Preparation | None:
+        line = food_lines(script, self.kitchen).get(want.object)
+        if line is None:
+            return None
+        starts = {state for node in line.leaves for state in node.states}
+        cast = self.equivalents.recast(want, want.object, starts, ())
+        if cast is None or not self._leaves_stand(line, cast[0]):
+            return None
+        candidate = Candidate(want.object, state, 1.0, cast[1])
+        prepared = self._prepared(want, candidate, script, self._casting_of(script, want.object, cast[0]), state)
+        return prepared if prepared is not None and _shows(want, prepared.steps) else None
+
+    def _casting_of(self, script: Sequence[KnownUnit], label: str, recast: Recast) -> Casting:
+        """The casting in which ``label`` alone plays, and every other food is dropped."""
+        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
+        foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
+        return Casting(foods | {label: recast})
+
     def prepare(self, want: RequiredIngredient, candidate: Candidate) -> Preparation | None:
         """Make ``want`` as FOON makes ``candidate``; ``None`` where that needs other foods or does not work."""
         script = self.derive(candidate)
         if not script:
             return None
-        lines = food_lines(script, self.kitchen)
-        line = lines.get(candidate.label)
+        line = food_lines(script, self.kitchen).get(candidate.label)
         if line is None:
             return None
         cast = self.equivalents.recast(want, candidate.label, [candidate.state], line.made_by)
         if cast is None or not self._leaves_stand(line, cast[0]):
             return None
-        foods: dict[str, Recast | None] = {label: None for label in lines if not self.kitchen.is_free(label)}
-        casting = Casting(foods | {candidate.label: cast[0]})
-        return self._prepared(want, candidate, script, casting)
+        casting = self._casting_of(script, candidate.label, cast[0])
+        return self._prepared(want, candidate, script, casting, want.state)
 
     def _prepared(
-        self, want: RequiredIngredient, candidate: Candidate, script: Sequence[KnownUnit], casting: Casting
+        self, want: RequiredIngredient, candidate: Candidate, script: Sequence[KnownUnit], casting: Casting, state: str
     ) -> Preparation | None:
+        """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
         replayed = replay(script, casting, self.kitchen)
         targets = [
             node
@@ -206,7 +246,7 @@ class Integration:
             if node.label == candidate.label and candidate.state in node.states
         ]
         item = replayed.items.get(targets[0]) if targets else None
-        if item is None or item.node.label != want.object or want.state not in item.node.states:
+        if item is None or item.node.label != want.object or state not in item.node.states:
             return None
         steps = _needed(replayed.steps, item.node)
         return Preparation(want, item.node, tuple(steps), casting, candidate.confidence) if steps else None
@@ -219,29 +259,27 @@ class Integration:
         additions: Sequence[Addition],
     ) -> list[int]:
         """Answer the places where ``want`` may join, best first."""
-        joined = {a.place: (_item(a),) for a in additions}
-        steps, _ = self._executed(replay(self.script, casting, self.kitchen, joined))
-        alive = {step.place: step for step in steps}
-        last = max((p for p in alive if self._mixes_or_heats(p)), default=max(alive, default=-1))
+        steps, _ = self._executed(self._replay_with(casting, additions))
+        alive = {step.place for step in steps}
+        last = max((p for p in range(len(self.script)) if self._mixes_or_heats(p)), default=len(self.script))
+        left_open = {line.joins for label, line in lines.items() if casting.foods.get(label) is None}
+        left_open -= {addition.place for addition in additions}
         scored = []
         for place, known in enumerate(self.script):
             unit = known.unit
             if not motions.accepts_any(unit.motion, star=unit.accepts_any) or not self._receives(known):
                 continue
-            if place > last and place in alive:
+            if place > last:
                 continue
-            likeness = self._likeness(want, place, lines)
-            scored.append((-likeness, place not in alive, -place if place <= last else place, place))
-        return [place for *_, place in sorted(scored)]
+            scored.append((-self._likeness(want, place, lines), place not in left_open, place not in alive, -place))
+        return [-place for *_, place in sorted(scored)]
 
     def _mixes_or_heats(self, place: int) -> bool:
         motion = self.script[place].unit.motion
         return motions.mixes(motion) or motions.heats(motion)
 
     def _receives(self, known: KnownUnit) -> bool:
-        return any(
-            node.ingredients for node in known.unit.output_nodes if not self.kitchen.is_storage(node.label)
-        )
+        return any(node.ingredients for node in known.unit.output_nodes if not self.kitchen.is_storage(node.label))
 
     def _likeness(self, want: RequiredIngredient, place: int, lines: Mapping[str, FoodLine]) -> float:
         """Say how much the foods that join at ``place`` in the reference are like ``want`` (0..1, in tenths)."""
@@ -295,6 +333,11 @@ class Integration:
         return FinalTree(
             goal, tuple(_once(ordered)), {w: role[0] for w, role in played.items()}, tuple(additions), tuple(missing)
         )
+
+
+def is_whole(state: str) -> bool:
+    """Say whether a food asked in ``state`` is asked whole (sense, S3)."""
+    return "whole" in state.split()
 
 
 def _item(addition: Addition) -> Item:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode
 
@@ -14,7 +15,8 @@ class FoodLine:
     """One food of a script: its ``leaves`` (nodes that no earlier unit makes) and the states it passes.
 
     ``made_by`` maps each state that the script gives it to the motion that does so. ``joins`` is the place of the
-    first unit in which it comes together with other foods, ``takes`` how many units take it from the kitchen.
+    first unit in which it comes together with other foods, ``at_join`` are its states there; ``opened`` says that it
+    is cracked, peeled, opened or cut by then.
     """
 
     label: str
@@ -22,42 +24,64 @@ class FoodLine:
     states: frozenset[str]
     made_by: tuple[tuple[str, str], ...]
     joins: int
-    takes: int
+    at_join: frozenset[str]
+    opened: bool
 
 
 def food_lines(script: Sequence[KnownUnit], kitchen: Kitchen) -> dict[str, FoodLine]:
     """Answer the line of every food that ``script`` takes from the kitchen, by label, sorted by label."""
     made: set[ObjectNode] = set()
-    leaves: dict[str, dict[ObjectNode, int]] = {}
+    leaves: dict[str, list[ObjectNode]] = {}
     for known in script:
         for node in known.unit.input_nodes:
             if node not in made and not kitchen.is_utensil(node.label):
-                uses = leaves.setdefault(node.label, {})
-                uses[node] = uses.get(node, 0) + 1
+                leaves.setdefault(node.label, []).append(node)
         made.update(known.unit.output_nodes)
     return {label: _line(label, leaves[label], script, kitchen) for label in sorted(leaves)}
 
 
-def _line(label: str, leaves: dict[ObjectNode, int], script: Sequence[KnownUnit], kitchen: Kitchen) -> FoodLine:
+def held_names(script: Sequence[KnownUnit], kitchen: Kitchen) -> frozenset[str]:
+    """Answer the names of what lies from the start in vessels of ``script`` that no earlier unit fills."""
+    made: set[ObjectNode] = set()
+    names: set[str] = set()
+    for known in script:
+        for node in known.unit.input_nodes:
+            if node not in made and kitchen.is_utensil(node.label):
+                names.update(kitchen.foods_in(node))
+        made.update(known.unit.output_nodes)
+    return frozenset(names)
+
+
+def _line(label: str, leaves: Sequence[ObjectNode], script: Sequence[KnownUnit], kitchen: Kitchen) -> FoodLine:
     states: set[str] = set()
     made_by: dict[str, str] = {}
-    joins: int | None = None
-    for place, known in enumerate(script):
-        before = {state for node in known.unit.input_nodes if node.label == label for state in node.states}
-        after = {state for node in known.unit.output_nodes if node.label == label for state in node.states}
+    for known in script:
+        before, after = _states(label, known.unit.input_nodes), _states(label, known.unit.output_nodes)
         for state in sorted(after - before):
             made_by.setdefault(state, known.unit.motion)
         states |= before | after
-        if joins is None and _joins(label, known, kitchen):
-            joins = place
+    joins = next((place for place, known in enumerate(script) if _joins(label, known, kitchen)), len(script) - 1)
+    there = script[joins].unit
     return FoodLine(
         label,
-        tuple(leaves),
+        tuple(dict.fromkeys(leaves)),
         frozenset(states),
         tuple(sorted(made_by.items())),
-        len(script) - 1 if joins is None else joins,
-        sum(leaves.values()),
+        joins,
+        frozenset(_states(label, (*there.input_nodes, *there.output_nodes))),
+        any(opens_food(label, known) for known in script[: joins + 1]),
     )
+
+
+def _states(label: str, nodes: Sequence[ObjectNode]) -> set[str]:
+    return {state for node in nodes if node.label == label for state in node.states}
+
+
+def opens_food(label: str, known: KnownUnit) -> bool:
+    """Say whether the unit cracks, peels, opens or cuts ``label`` (sense, S3)."""
+    unit = known.unit
+    changed = any(node.label == label and node not in unit.output_nodes for node in unit.input_nodes)
+    return changed and motions.opens(unit.motion)
 
 
 def _joins(label: str, known: KnownUnit, kitchen: Kitchen) -> bool:

@@ -63,6 +63,10 @@ class ObjectNode:
     def __hash__(self) -> int:
         return self._hash  # nodes are looked up far more often than they are made
 
+    def __reduce__(self) -> tuple[type[ObjectNode], tuple[object, ...]]:
+        # the kept hash is true in one process only: another one has another seed
+        return (ObjectNode, (self.label, self.states, self.ingredients, self.relation, self.container))
+
     @cached_property
     def key(self) -> str:
         """The content hash under which the graph keeps this node."""

@@ -83,9 +83,7 @@ def _renamings(step: Step, casting: Casting) -> Iterator[tuple[str, str, str, st
             yield "object", recast.label, recast.label, label
         yield from _state_renamings(step, label, recast)
     if step.motion != unit.motion:
-        recast = next(
-            r for r in casting.foods.values() if r is not None and r.motions.get(unit.motion) == step.motion
-        )
+        recast = next(r for r in casting.foods.values() if r is not None and r.motions.get(unit.motion) == step.motion)
         yield "motion", recast.label, step.motion, unit.motion
 
 
@@ -123,9 +121,7 @@ def _others(options: Sequence[tuple[str, float]], chosen: str) -> tuple[Alternat
     return tuple(Alternative(name, round(sure, 4)) for name, sure in options if name != chosen)[:MOST_ALTERNATIVES]
 
 
-def _assumptions(
-    leaves: Sequence[ObjectNode], units: Sequence[PlannedUnit], kitchen: Kitchen
-) -> Iterator[Assumption]:
+def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[PlannedUnit], kitchen: Kitchen) -> Iterator[Assumption]:
     for node in leaves:
         taker = next(unit for unit in units if node in unit.input_nodes)
         fault = kitchen.leaf_fault(node, [other for other in taker.input_nodes if other != node])

@@ -10,26 +10,36 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.goals import RankedGoal, rank_goals
-from foon_kg.integration import FinalTree, Integration
-from foon_kg.kitchen import Kitchen, LeafFault, words
+from foon_kg.integration import Integration
+from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import KnowledgeView, Vocabulary
-from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.states import state_similarity
-from foon_kg.substitution import Candidate, Equivalents
+from foon_kg.substitution import FAIR, Candidate, Equivalents
+from foon_kg.validation import CONTRACT, SENSE, KnownFoon, TaskTree, check
+
+MOST_GOALS = 6
+"""How many trees are made and compared, where none of them is without a fault."""
 
 FIRST_GOALS = 3
 """How many of the likeliest goals are looked behind in the first question."""
 
-_GAP_COSTS = {LeafFault.RUNNING: 10, LeafFault.USED: 10, LeafFault.HELD: 3, LeafFault.PROCESSED: 100, LeafFault.MIXTURE: 1000}
+# What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
+# a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own.
 _ODD_PLACE = 1
+_FILLED_BY_NOBODY = 2
+_USED = 10
+_FILLED_BY_A_UNIT = 50
+_PROCESSED = 100
+_TURNED_ON_BY_A_UNIT = 200
+_MIXTURE = 1000
 
 
 @dataclass(frozen=True)
@@ -47,55 +57,147 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     Raises :class:`UsageError` for a recipe without ingredients or with an unknown dish type, and
     :class:`NoTreeError` where the FOON has no way to make it; its code says why: ``no-goal``, ``no-way`` or ``left-out``.
     """
-    return _Plan(view, recipe, settings or PlanSettings()).run()
+    return Planner(view, settings or PlanSettings()).plan(recipe)
 
 
-def gap_cost(kitchen: Kitchen) -> Callable[[ObjectNode], int | None]:
-    """Answer what it costs a search to take a node that is not at hand: odd places least, mixtures most."""
+def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNode], int | None]:
+    """Answer what it costs a search among ``units`` to take a node that is not at hand: odd places least, mixtures most."""
+    made = {node for known in units for node in known.unit.output_nodes}
+    mixtures = {node.label for node in made if kitchen.is_food(node) and kitchen.is_mixture(node)}
 
     def cost(node: ObjectNode) -> int | None:
-        fault = kitchen.leaf_fault(node)
-        return _ODD_PLACE if fault is None else _GAP_COSTS[fault]
+        if kitchen.is_food(node):
+            if kitchen.is_mixture(node):
+                return _MIXTURE
+            return _PROCESSED if kitchen.processed_states(node) else _ODD_PLACE
+        foods = kitchen.foods_in(node)
+        if len(foods) > 1 or not mixtures.isdisjoint(foods):
+            return _MIXTURE
+        if kitchen.is_running(node):
+            return _TURNED_ON_BY_A_UNIT if node in made else _USED
+        if foods:
+            return _FILLED_BY_A_UNIT if node in made else _FILLED_BY_NOBODY
+        return _ODD_PLACE if kitchen.at_rest(node) else _USED
 
     return cost
 
 
-class _Plan:
-    """One recipe being planned from one view."""
+class Planner:
+    """Plans recipes from one view.
 
-    def __init__(self, view: KnowledgeView, recipe: Recipe, settings: PlanSettings) -> None:
+    For many recipes give ``units``, all of the FOON: they are numbered once, and what was derived for one recipe
+    serves the next. Without them each plan asks the view for just the units behind its goals and foods.
+    """
+
+    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
-        self.recipe = recipe
         self.settings = settings
-        self.kitchen = settings.kitchen
-        self.wants = _wants(recipe)
         self.vocabulary = view.vocabulary()
-        self.equivalents = _equivalents(self.vocabulary, self.wants, settings)
+        self.likeness = _Likeness(settings.similarity, self.vocabulary)
+        self.whole = None if units is None else _Workshop(units, view.goals(), settings)
 
-    def run(self) -> PlanResult:
-        ranked = self._ranked_goals()
-        foods = sorted({(c.label, c.state) for want in self.wants for c in self.equivalents.candidates(want)})
-        best: PlanResult | None = None
+    def plan(self, recipe: Recipe) -> PlanResult:
+        """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
+        return _Question(self, recipe).answer()
+
+
+class _Workshop:
+    """Numbered units, and what was found among them: reference trees and the makings of foods."""
+
+    def __init__(self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings) -> None:
+        self.kitchen = settings.kitchen
+        self.time_limit = settings.time_limit
+        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=gap_cost(self.kitchen, units))
+        self.foon = KnownFoon.of(units, goals)
+        self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
+        self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
+
+    def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
+        """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
+        key = (goal, tuple(sorted(wanted.items())))
+        if key not in self.references:
+            problem = SearchProblem(self.index, (goal,), wanted=wanted)
+            self.references[key] = retrieve(problem, time_limit=self.time_limit)
+        return self.references[key]
+
+    def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:
+        """Answer the fewest units that make a food in a state, or ``None`` where nothing does."""
+        key = (candidate.label, candidate.state)
+        if key not in self.derived:
+            self.derived[key] = self._derive(*key)
+        return self.derived[key]
+
+    def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
+        targets = tuple(node for node in self.index.nodes if node.label == label and state in node.states)
+        try:
+            return retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
+        except NoTreeError:
+            return None
+
+
+class _Likeness:
+    """How likely a cook is to accept one food for another, worked out in one product a food and kept."""
+
+    def __init__(self, similarity: Similarity, vocabulary: Vocabulary) -> None:
+        self.similarity = similarity
+        self.labels = sorted({row.label for row in vocabulary.foods})
+        self.rows: dict[str, dict[str, float]] = {}
+
+    def __call__(self, required: str, known: str) -> float:
+        if required == known:
+            return 1.0
+        if required not in self.rows:
+            values = self.similarity.matrix([required], self.labels)[0].tolist()
+            self.rows[required] = dict(zip(self.labels, values, strict=True))
+        row = self.rows[required]
+        if known not in row:
+            row[known] = float(self.similarity.matrix([required], [known])[0, 0])
+        return row[known]
+
+
+class _Question:
+    """One recipe being planned."""
+
+    def __init__(self, planner: Planner, recipe: Recipe) -> None:
+        self.planner = planner
+        self.recipe = recipe
+        self.settings = planner.settings
+        self.kitchen = planner.settings.kitchen
+        self.wants = _wants(recipe)
+        self.vocabulary = planner.vocabulary
+        self.equivalents = Equivalents(self.vocabulary, self.kitchen, planner.likeness, state_similarity)
+
+    def answer(self) -> PlanResult:
+        """Try the goals, likeliest first, until one gives a tree with everything in it."""
+        found: list[tuple[tuple[int, ...], PlanResult]] = []
         trouble: NoTreeError | None = None
-        for number, chunk in enumerate((ranked[:FIRST_GOALS], ranked[FIRST_GOALS:])):
-            if not chunk:
+        for ranked, workshop in self._goals_to_try():
+            try:
+                result = self._for_goal(ranked, workshop)
+            except NoTreeError as error:
+                trouble = trouble or error
                 continue
-            units = self.view.behind([r.goal.node for r in chunk], foods)
-            for goal in chunk:
-                try:
-                    result, whole = self._for_goal(goal, units)
-                except NoTreeError as error:
-                    trouble = trouble or error
-                    continue
-                if whole:
-                    return result
-                best = best or result
-            del number
-        if best is not None:
-            return best
+            faults = self._faults(result, workshop)
+            found.append(((*faults, len(found)), result))
+            if not any(faults) or len(found) == MOST_GOALS:
+                break
+        if found:
+            return min(found, key=lambda row: row[0])[1]
         raise trouble or NoTreeError(
             f"no way to make this {self.recipe.dish_type} was found", code="no-way", hint="Ask for another dish type."
         )
+
+    def _goals_to_try(self) -> Iterator[tuple[RankedGoal, _Workshop]]:
+        ranked = self._ranked_goals()
+        if self.planner.whole is not None:
+            yield from ((goal, self.planner.whole) for goal in ranked)
+            return
+        foods = sorted({(c.label, c.state) for want in self.wants for c in self.equivalents.candidates(want)})
+        for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
+            if chunk:
+                units = self.planner.view.behind([r.goal.node for r in chunk], foods)
+                workshop = _Workshop(units, [r.goal for r in ranked], self.settings)
+                yield from ((goal, workshop) for goal in chunk)
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:
         dish_type = self.recipe.dish_type
@@ -103,7 +205,7 @@ class _Plan:
             close = difflib.get_close_matches(dish_type, DISH_TYPES, n=3)
             hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
             raise UsageError(f"“{dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
-        goals = self.view.goals(dish_type)
+        goals = self.planner.view.goals(dish_type)
         if not goals:
             there = ", ".join(self.vocabulary.dish_types) or "none"
             raise NoTreeError(
@@ -117,49 +219,32 @@ class _Plan:
             dish_type=dish_type,
         )
 
-    def _for_goal(self, ranked: RankedGoal, units: Sequence[KnownUnit]) -> tuple[PlanResult, bool]:
-        index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=gap_cost(self.kitchen))
-        reference = self._reference(index, ranked)
-        tree = Integration(
-            reference.units,
-            ranked.goal.node,
-            self.wants,
-            self.equivalents,
-            self.kitchen,
-            self._deriver(index),
-        ).run()
+    def _for_goal(self, ranked: RankedGoal, workshop: _Workshop) -> PlanResult:
+        goal = ranked.goal.node
+        reference = workshop.reference(goal, self._wanted(ranked))
+        tree = Integration(reference.units, goal, self.wants, self.equivalents, self.kitchen, workshop.derive).run()
         if not tree.steps:
             raise NoTreeError(
-                f"nothing of {ranked.goal.node.label} is left for these ingredients",
+                f"nothing of {goal.label} is left for these ingredients",
                 code="left-out",
                 hint="Ask for another dish type, or add an ingredient that such a dish has.",
             )
-        summary = ReferenceSummary(ranked.goal.node, len(reference.units), reference.overlap, reference.exact)
-        result = plan_result(self.recipe, tree, reference.units, summary, self.equivalents, self.kitchen)
-        return result, not tree.missing
+        summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
+        return plan_result(self.recipe, tree, reference.units, summary, self.equivalents, self.kitchen)
 
-    def _reference(self, index: UnitIndex, ranked: RankedGoal) -> ReferenceTree:
+    def _faults(self, result: PlanResult, workshop: _Workshop) -> tuple[int, int]:
+        """Answer how many rules of the contract and how many measures of sense the judge finds broken."""
+        report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
+        return len(set(report.broken) & set(CONTRACT)), len(set(report.broken) & set(SENSE))
+
+    def _wanted(self, ranked: RankedGoal) -> dict[str, int]:
+        """Which ingredients of the goal may play which required food, by number: what counts as overlap."""
         wanted: dict[str, int] = {}
-        for bit, want in enumerate(self.wants):
+        for number, want in enumerate(self.wants):
             for name in ranked.goal.ingredients:
-                if self.equivalents.name_confidence(want.object, name) >= 0.5:  # noqa: PLR2004 - likelier than not
-                    wanted.setdefault(name, bit)
-        problem = SearchProblem(index, (ranked.goal.node,), wanted=wanted)
-        return retrieve(problem, time_limit=self.settings.time_limit)
-
-    def _deriver(self, index: UnitIndex) -> Callable[[Candidate], Sequence[KnownUnit] | None]:
-        @cache
-        def derive(candidate: Candidate) -> Sequence[KnownUnit] | None:
-            targets = tuple(
-                node for node in index.nodes if node.label == candidate.label and candidate.state in node.states
-            )
-            try:
-                found = retrieve(SearchProblem(index, targets), time_limit=self.settings.time_limit)
-            except NoTreeError:
-                return None
-            return found.units
-
-        return derive
+                if self.equivalents.name_confidence(want.object, name) >= FAIR:
+                    wanted.setdefault(name, number)
+        return wanted
 
 
 def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
@@ -168,22 +253,3 @@ def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
     return wants
-
-
-def _equivalents(
-    vocabulary: Vocabulary, wants: Sequence[RequiredIngredient], settings: PlanSettings
-) -> Equivalents:
-    labels = sorted({row.label for row in vocabulary.foods})
-    objects = sorted({want.object for want in wants})
-    matrix = settings.similarity.matrix(objects, labels)
-    table = {(o, label): float(matrix[i, j]) for i, o in enumerate(objects) for j, label in enumerate(labels)}
-
-    def name_confidence(required: str, known: str) -> float:
-        if required == known:
-            return 1.0
-        pair = (required, known)
-        if pair not in table:
-            table[pair] = float(settings.similarity.matrix([required], [known])[0, 0])
-        return table[pair]
-
-    return Equivalents(vocabulary, settings.kitchen, name_confidence, state_similarity)

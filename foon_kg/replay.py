@@ -112,10 +112,18 @@ class _Scene:
     gone: frozenset[ObjectNode]
     added: tuple[Item, ...]
     outputs: frozenset[ObjectNode]
+    written: frozenset[str]
+    """The names that the script's own inputs say, as labels or ingredients."""
 
     @property
     def atoms(self) -> frozenset[Atom]:
         return frozenset().union(*(item.atoms for item in self.present.values()), *(i.atoms for i in self.added))
+
+    @property
+    def visible(self) -> frozenset[str]:
+        """The names that the inputs say now: only these can be named in what comes of them."""
+        items = (*self.present.values(), *self.added)
+        return frozenset(name for item in items for name in (item.node.label, *item.node.ingredients))
 
     def of_label(self, label: str) -> list[Item]:
         return [item for node, item in self.present.items() if node.label == label]
@@ -136,10 +144,12 @@ class _Stage:
         """Execute one unit; answer what happens, or ``None`` where nothing does."""
         unit = known.unit
         there = [node for node in unit.input_nodes if not self._is_used(node)]
-        fetched = {node: self._fetch(node) for node in there}
+        beside = frozenset(node.label for node in unit.input_nodes if self._is_food(node))
+        fetched = {node: self._fetch(node, beside) for node in there}
         present = {node: item for node, item in fetched.items() if item is not None}
         gone = frozenset(node for node, item in fetched.items() if item is None)
-        scene = _Scene(present, gone, added, frozenset(unit.output_nodes))
+        written = frozenset(name for node in unit.input_nodes for name in (node.label, *node.ingredients))
+        scene = _Scene(present, gone, added, frozenset(unit.output_nodes), written)
         if not self._happens(unit.motion, scene):
             self._pass_through(unit.output_nodes, scene)
             return None
@@ -156,26 +166,30 @@ class _Stage:
         """Say whether a food went elsewhere before: it is taken once (sense, S1 and S4), and is now in what took it."""
         if node in self.used:
             return True
-        return self._is_food(node) and node not in self.items and node.label in self.leaf_foods and bool(node.container)
+        return self._is_food(node) and node not in self.items and node.label in self.leaf_foods
 
-    def _fetch(self, node: ObjectNode) -> Item | None:
+    def _fetch(self, node: ObjectNode, beside: frozenset[str]) -> Item | None:
         if node in self.items:
             item = self.items[node]
             while item is not None and item.node in self.later and self.later[item.node].node != item.node:
                 item = self.later[item.node]
             return item
-        item = self._leaf(node)
+        item = self._leaf(node, beside)
         self.items[node] = item
         return item
 
-    def _leaf(self, node: ObjectNode) -> Item | None:
+    def _leaf(self, node: ObjectNode, beside: frozenset[str]) -> Item | None:
         inside = [(name, self._name_now(name)) for name in node.ingredients]
         atoms = {(name, now) for name, now in inside if now is not None}
         names = tuple(now for _, now in atoms)
         if not self._is_food(node):
-            if node.ingredients and not atoms:
+            if not node.ingredients:
+                return Item(node)
+            if not atoms and self.kitchen.is_storage(node.label):
                 return None
-            return Item(_with(node, ingredients=names), frozenset(atoms))
+            if not self.kitchen.is_storage(node.label) and not set(self.kitchen.foods_in(node)) <= beside:
+                return Item(_emptied(node))  # nobody filled it, so it is taken empty
+            return Item(_with(node, ingredients=names), frozenset(atoms)) if atoms else Item(_emptied(node))
         self.leaf_foods.add(node.label)
         if self._name_now(node.label) is None:
             return None
@@ -200,6 +214,8 @@ class _Stage:
         if scene.added:
             return True
         nodes = [*scene.present, *scene.gone]
+        if any(self._is_turned(node, scene) for node in scene.present):
+            return True
         acted = [node for node in nodes if self._is_food(node) and node not in scene.outputs]
         if acted:
             if not any(node in scene.present for node in acted):
@@ -207,6 +223,16 @@ class _Stage:
             return not (scene.gone and motions.transfers(motion) and self._all_stay(acted, scene))
         holders = [n for n in nodes if not self._is_food(n) and n.ingredients and n not in scene.outputs]
         return not holders or any(n in scene.present and scene.present[n].atoms for n in holders)
+
+    def _is_turned(self, node: ObjectNode, scene: _Scene) -> bool:
+        """Say whether the unit changes a utensil itself (its state or place), not only what it holds."""
+        if self._is_food(node):
+            return False
+        after = [other for other in scene.outputs if other.label == node.label]
+        plain = {EMPTY}
+        return bool(after) and all(
+            set(other.states) - plain != set(node.states) - plain or _spot(other) != _spot(node) for other in after
+        )
 
     def _all_stay(self, acted: Sequence[ObjectNode], scene: _Scene) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""
@@ -229,11 +255,8 @@ class _Stage:
     def _make(self, outputs: Sequence[ObjectNode], scene: _Scene) -> dict[ObjectNode, Item | None]:
         foods = [node for node in outputs if self._is_food(node)]
         made = {node: self._food(node, scene) for node in foods}
-        own = frozenset(
-            atom for node, item in made.items() if item is not None for atom in item.atoms if atom[0] == node.label
-        )
-        deep = {node.label: item.atoms for node, item in made.items() if item is not None}
-        made |= {node: self._vessel(node, scene, own, deep) for node in outputs if not self._is_food(node)}
+        alive = {node.label: item for node, item in made.items() if item is not None}
+        made |= {node: self._vessel(node, scene, alive) for node in outputs if not self._is_food(node)}
         return {node: made[node] for node in outputs}
 
     def _food(self, node: ObjectNode, scene: _Scene) -> Item | None:
@@ -244,7 +267,7 @@ class _Stage:
         if not sources:
             return None
         atoms = frozenset().union(*(item.atoms for item in sources))
-        current = _with(node, ingredients=self._listed(node, atoms | {(node.label, node.label)}, atoms))
+        current = _with(node, ingredients=self._listed(node, atoms, scene))
         return Item(current, atoms | {(node.label, node.label)})
 
     def _was_input(self, label: str, scene: _Scene) -> bool:
@@ -260,7 +283,7 @@ class _Stage:
             sources = [*self._sources(node, scene), *same]
         atoms = frozenset().union(*(item.atoms for item in sources)) if sources else scene.atoms
         own = {(node.label, min(names))}
-        current = self._recast(node, self._listed(node, atoms - own, atoms - own))
+        current = self._recast(node, self._listed(node, atoms - own, scene))
         if current.label not in names:
             current = _with(current, label=min(names))
         return Item(current, atoms | own)
@@ -273,53 +296,52 @@ class _Stage:
     def _sources(self, node: ObjectNode, scene: _Scene) -> list[Item]:
         """The inputs that go into a mixture: what is acted on, and the vessels that hold it."""
         foods = [item for n, item in scene.present.items() if self._is_food(n) and n not in scene.outputs]
-        holders = [
-            item for n, item in scene.present.items() if not self._is_food(n) and n.ingredients and item.atoms
-        ]
+        holders = [item for n, item in scene.present.items() if not self._is_food(n) and n.ingredients and item.atoms]
         if not foods and not holders:
             return list(scene.added)
         named = set(node.ingredients)
         relevant = [
-            item
-            for item in (*foods, *holders)
-            if not named or any(name in named or not name for name, _ in item.atoms)
+            item for item in (*foods, *holders) if not named or any(name in named or not name for name, _ in item.atoms)
         ]
         return [*(relevant or [*foods, *holders]), *scene.added]
 
-    def _listed(self, node: ObjectNode, known: Iterable[Atom], inside: Iterable[Atom]) -> set[str]:
-        """The ingredients that ``node`` names now: those it named, those added, those it must carry."""
-        wanted = set(node.ingredients)
-        names = {now for name, now in known if name in wanted}
-        names |= {now for name, now in inside if not name}
-        names |= {now for _, now in inside if now in self.casting.carried}
+    def _listed(self, node: ObjectNode, atoms: frozenset[Atom], scene: _Scene) -> set[str]:
+        """The ingredients that a food names now: those it named, those that joined, those it must carry."""
+        names = self._named(node, atoms, scene) | {now for name, now in atoms if not name}
+        names |= {now for _, now in atoms if now in self.casting.carried}
         return names - {self._name_now(node.label) or node.label}
 
-    def _vessel(
-        self,
-        node: ObjectNode,
-        scene: _Scene,
-        own: frozenset[Atom],
-        deep: Mapping[str, frozenset[Atom]],
-    ) -> Item | None:
+    def _named(self, node: ObjectNode, atoms: frozenset[Atom], scene: _Scene) -> set[str]:
+        """The names that ``node`` said and still can say: what the inputs say, or what only the script knew of."""
+        visible = scene.visible
+        return {
+            now for name, now in atoms if name in node.ingredients and (now in visible or name not in scene.written)
+        }
+
+    def _vessel(self, node: ObjectNode, scene: _Scene, foods: Mapping[str, Item]) -> Item | None:
         if not node.ingredients:
             return Item(node)
-        wanted = set(node.ingredients)
-        named = {atom for atom in scene.atoms | own if atom[0] in wanted}
-        inside = named.union(*(deep[name] for name in wanted if name in deep))
-        extra = {atom for atom in scene.atoms if not atom[0]}
-        shown_by_food = {atom for label in wanted if label in deep for atom in deep[label]}
-        hidden = {atom for n, item in scene.present.items() if n.label == node.label for atom in item.atoms}
-        names = {now for _, now in named} | {now for _, now in extra - shown_by_food}
-        if not names:
-            emptied = {s for s in node.states if s != EMPTY} | {EMPTY}
-            return Item(_with(node, states=emptied, ingredients=()))
-        return Item(_with(node, ingredients=names), frozenset(inside | extra | hidden))
+        brought = scene.atoms
+        own = {(name, foods[name].node.label) for name in node.ingredients if name in foods}
+        turned = {name for name in node.ingredients if name not in foods and not self._known(name, scene) and brought}
+        named = self._named(node, brought, scene) | {now for _, now in own} | turned
+        inside = {atom for atom in brought if atom[0] in node.ingredients or not atom[0]} | own
+        inside = inside.union({(name, name) for name in turned}, *(foods[name].atoms for name, _ in own))
+        kept = {atom for item in scene.of_label(node.label) for atom in item.atoms}
+        if not turned:
+            in_foods = {now for name, _ in own for _, now in foods[name].atoms}
+            named |= {now for name, now in brought if not name and now in scene.visible and now not in in_foods}
+        if not named:
+            return Item(_emptied(node))
+        return Item(_with(node, ingredients=named), frozenset(inside | kept))
+
+    def _known(self, name: str, scene: _Scene) -> bool:
+        """Say whether ``name`` is a food of the script by itself, here or in the kitchen: no name of a mixture."""
+        return name in scene.written or name in self.leaf_foods or name in self.casting.foods
 
     # ---- telling it
 
-    def _step(
-        self, place: int, known: KnownUnit, scene: _Scene, made: Mapping[ObjectNode, Item | None]
-    ) -> Step | None:
+    def _step(self, place: int, known: KnownUnit, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> Step | None:
         unit = known.unit
         left_behind = self._left_behind(scene, made)
         inputs = [item.node for node, item in scene.present.items() if node not in left_behind]
@@ -373,6 +395,14 @@ class _AsItIs:
 
 
 _AS_IT_IS = _AsItIs()
+
+
+def _emptied(node: ObjectNode) -> ObjectNode:
+    return _with(node, states={state for state in node.states if state != EMPTY} | {EMPTY}, ingredients=())
+
+
+def _spot(node: ObjectNode) -> tuple[str | None, str | None]:
+    return (node.relation, node.container)
 
 
 def _place(node: ObjectNode) -> tuple[tuple[str, ...], str | None, str | None]:

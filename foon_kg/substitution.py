@@ -125,3 +125,8 @@ class Equivalents:
         rows = self._motions.get(state, ())
         total = sum(count for _, count in rows)
         return tuple((motion, count / total) for motion, count in rows)
+
+    def states_known(self, label: str) -> tuple[str, ...]:
+        """Answer the states in which FOON makes the food ``label``, most frequent first."""
+        rows = [row for row in self.vocabulary.foods if row.label == label and row.made and row.state]
+        return tuple(row.state for row in sorted(rows, key=lambda row: (-row.made, row.state)))

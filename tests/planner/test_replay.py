@@ -70,7 +70,10 @@ def test_a_food_that_joins_keeps_a_unit_going_whose_own_food_was_dropped():
 
 
 def test_a_food_is_taken_from_the_kitchen_once():
-    twice = (*SALAD[:-1], "bowl{onion,salt,tomato}; salt(granulated)@shaker; spoon > mix* > salad(mixed){onion,salt,tomato}@bowl")
+    twice = (
+        *SALAD[:-1],
+        "bowl{onion,salt,tomato}; salt(granulated)@shaker; spoon > mix* > salad(mixed){onion,salt,tomato}@bowl",
+    )
     replayed = replay(script(*twice), Casting(), KITCHEN)
     takers = [s.place for s in replayed.steps if node("salt(granulated)@shaker") in s.input_nodes]
     assert takers == [6]
