@@ -103,7 +103,7 @@ def _object_line(columns: list[str]) -> ObjectLine | Problem:
     label, flag, dish_class, *more = (*columns, "", "")
     if not label:
         return Problem(NoticeKind.MISSING_NAME, "an object without a name")
-    moving = flag.isdecimal() and int(flag[:9]) > 0
+    moving = flag.strip("0").isdecimal()
     remarks = _extra_columns(more, "a column too many")
     if flag not in {"0", "1"}:
         action = "read as 1, it moves" if moving else "read as 0, it does not move"

@@ -149,6 +149,11 @@ def test_what_is_no_list_of_units_is_refused_with_its_line(text: str, line: int)
     assert [(n.line, n.kind, n.action) for n in result.notices] == [(line, NoticeKind.UNREADABLE_FILE, "file rejected")]
 
 
+@pytest.mark.parametrize("text", ['{"units": [],\n"units": []}', '[{"a": 1, "units": 3,\n"b": 2, "units": 2}]'])
+def test_a_field_that_is_there_twice_is_named(text: str):
+    assert "'units' is there twice" in read_json(text, "a").notices[0].message
+
+
 def test_sources_that_are_no_texts_spoil_the_file():
     result = read({"units": [UNIT], "sources": [7]})
     assert result.subgraph is None
