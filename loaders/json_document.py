@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import NoReturn
 
 from foon_kg.loaders.notices import UnreadableFile
@@ -13,22 +13,21 @@ from foon_kg.loaders.notices import UnreadableFile
 _SPACE = " \t\r\n"
 
 
-@dataclass
+@dataclass(frozen=True)
 class Document:
     """The units as (line, value), and the other fields of the file."""
 
-    units: list[tuple[int, object]] = field(default_factory=list)
-    fields: dict[str, object] = field(default_factory=dict)
+    units: tuple[tuple[int, object], ...]
+    fields: Mapping[str, object]
 
 
 def parse_document(text: str) -> Document:
     """Answer the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``UnreadableFile`` for anything else."""
     cursor = _Cursor(text)
-    document = Document()
     if cursor.peek() == "[":
-        document.units = list(cursor.items())
+        document = Document(tuple(cursor.items()), {})
     elif cursor.peek() == "{":
-        _read_fields(cursor, document)
+        document = _object_document(cursor)
     else:
         cursor.fail("no JSON list or object of units")
     if cursor.peek():
@@ -36,18 +35,19 @@ def parse_document(text: str) -> Document:
     return document
 
 
-def _read_fields(cursor: _Cursor, document: Document) -> None:
-    seen: set[str] = set()
+def _object_document(cursor: _Cursor) -> Document:
+    units: tuple[tuple[int, object], ...] | None = None
+    fields: dict[str, object] = {}
     for name in cursor.names():
-        if name in seen:
+        if name in fields or (name == "units" and units is not None):
             cursor.fail(f"the field {name!a} is there twice")
-        seen.add(name)
         if name == "units" and cursor.peek() == "[":
-            document.units = list(cursor.items())
+            units = tuple(cursor.items())
         else:
-            document.fields[name] = cursor.value()
-    if "units" not in seen or "units" in document.fields:
+            fields[name] = cursor.value()
+    if units is None or "units" in fields:
         cursor.fail('no list of "units" in it')
+    return Document(units, fields)
 
 
 class _Cursor:
