@@ -3,6 +3,7 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 INSTALLED := .venv/installed
 TYPED := build/typed
+PIP_QUIETLY := --quiet --disable-pip-version-check
 
 .PHONY: demo test check lock clean
 .DELETE_ON_ERROR:
@@ -19,7 +20,8 @@ check: $(INSTALLED) $(TYPED)  ## style, types and the direction of imports
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 
-lock: $(INSTALLED)  ## write requirements.txt anew from pyproject.toml
+lock: $(INSTALLED)  ## write requirements.txt anew from pyproject.toml, for every system
+	$(BIN)/python -m pip install --quiet uv
 	$(BIN)/uv pip compile pyproject.toml --extra server --extra dev --universal --python-version 3.11 --upgrade \
 		--generate-hashes --no-annotate --no-header --quiet --output-file requirements.txt
 
@@ -27,9 +29,10 @@ clean:  ## take away the environment and everything that was built
 	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
 
 $(INSTALLED): requirements.txt pyproject.toml
+	@echo "Making .venv with everything in requirements.txt; the first time this takes a minute."
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	$(BIN)/python -m pip install $(PIP_QUIETLY) --no-compile --require-hashes -r requirements.txt
+	$(BIN)/python -m pip install $(PIP_QUIETLY) --no-deps --no-build-isolation -e .
 	@touch $@
 
 # mypy does not know that loaders/ and cypher/ are installed inside foon_kg: here they lie as they are installed
