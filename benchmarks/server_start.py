@@ -20,6 +20,7 @@ from pathlib import Path
 import neo4j
 from filelock import FileLock
 
+from foon_kg.graph.warming import warm
 from foon_kg.server import ConnectionSettings, start, status, stop
 from foon_kg.server.fetch import fetch
 from foon_kg.server.jars import pinned
@@ -37,15 +38,17 @@ def report(name: str, figures: list[float], unit: str = "s") -> None:
     print(f"{name:34} {statistics.median(figures):8.2f} {unit:3} of {len(figures)}, load {load:.1f}", flush=True)
 
 
-def starts(runs: int) -> tuple[list[float], list[float], list[float]]:
-    """Start, ask a first managed query, look at the memory, stop; once a run."""
-    up, first, down = [], [], []
+def measure_starts(name: str, runs: int) -> None:
+    """Start, warm the queries, write for the first time, stop; once a run."""
+    figures: dict[str, list[float]] = {name: [], "  warming the queries": [], "  first write": [], "  stop": []}
     for _ in range(runs):
         reached: list[ConnectionSettings] = []
-        up.append(seconds(lambda into=reached: into.append(start(after_start=lambda _settings: None))))
-        first.append(seconds(lambda found=reached: first_write(found[0])))
-        down.append(seconds(stop))
-    return up, first, down
+        figures[name].append(seconds(lambda into=reached: start(after_start=into.append)))
+        figures["  warming the queries"].append(seconds(lambda found=reached: warm(found[0])))
+        figures["  first write"].append(seconds(lambda found=reached: first_write(found[0])))
+        figures["  stop"].append(seconds(stop))
+    for what, measured in figures.items():
+        report(what, measured)
 
 
 def first_write(settings: ConnectionSettings) -> None:
@@ -72,16 +75,10 @@ def main(runs: int) -> None:
             report("first start, with a new password", [seconds(lambda: start(after_start=lambda _settings: None))])
             report("memory after the first start", [(status().memory or 0) / 1e6], "MB")
             stop()
-            up, first, down = starts(runs)
-        report("start, plain", up)
-        report("  first write after it", first)
-        report("  stop", down)
+            measure_starts("start, plain", runs)
         report("making the start-up cache", [seconds(the_startup_cache().make)])
         print(f"start-up cache: {the_startup_cache().state()}, {the_startup_cache().file.stat().st_size / 1e6:.0f} MB")
-        up, first, down = starts(runs)
-        report("start, with the start-up cache", up)
-        report("  first write after it", first)
-        report("  stop", down)
+        measure_starts("start, with the start-up cache", runs)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import neo4j
 import pytest
@@ -24,6 +25,9 @@ from filelock import FileLock
 
 from foon_kg.errors import FoonError
 from foon_kg.server import ConnectionSettings, connection_from_environment
+
+if TYPE_CHECKING:
+    import docker
 
 IMAGE = "neo4j:2026.09.0-community"
 SESSION_FOLDER = "FOON_KG_TEST_SESSION"
@@ -111,7 +115,8 @@ def _named() -> ConnectionSettings | None:
     return settings
 
 
-def _docker() -> object:
+def _docker() -> docker.DockerClient:
+    """Return the client of the Docker engine that the environment names."""
     import docker
 
     return docker.from_env()

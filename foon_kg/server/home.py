@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -17,6 +17,14 @@ from foon_kg.server.disk import explain_os_error, write_private
 
 DEFAULT_IDLE_MINUTES = 30
 LOCK_SECONDS = 900  # a first start on a slow line, which others wait for
+
+
+Say = Callable[[str], None]
+"""Told, in one line of words, what takes time."""
+
+
+def silent(_message: str) -> None:
+    """Say nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,12 +92,23 @@ class Home:
                 folder.mkdir(exist_ok=True)
 
     @contextmanager
-    def locked(self) -> Iterator[None]:
+    def locked(self, say: Say = silent) -> Iterator[None]:
         """Hold the home against every other foon command that would start or stop the server."""
         self.create()
+        lock = FileLock(self.root / "run" / "lock")
         try:
-            with FileLock(self.root / "run" / "lock", timeout=LOCK_SECONDS):
-                yield
+            lock.acquire(timeout=1)
+        except Timeout:
+            say("waiting for another foon command that starts or stops the local Neo4j")
+            self._acquire_at_last(lock)
+        try:
+            yield
+        finally:
+            lock.release()
+
+    def _acquire_at_last(self, lock: FileLock) -> None:
+        try:
+            lock.acquire(timeout=LOCK_SECONDS)
         except Timeout as error:
             raise ServerError(
                 f"another foon command has been starting or stopping the server in {self.root} for {LOCK_SECONDS} s",

@@ -76,6 +76,8 @@ def watch(place: Home, server: psutil.Process) -> None:
         before = now or before
         if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
             break
+    if not place.root.exists():  # somebody has removed the folder under the server: no command can find it any more
+        processes.end(server)
     if not quiet:
         the_startup_cache().make()
 
@@ -97,8 +99,8 @@ def _ended_within(server: psutil.Process, seconds: float) -> bool:
 def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) -> bool:
     """Stop the server, except if a command has asked for it just now and is about to connect."""
     with place.locked():
-        asked = time.time() - place.used.stat().st_mtime
-        return asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
+        asked = place.used.stat().st_mtime if place.used.exists() else 0.0
+        return time.time() - asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
 
 
 def main(root: str, pid: str) -> None:

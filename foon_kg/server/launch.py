@@ -24,10 +24,11 @@ def launch(
     class_path = jar_set.class_path(folder)
     write_configuration(place, port)
     _set_password(place, class_path)
+    settings = settings_of(place, port)
     main = (MAIN_CLASS, f"--home-dir={place.root}", f"--config-dir={place.configuration}")
     with explain_os_error(f"cannot write {place.arguments}"):
         command = write_arguments(place.arguments, class_path, flags, main)
-    return processes.spawn(command, place.console_log, place.root), settings_of(place, port)
+    return processes.spawn(command, place.console_log, place.root), settings
 
 
 @contextmanager

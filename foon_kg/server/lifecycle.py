@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 import psutil
@@ -16,27 +15,20 @@ from foon_kg.errors import ServerError
 from foon_kg.server import process as processes
 from foon_kg.server.disk import explain_os_error
 from foon_kg.server.fetch import fetch
-from foon_kg.server.home import Home, Memory, cache_folder, home
+from foon_kg.server.home import Home, Memory, Say, cache_folder, home, silent
 from foon_kg.server.jars import JarSet, pinned
 from foon_kg.server.java import java
 from foon_kg.server.launch import ended_on_failure, launch, settings_of
 from foon_kg.server.settings import ConnectionSettings, connection_from_environment
 from foon_kg.server.startup_cache import StartupCache, the_startup_cache
 
-Say = Callable[[str], None]
-"""Told, in one line of words, what takes time."""
 
-
-def _silent(_message: str) -> None:
-    """Say nothing."""
-
-
-def connection_settings(say: Say = _silent) -> ConnectionSettings:
+def connection_settings(say: Say = silent) -> ConnectionSettings:
     """Return how to reach the graph: the Neo4j that the environment names, else the local one, started if need be."""
     return connection_from_environment() or ensure_running(say)
 
 
-def ensure_running(say: Say = _silent) -> ConnectionSettings:
+def ensure_running(say: Say = silent) -> ConnectionSettings:
     """Return how to reach the local server; starts it if it is not up, with the idle time and port it had before."""
     return start(say=say)
 
@@ -45,7 +37,7 @@ def start(
     *,
     port: int | None = None,
     idle_minutes: float | None = None,
-    say: Say = _silent,
+    say: Say = silent,
     after_start: Callable[[ConnectionSettings], None] | None = None,
 ) -> ConnectionSettings:
     """Start the local server, or find that it runs, and return how to reach it.
@@ -55,7 +47,7 @@ def start(
     Raises ServerError: see its codes in ``fetch``, ``disk`` and ``process``.
     """
     place = home()
-    with place.locked():
+    with place.locked(say):
         known = place.recall()
         running = processes.find(place, known)
         if running:
@@ -70,16 +62,16 @@ def start(
     return settings
 
 
-def stop(say: Say = _silent) -> bool:
+def stop(say: Say = silent) -> bool:
     """Stop the local server; answers whether there was one to stop."""
     place = home()
     if not place.root.exists():
         return False
-    with place.locked():
+    with place.locked(say):
         return stop_locked(place, say)
 
 
-def stop_locked(place: Home, say: Say = _silent) -> bool:
+def stop_locked(place: Home, say: Say = silent) -> bool:
     """Stop the server of a home that the caller has locked."""
     known = place.recall()
     running = processes.find(place, known)
@@ -205,7 +197,6 @@ def _watch(place: Home, pid: int) -> None:
 
 def _warm(settings: ConnectionSettings) -> None:
     """Let the graph layer compile its queries, so that the first plan doesn't wait for that."""
-    if find_spec("foon_kg.graph.warming"):
-        from foon_kg.graph.warming import warm  # noqa: PLC0415 - the graph layer is not needed to run a server
+    from foon_kg.graph.warming import warm  # noqa: PLC0415 - needed only after a start
 
-        warm(settings)
+    warm(settings)

@@ -57,9 +57,8 @@ def free_port() -> int:
 def is_free(port: int) -> bool:
     """Say whether a server could listen on this port now."""
     with socket.socket() as probe:
-        probe.setsockopt(
-            socket.SOL_SOCKET, socket.SO_REUSEADDR, 1
-        )  # as Neo4j does: a closed connection is no hindrance
+        # As Neo4j does it: a connection that was closed a moment ago is no hindrance.
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((HOST, port))
         except OSError:

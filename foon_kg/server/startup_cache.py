@@ -35,7 +35,7 @@ TRAINING = (
     "MATCH (a:Training {key: 1})-[:NEXT*1..9]->(b) WITH DISTINCT b ORDER BY b.key RETURN collect(b.key) AS keys",
     "MATCH (n:Training) WHERE n.even DETACH DELETE n",
 )
-"""What the recorded run is asked: a schema, writes, a path, an aggregation."""
+"""What the recorded run is asked, beside foon-kg's own questions: a schema, writes, a path, an aggregation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,8 +154,12 @@ def _sweep() -> None:
 
 
 def _train(settings: ConnectionSettings) -> None:
+    """Use the server as foon-kg does, so that the recording has seen the classes which that needs."""
     import neo4j  # noqa: PLC0415 - slow to import, and needed only here
+
+    from foon_kg.graph.warming import warm  # noqa: PLC0415 - the same
 
     with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
         for query in TRAINING:
             driver.execute_query(neo4j.Query(query))
+    warm(settings)

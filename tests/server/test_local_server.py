@@ -11,6 +11,7 @@ import socket
 import stat
 import subprocess
 import sys
+import threading
 import time
 
 import psutil
@@ -215,6 +216,7 @@ def test_a_lost_password_is_said_with_its_path(place):
     with pytest.raises(ServerError, match=str(place.password_file)) as caught:
         up()
     assert caught.value.code == "password"
+    assert servers_of(place) == []
     place.password_file.write_text("another password")
     with pytest.raises(ServerError, match="does not accept the password") as caught:
         up()
@@ -288,3 +290,26 @@ def test_status_tells_where_everything_is(place):
     stopped = status()
     assert (stopped.running, stopped.uri, stopped.pid, stopped.memory) == (False, None, None, None)
     assert is_free(int(running.uri.rpartition(":")[2]))
+
+
+def test_a_server_whose_folder_was_removed_ends(tmp_path, monkeypatch):
+    monkeypatch.setenv("FOON_KG_HOME", str(tmp_path / "home"))
+    up(idle_minutes=0.1)
+    server = psutil.Process(status().pid)
+    shutil.rmtree(tmp_path / "home", ignore_errors=True)
+    server.wait(120)
+
+
+def test_who_waits_for_another_command_is_told(place):
+    lines = []
+    first = threading.Thread(target=up)
+    with place.locked():
+        first.start()
+        second = threading.Thread(target=up, kwargs=say_to(lines))
+        second.start()
+        while not lines:
+            os.sched_yield()
+    first.join()
+    second.join()
+    assert "waiting for another foon command" in lines[0]
+    assert len(servers_of(place)) == 1
