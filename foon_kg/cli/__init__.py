@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from foon_kg import __version__
-from foon_kg.cli import check, demo, plan, server
+from foon_kg.cli import check, cypher, demo, load, plan, server, similar, stats
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -39,6 +39,10 @@ def foon(
 app.command(epilog=demo.EXAMPLES)(demo.demo)
 app.command(epilog=plan.EXAMPLES)(plan.plan)
 app.command(epilog=check.EXAMPLES)(check.check)
+app.command(epilog=similar.EXAMPLES)(similar.similar)
+app.add_typer(load.app)
+app.command(epilog=stats.EXAMPLES)(stats.stats)
+app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
 app.add_typer(server.app)
 
 

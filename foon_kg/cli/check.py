@@ -47,12 +47,13 @@ def check(
 
     Exits with 0 when every tree is sound (with --sense: clean, that is sound and sensible), otherwise with 1.
     """
+    from foon_kg.cli.knowledge import whole_foon
     from foon_kg.cli.tree_files import read_trees
     from foon_kg.validation import KnownFoon
     from foon_kg.validation import check as judge
 
     say = sayer(quiet=quiet)
-    snapshot = _snapshot(files, say)
+    snapshot = whole_foon(files, say)  # what the judge looks up may be anywhere in it
     asked = _recipe(recipe, snapshot, say)
     documents = [document for path in trees for document in read_trees(path, asked)]
     for notice in (notice for document in documents for notice in document.notices):
@@ -63,19 +64,6 @@ def check(
         _show(report if sense else _contract_only(report), sense=sense, as_json=as_json)
     if not all(report.clean if sense else report.sound for report in reports):
         raise typer.Exit(1)
-
-
-def _snapshot(files: Sequence[Path] | None, say: Say) -> Snapshot:
-    """Answer the whole FOON: what the judge looks up may be anywhere in it."""
-    if files:
-        from foon_kg.cli.knowledge import snapshot_of
-
-        return snapshot_of(files, say)
-    from foon_kg.graph.reading import Neo4jGraph
-    from foon_kg.server import connection_settings
-
-    with Neo4jGraph(connection_settings(say)) as graph:
-        return graph.snapshot()
 
 
 def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
-    'foon cypher "MATCH (o:Object {label: $food}) RETURN o.states" --param food=onion --json',
+    'foon cypher "MATCH (o:Object {label: $x}) RETURN o.states" -P x=onion --json',
 )
 
 

@@ -27,17 +27,17 @@ This tree was planned from the FOON in your local Neo4j. Next you could
     foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"
   load a larger FOON: 111 annotated cooking videos are public
     git clone https://github.com/sadman3/consolidating-task-trees
-    foon load foon FOLDER     (the folder of its subgraphs)
+    foon load foon FOLDER --bad-tolerance 5     (the folder of its subgraphs; a few of its units are broken)
   stop the server
     foon server stop"""
 
 
 def demo(as_json: Json = False, quiet: Quiet = False) -> None:
-    """Start a local Neo4j, load a small FOON and plan a salad with a vegetable that FOON has never seen.
+    """Plan a first dish, from a small FOON in a local Neo4j.
 
-    The first time fetches Neo4j and Java, which takes a minute or two. The FOON is 23 subgraphs of common cooking
-    knowledge; it goes into the local Neo4j of this user, never into the one that NEO4J_URI names, and loading it again
-    changes nothing.
+    Starts the local Neo4j (the first time fetches it and Java, which takes a minute or two), loads a FOON of 23
+    subgraphs of common cooking knowledge, and plans a salad with a vegetable that it has never seen. The FOON never
+    goes into the Neo4j that NEO4J_URI names, and loading it again changes nothing.
     """
     from foon_kg.server import ensure_running
 

@@ -23,11 +23,22 @@ def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Knowledge
     if files:
         yield snapshot_of(files, say)
         return
-    from foon_kg.graph.reading import Neo4jGraph
+    from foon_kg.graph import Neo4jGraph
     from foon_kg.server import connection_settings
 
     with Neo4jGraph(connection_settings(say)) as graph, graph.reading() as view:
         yield RememberedWords(view)
+
+
+def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
+    """Bring a whole FOON into memory: of ``files``, else from Neo4j."""
+    if files:
+        return snapshot_of(files, say)
+    from foon_kg.graph import Neo4jGraph
+    from foon_kg.server import connection_settings
+
+    with Neo4jGraph(connection_settings(say)) as graph:
+        return graph.snapshot()
 
 
 def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:

@@ -105,11 +105,12 @@ def _questions_in_files(names: Sequence[str], *, one_only: bool) -> list[_Questi
 def _answers(
     questions: Sequence[_Question], view: KnowledgeView, words: IngredientWords, say: Say
 ) -> Iterator[PlanResult | _NoAnswer]:
-    from foon_kg.planner import PlanSettings
-    from foon_kg.planner import plan as plan_recipe
+    from foon_kg.planner import Planner, PlanSettings
     from foon_kg.result import PlanFailure
+    from foon_kg.snapshot import Snapshot
 
-    settings = PlanSettings()
+    whole = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
+    planner = Planner(view, PlanSettings(), whole)
     for question in questions:
         recipe = question.stand_in
         try:
@@ -117,7 +118,7 @@ def _answers(
             recipe = read.recipe
             for note in read.notes:
                 say(note)
-            yield plan_recipe(view, recipe, settings)
+            yield planner.plan(recipe)
         except (NoTreeError, ReadError, UsageError) as error:  # any other ends the batch: it is not about this recipe
             yield _NoAnswer(PlanFailure.of(recipe, error), error)
 

@@ -17,7 +17,7 @@ app = typer.Typer(
     name="server",
     no_args_is_help=True,
     rich_markup_mode=None,
-    help="The local Neo4j: a real one on this machine, for whoever has no other (NEO4J_URI).",
+    help="The local Neo4j, for whoever names no other in NEO4J_URI.",
 )
 
 MEGABYTE = 1_000_000
@@ -61,7 +61,10 @@ def stop(*, as_json: Json = False, quiet: Quiet = False) -> None:
 
 @app.command(epilog=examples("foon server status", "foon server status --json"))
 def status(*, as_json: Json = False) -> None:
-    """Tell whether the local Neo4j runs, where it answers, and where its data, password and log are."""
+    """Tell whether the local Neo4j runs.
+
+    Also where it answers, and where its data, password and log are.
+    """
     from foon_kg import server
 
     _show(server.status(), as_json=as_json)

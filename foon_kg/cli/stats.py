@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
-
-if TYPE_CHECKING:
-    from foon_kg.snapshot import Snapshot
+from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
 
 EXAMPLES = examples("foon stats", "foon stats --json", "foon stats --files subgraphs/")
 
 
 def stats(files: Files = None, as_json: Json = False, quiet: Quiet = False) -> None:
-    """Count what the FOON holds: videos, units, nodes, motions, states, goals by dish type, most used motions."""
+    """Count what the FOON holds.
+
+    Videos, units, object nodes, labels, states, motions, the goals of each dish type and the most used motions.
+    """
+    from foon_kg.cli.knowledge import whole_foon
     from foon_kg.statistics import Statistics
 
-    figures = Statistics.of(_foon(files, sayer(quiet=quiet))).to_json()
+    figures = Statistics.of(whole_foon(files, sayer(quiet=quiet))).to_json()
     if as_json:
         print_json(figures)
         return
@@ -29,18 +28,6 @@ def stats(files: Files = None, as_json: Json = False, quiet: Quiet = False) -> N
     for name, counts in figures.items():
         if isinstance(counts, Mapping):
             _print_table(name, counts)
-
-
-def _foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
-    if files:
-        from foon_kg.cli.knowledge import snapshot_of
-
-        return snapshot_of(files, say)
-    from foon_kg.graph import Neo4jGraph
-    from foon_kg.server import connection_settings
-
-    with Neo4jGraph(connection_settings(say)) as graph:
-        return graph.snapshot()
 
 
 def _print_table(title: str, counts: Mapping[str, object]) -> None:

@@ -69,11 +69,17 @@ def test_every_command_that_readme_names_exists():
     assert called <= known
 
 
-@pytest.mark.parametrize("words", [(), ("server",), *COMMANDS], ids=" ".join)
+@pytest.mark.parametrize("words", [(), ("server",), ("load",), *COMMANDS], ids=" ".join)
 def test_help_fits_a_terminal(words):
     answer = CliRunner().invoke(app, [*words, "--help"])
     assert answer.exit_code == 0
     assert max(map(len, answer.stdout.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("words", [(), ("server",), ("load",)], ids=" ".join)
+def test_the_list_of_commands_cuts_no_sentence(words):
+    listed = CliRunner().invoke(app, [*words, "--help"]).stdout.split("Commands:")[1]
+    assert "..." not in listed
 
 
 def test_help_imports_nothing_heavy():

@@ -106,6 +106,11 @@ def test_a_folder_of_recipes_is_planned_whole(foon, tmp_path):
     assert answer.exit_code == 0
 
 
+def test_a_recipe_has_the_same_tree_alone_and_among_others(foon):
+    among = foon(*demo_recipes(), "--json").stdout.splitlines(keepends=True)
+    assert [foon(recipe, "--json").stdout for recipe in demo_recipes()] == among
+
+
 def test_an_ingredient_asked_twice_stays_twice_in_the_recipe(foon, tmp_path):
     twice = asked(("onion", "chopped"), ("onion", "chopped"))
     answer = foon(recipe_file(tmp_path, "r", type="salad", ingredients=twice), "--json")
