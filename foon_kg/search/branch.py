@@ -66,7 +66,7 @@ class Search(ABC):
         for partial in self.untried:
             outlook = Outlook.of(self.reduced, partial)
             units = self.reduced.core.units_in(outlook.needed)
-            bounds.append(Bound(outlook.penalty, outlook.reach.bit_count(), units))
+            bounds.append(Bound(self.reduced.penalty, outlook.reach.bit_count(), units))
         return weakest(bounds)
 
     @abstractmethod
@@ -173,7 +173,8 @@ class UnitSearch(Search):
     @classmethod
     def from_tree(cls, reduced: Reduced, best: int, deadline: float | None) -> UnitSearch:
         """Answer a search among what may be in a tree no longer than ``best``."""
-        return cls(reduced.without_longer_than(reduced.core.units_in(best)), best, deadline)
+        less = reduced.without_longer_than(reduced.core.units_in(best))
+        return cls(less, reduced.core.translated(best, less.core), deadline)
 
     def is_proven(self) -> bool:
         """Whether the best is known to be so before everything is tried: never, for the sake of the least keys."""

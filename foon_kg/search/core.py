@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from foon_kg.search.problem import SearchProblem
 from foon_kg.search.unit_index import UnitIndex
@@ -32,6 +33,32 @@ class Core:
     def step_count(self) -> int:
         """How many steps there are, gaps and units."""
         return len(self.inputs)
+
+    @cached_property
+    def names(self) -> tuple[int, ...]:
+        """What the steps are called in every core of one index: a unit by its number, a gap by its node's, negated."""
+        return (*(-1 - node for node in self.gap_nodes), *self.units)
+
+    def only(self, steps: Iterable[int]) -> Core:
+        """Answer the core of nothing but ``steps``, numbered anew in the same order, and of their inputs."""
+        kept, gap_count = sorted(steps), len(self.gap_nodes)
+        nodes = sorted({self.goal, *(node for step in kept for node in self.inputs[step])})
+        place = {node: number for number, node in enumerate(nodes)}
+        return Core(
+            goal=place[self.goal],
+            nodes=tuple(self.nodes[node] for node in nodes),
+            gap_nodes=tuple(self.gap_nodes[step] for step in kept if step < gap_count),
+            units=tuple(self.units[step - gap_count] for step in kept if step >= gap_count),
+            inputs=tuple(tuple(place[node] for node in self.inputs[step]) for step in kept),
+            outputs=tuple(tuple(place[node] for node in self.outputs[step] if node in place) for step in kept),
+            costs=tuple(self.costs[step] for step in kept if step < gap_count),
+            foods=tuple(self.foods[step] for step in kept),
+        )
+
+    def translated(self, steps: int, other: Core) -> int:
+        """Answer the set ``steps`` of this core as a set of the steps of ``other``, which has them all."""
+        place = {name: step for step, name in enumerate(other.names)}
+        return sum(1 << place[self.names[step]] for step in bits_of(steps))
 
     def units_in(self, steps: int) -> int:
         """How many units are in the set ``steps``."""

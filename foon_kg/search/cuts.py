@@ -7,36 +7,39 @@ critical paths and abstractions, ICAPS 2009). What is left of the weights tells 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
 
 from foon_kg.search.core import Core
 
 _FREE = -1  # the supporter of a step that needs nothing
+_NEVER = -2  # and of one that cannot be executed
 
 
 @dataclass(frozen=True, eq=False)
 class Web:
-    """Some steps of a core with, for each node, the steps that take and that make it."""
+    """A core with, for each node, the steps that take and that make it, and the steps that need nothing."""
 
     core: Core
-    steps: tuple[int, ...]
     users: list[list[int]]
     makers: list[list[int]]
+    arity: list[int]
+    roots: list[int]
 
     @classmethod
-    def of(cls, core: Core, steps: Iterable[int]) -> Web:
-        """Answer the web of ``steps``."""
+    def of(cls, core: Core) -> Web:
+        """Answer the web of ``core``."""
         users: list[list[int]] = [[] for _ in core.nodes]
         makers: list[list[int]] = [[] for _ in core.nodes]
-        kept = tuple(sorted(steps))
-        for step in kept:
-            for node in core.inputs[step]:
+        for step, nodes in enumerate(core.inputs):
+            for node in nodes:
                 users[node].append(step)
-            for node in core.outputs[step]:
+        for step, nodes in enumerate(core.outputs):
+            for node in nodes:
                 makers[node].append(step)
-        return cls(core, kept, users, makers)
+        arity = [len(nodes) for nodes in core.inputs]
+        return cls(core, users, makers, arity, [step for step, count in enumerate(arity) if not count])
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +47,7 @@ class Heights:
     """How much a node costs at least, ``None`` where nothing makes it; and the dearest input of each step."""
 
     of_node: list[int | None]
-    supporter: dict[int, int]
+    supporter: list[int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,14 +66,14 @@ class CutBound:
 
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
     """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
-    inputs, outputs = web.core.inputs, web.core.outputs
+    outputs = web.core.outputs
     of_node: list[int | None] = [None] * len(web.core.nodes)
-    missing = {step: len(inputs[step]) for step in web.steps}
-    supporter = dict.fromkeys((step for step in web.steps if not missing[step]), _FREE)
-    waiting = [(0, node) for node in sorted(there)]
-    for step in supporter:
-        for node in outputs[step]:
-            heappush(waiting, (weights[step], node))
+    missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
+    waiting = [(0, node) for node in there]
+    for step in web.roots:
+        supporter[step] = _FREE
+        waiting += [(weights[step], node) for node in outputs[step]]
+    heapify(waiting)
     while waiting:
         height, node = heappop(waiting)
         if of_node[node] is not None:
@@ -112,21 +115,21 @@ def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collec
     zone, waiting = {goal}, [goal]
     for node in waiting:  # grows while it is read
         for step in web.makers[node]:
-            supporter = found.supporter.get(step, _FREE)
-            if supporter != _FREE and not left[step] and supporter not in zone:
+            supporter = found.supporter[step]
+            if supporter >= 0 and not left[step] and supporter not in zone:
                 zone.add(supporter)
                 waiting.append(supporter)
-    by_supporter: dict[int, list[int]] = {}
-    for step, supporter in found.supporter.items():
-        by_supporter.setdefault(supporter, []).append(step)
-    cut, reached = set[int](), {*there, _FREE}
-    waiting = sorted(reached)
-    for node in waiting:
-        for step in by_supporter.get(node, ()):
+    cut, reached = set[int](), set(there)
+    waiting, steps = list(there), web.roots
+    while True:
+        for step in steps:
             for made in web.core.outputs[step]:
                 if made in zone:
                     cut.add(step)
                 elif made not in reached:
                     reached.add(made)
                     waiting.append(made)
-    return cut
+        if not waiting:
+            return cut
+        node = waiting.pop()
+        steps = [step for step in web.users[node] if found.supporter[step] == node]

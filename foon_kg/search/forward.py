@@ -13,8 +13,9 @@ from heapq import heappop, heappush
 from foon_kg.search.core import Core
 
 
-def chain(core: Core, steps: Collection[int]) -> tuple[list[int], list[bool]]:
-    """Answer which of ``steps`` can be executed, in an order in which they can, and which nodes that makes."""
+def chain(core: Core, steps: Collection[int] | None = None) -> tuple[list[int], list[bool]]:
+    """Answer which of ``steps`` (all) can be executed, in an order in which they can, and which nodes that makes."""
+    steps = range(core.step_count) if steps is None else steps
     users, missing = _users(core, steps)
     order = [step for step in sorted(steps) if not missing[step]]
     made = [False] * len(core.nodes)
@@ -29,14 +30,14 @@ def chain(core: Core, steps: Collection[int]) -> tuple[list[int], list[bool]]:
     return order, made
 
 
-def cheapest_first(core: Core, steps: Collection[int]) -> int:
+def cheapest_first(core: Core) -> int:
     """Answer the steps of a tree that makes the goal, cheap derivations first.
 
     Raises ValueError when nothing makes it; :func:`chain` tells.
     """
-    users, missing = _users(core, steps)
+    users, missing = _users(core, range(core.step_count))
     waiting: list[tuple[int, int, int, int]] = []
-    for step in steps:
+    for step in missing:
         if not missing[step]:
             _queue(waiting, core, step, 1 << step)
     derivation: dict[int, int] = {}

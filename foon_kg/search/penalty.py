@@ -6,7 +6,7 @@ always the exact answer.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
 
 from foon_kg.search.core import Core, bits_of
@@ -18,18 +18,25 @@ from foon_kg.search.partial import Choice, Partial
 
 def within_least_penalty(core: Core) -> tuple[int, list[int]] | None:
     """Answer the least gap penalty of any tree and the steps that such trees may have; ``None`` without a tree."""
-    units = range(len(core.gap_nodes), core.step_count)
-    order, made = chain(core, units)
+    order, made = chain(core, range(len(core.gap_nodes), core.step_count))
     if made[core.goal]:
         return 0, order
-    everything, reached = chain(core, range(core.step_count))
+    everything, reached = chain(core)
     if not reached[core.goal]:
         return None
-    penalty, cuts = _least(_needy(core, made), _weights(core))
+    needy = _needy(core, made)
+    penalty, part, cuts = _least(needy)
     gaps = {step for step, node in enumerate(core.outputs[: len(core.gap_nodes)]) if made[node[0]]}
     steps = [step for step in everything if step not in gaps]  # what can be made is never a gap in a best tree
-    whole = replace(cuts, heights=heights(Web.of(core, steps), cuts.left))
-    return penalty, [step for step in steps if whole.least_with(core, step) <= penalty]
+    return penalty, _kept(core.only(steps), steps, part, cuts, penalty)
+
+
+def _kept(core: Core, steps: list[int], part: Core, cuts: CutBound, penalty: int) -> list[int]:
+    """Answer which of ``steps``, those of ``core``, may be in a tree of that penalty, by the cuts of a part of it."""
+    paid = dict(zip(part.names, cuts.left, strict=True))
+    left = [paid.get(name, weight) for name, weight in zip(core.names, _weights(core), strict=True)]
+    whole = CutBound(cuts.bound, left, heights(Web.of(core), left))
+    return [step for number, step in enumerate(sorted(steps)) if whole.least_with(core, number) <= penalty]
 
 
 def _weights(core: Core) -> list[int]:
@@ -37,39 +44,44 @@ def _weights(core: Core) -> list[int]:
 
 
 def _needy(core: Core, made: list[bool]) -> Core:
-    """Answer ``core`` with nothing but what needs a gap: the nodes that can be made without one count as there."""
+    """Answer what of ``core`` needs a gap: the nodes that can be made without one count as there."""
 
     def needy(sides: Iterable[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:
         return tuple(tuple(node for node in side if not made[node]) for side in sides)
 
-    return replace(core, inputs=needy(core.inputs), outputs=needy(core.outputs))
+    whole = replace(core, inputs=needy(core.inputs), outputs=needy(core.outputs))
+    return whole.only(reachable(whole, range(core.step_count)))
 
 
-def _least(core: Core, weights: list[int]) -> tuple[int, CutBound]:
-    steps: Collection[int] = reachable(core, range(core.step_count))
-    best = core.penalty_of(cheapest_first(core, steps))
+def _least(core: Core) -> tuple[int, Core, CutBound]:
+    """Answer the least penalty, and cuts for what of ``core`` may be in a tree of that penalty."""
+    best = core.penalty_of(cheapest_first(core))
     while True:
-        cuts = _cuts(Web.of(core, steps), weights)
-        kept = reachable(core, [step for step in steps if cuts.least_with(core, step) <= best])
+        cuts = _cuts(Web.of(core), _weights(core))
+        kept = reachable(core, [step for step in range(core.step_count) if cuts.least_with(core, step) <= best])
         if cuts.bound == best:
-            return best, cuts
-        if len(kept) == len(steps):
-            best = _proven(core, kept, weights, best, cuts)
-            return best, _sharpened(core, kept, weights, best)
-        steps = kept
-        best = min(best, core.penalty_of(cheapest_first(core, steps)))
+            return best, core, cuts
+        if len(kept) == core.step_count:
+            best = _proven(core, best, cuts)
+            return best, *_sharpened(core, best)
+        core = core.only(kept)
+        best = min(best, core.penalty_of(cheapest_first(core)))
 
 
-def _sharpened(core: Core, steps: Collection[int], weights: list[int], penalty: int) -> CutBound:
+def _sharpened(core: Core, penalty: int) -> tuple[Core, CutBound]:
     """Answer cuts for trees of that ``penalty`` alone: without the gaps that cost more, whatever is chosen beside."""
     while True:
-        web = Web.of(core, steps)
+        web, weights = Web.of(core), _weights(core)
         cuts = _cuts(web, weights)
-        gaps = [step for step in web.steps if weights[step]]
-        dear = {gap for gap in gaps if weights[gap] + _cuts(web, _without(weights, gap)).bound > penalty}
-        if cuts.bound == penalty or not dear:
-            return cuts
-        steps = reachable(core, [step for step in steps if step not in dear])
+        spare = penalty - cuts.bound
+        dear = {
+            gap
+            for gap, cost in enumerate(core.costs)
+            if cost > spare and cost + _cuts(web, [*weights[:gap], 0, *weights[gap + 1 :]]).bound > penalty
+        }
+        if not spare or not dear:
+            return core, cuts
+        core = core.only(reachable(core, [step for step in range(core.step_count) if step not in dear]))
 
 
 def _cuts(web: Web, weights: list[int]) -> CutBound:
@@ -79,15 +91,11 @@ def _cuts(web: Web, weights: list[int]) -> CutBound:
     return cuts
 
 
-def _without(weights: list[int], step: int) -> list[int]:
-    return [*weights[:step], 0, *weights[step + 1 :]]
-
-
-def _proven(core: Core, steps: Collection[int], weights: list[int], best: int, cuts: CutBound) -> int:
+def _proven(core: Core, best: int, cuts: CutBound) -> int:
     """Answer the least penalty, at most ``best``, by branch and bound with LM-cut at every tree."""
-    order, _ = chain(core, steps)
+    order, _ = chain(core)
     landmarks = landmarks_of(core, order)
-    web = Web.of(core, order)
+    web, weights = Web.of(core), _weights(core)
     choice = Choice(core, web.makers, landmarks.nodes_of_step)
     stack = [choice.start()]
     while stack and best > cuts.bound:
@@ -114,7 +122,10 @@ def _outlook(web: Web, weights: list[int], partial: Partial) -> float:
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:
     """Answer the steps of ``steps`` that may take part in making the goal."""
-    makers = Web.of(core, steps).makers
+    makers: list[list[int]] = [[] for _ in core.nodes]
+    for step in steps:
+        for node in core.outputs[step]:
+            makers[node].append(step)
     waiting, nodes, found = [core.goal], {core.goal}, set[int]()
     for node in waiting:  # grows while it is read
         for step in makers[node]:

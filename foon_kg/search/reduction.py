@@ -35,30 +35,27 @@ class Reduced:
 
     @classmethod
     def of(cls, core: Core, penalty: int, steps: Collection[int]) -> Reduced:
-        """Reduce ``core`` to what may be in a tree made of ``steps`` with that ``penalty``."""
+        """Reduce ``core`` to what may be in a tree made of ``steps`` with that ``penalty``; it is numbered anew."""
         while True:
-            steps = reachable(core, steps)
-            order, _ = chain(core, steps)
+            core = core.only(reachable(core, steps))
+            order, _ = chain(core)
             landmarks = landmarks_of(core, order)
             choice = Choice(core, _makers(core, order, landmarks, penalty), landmarks.nodes_of_step)
-            kept = _chosen_from(choice)
-            if len(kept) == len(steps):
-                return cls(core, penalty, Web.of(core, kept), choice, landmarks, *_behind(choice))
-            steps = kept
+            steps = _chosen_from(choice)
+            if len(steps) == core.step_count:
+                return cls(core, penalty, Web.of(core), choice, landmarks, *_behind(choice))
 
     def without_longer_than(self, units: int) -> Reduced:
         """Reduce further to what may be in a tree of at most so many units; ValueError where none is so short."""
-        reduced = self
-        while True:
-            needed = reduced.landmarks.steps_of_node[self.core.goal]
-            cuts = cut_bound(reduced.web, self.unit_weights(needed), [self.core.goal])
-            if cuts is None:
-                raise ValueError(f"no tree has at most {units} units")
-            spare = units - self.core.units_in(needed)
-            kept = [step for step in reduced.web.steps if cuts.least_with(self.core, step) <= spare]
-            if len(kept) == len(reduced.web.steps):
-                return reduced
-            reduced = Reduced.of(self.core, self.penalty, kept)
+        needed = self.landmarks.steps_of_node[self.core.goal]
+        cuts = cut_bound(self.web, self.unit_weights(needed), [self.core.goal])
+        spare = units - self.core.units_in(needed)
+        if cuts is None or cuts.bound > spare:
+            raise ValueError(f"no tree has at most {units} units")
+        kept = [step for step in range(self.core.step_count) if cuts.least_with(self.core, step) <= spare]
+        if len(kept) == self.core.step_count:
+            return self
+        return Reduced.of(self.core, self.penalty, kept).without_longer_than(units)
 
     @property
     def gaps_are_settled(self) -> bool:

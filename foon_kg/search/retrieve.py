@@ -55,23 +55,22 @@ def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: float | None)
     within = within_least_penalty(core)
     if within is None:
         return None
-    steps, bound = _best_steps(Reduced.of(core, *within), deadline)
-    return _as_tree(problem, core, steps, bound)
+    return _as_tree(problem, *_best_steps(Reduced.of(core, *within), deadline))
 
 
-def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[int, Bound | None]:
-    """Answer the best tree as a set of steps, with what is proven about it if that is not that it is the best."""
-    first = cheapest_first(reduced.core, reduced.web.steps)
+def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[Core, int, Bound | None]:
+    """Answer the best tree as a set of steps of a core, and what is proven where that is not that it is the best."""
+    first = cheapest_first(reduced.core)
     widest = OverlapSearch(reduced, first, deadline)
     if not widest.run():
-        return widest.best or first, widest.bound()
+        return reduced.core, widest.best or first, widest.bound()
     search, patience = UnitSearch.from_tree(reduced, widest.best, deadline), _PATIENCE
     while True:
         length = search.value[2]
         if search.run(patience):
-            return search.best, None
+            return search.reduced.core, search.best, None
         if search.is_late():
-            return search.best, search.bound()
+            return search.reduced.core, search.best, search.bound()
         patience *= 2
         if search.value[2] < length:  # a shorter tree rules more out: worth starting again with less
             search = UnitSearch.from_tree(search.reduced, search.best, deadline)
