@@ -138,6 +138,7 @@ def test_an_odd_flag_is_read_as_a_number_and_reported(flag: str, moving: bool):
 def test_a_class_that_no_dish_type_has_is_reported(number: str):
     result = read_text(unit("O\tx\t0", output=f"O\tsalad\t0\t{number}"), "a")
     assert said(result) == [(4, NoticeKind.ODD_CLASS)]
+    assert "a number from 0 to 29" in result.notices[0].message
     assert result.subgraph is not None
     assert result.subgraph.annotations[0].unit.outputs[0].dish_type is None
 

@@ -15,6 +15,7 @@ CLEAR = {
     ("61:10", "61:11"): [(3670, 3671)],
     ("<1:10.5-1:11.25>",): [(70.5, 71.25)],
     ("9", "12"): [(9, 12)],
+    ("61", "75"): [(61, 75)],
     (): [],
     ("",): [],
 }
@@ -69,6 +70,27 @@ def test_a_remark_shows_what_is_odd_and_what_was_done():
     assert [(remark.message, remark.action) for remark in remarks] == [
         ("'2:37-2:28' ends before it starts", "kept as written")
     ]
+
+
+@pytest.mark.parametrize(
+    ("columns", "hours", "seconds", "message"),
+    [
+        (("1:75", "2:30"), False, (135, 150), "'1:75' has 60 or more of a unit"),
+        (("0:75:00", "2:00:00"), True, (4500, 7200), "'0:75:00' has 60 or more of a unit"),
+        (("1:10", "1:11:50"), False, (70, 71.5), "'1:11:50' has three parts"),
+    ],
+)
+def test_each_odd_thing_is_remarked_on_once(
+    columns: tuple[str, ...], hours: bool, seconds: tuple[float, float], message: str
+):
+    timing, remarks = read_timing(columns, hours=hours)
+    assert timing.spans == (seconds,)
+    assert [remark.message for remark in remarks] == [message]
+
+
+def test_more_times_than_two_without_a_dash_are_read_in_pairs():
+    _, remarks = read_timing(("1:10", "1:11", "1:12"))
+    assert remarks[0].message == "3 times without a dash"
 
 
 def test_three_parts_are_hours_where_the_file_counts_hours():
