@@ -16,7 +16,7 @@ from typer.core import TyperGroup
 from foon_kg.errors import FoonError
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from rich.console import Console, RenderableType
 
 Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no messages, only data and errors.")]
@@ -64,6 +64,17 @@ def sayer(*, quiet: bool) -> Say:
     """Answer what prints a line to stderr, or keeps it to itself."""
     console = messages(quiet=quiet)
     return lambda text: console.print(text, markup=False)
+
+
+def print_view(view: RenderableType) -> None:
+    """Print what a view made; into a file or a pipe without colours and without spaces at the ends of lines."""
+    console = data()
+    if console.is_terminal:
+        console.print(view)
+        return
+    with console.capture() as captured:
+        console.print(view)
+    typer.echo("\n".join(line.rstrip() for line in captured.get().splitlines()))
 
 
 def print_json(value: object) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from foon_kg.cli.console import Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, Say, examples, print_json, print_view, sayer
 
 if TYPE_CHECKING:
     from foon_kg.model import Subgraph
@@ -50,7 +50,7 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
         return
     from foon_kg.views.tree import plan_view
 
-    data().print(plan_view(result))
+    print_view(plan_view(result))
     say(NEXT)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer, show_error
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer, show_error
 from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
 from foon_kg.model import DISH_TYPES, Recipe
 
@@ -139,5 +139,5 @@ def _show(answer: PlanResult | _NoAnswer, as_json: bool, foon: bool) -> int:
     else:
         from foon_kg.views.tree import plan_view
 
-        data().print(plan_view(answer))
+        print_view(plan_view(answer))
     return 0

@@ -48,6 +48,7 @@ def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
     assert "CHOP" in answer.stdout
     assert "“olive oil” names no state: taken as liquid" in answer.stderr
     assert "\x1b[" not in answer.stdout
+    assert not any(line.endswith(" ") for line in answer.stdout.splitlines())
 
 
 def test_json_is_one_result_on_stdout_and_quiet_keeps_stderr_empty(foon):
