@@ -11,12 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
-from foon_kg.replay import Casting, Item, Recast, Replayed, Step, replay
+from foon_kg.replay import Casting, Item, Recast, Replayed, Script, Step, replay
 from foon_kg.substitution import FAIR, Candidate, Equivalents
 
 Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
@@ -66,22 +67,22 @@ class Integration:
     kitchen: Kitchen
     derive: Derive
 
+    @cached_property
+    def _play(self) -> Script:
+        return Script.of(self.script, self.kitchen)
+
     def run(self) -> FinalTree:
         """Answer the final tree; what could not be brought into it is ``missing``."""
         lines = food_lines(self.script, self.kitchen)
         played = self._play_lines(lines)
         casting = self._casting(lines, played)
         casting, played = self._keep_what_arrives(casting, lines, played)
-        additions: list[Addition] = []
+        party = _Party(casting, lines)
         missing = []
         for want in self.wants:
-            if want in played:
-                continue
-            addition = self._add(want, casting, lines, additions)
-            if addition is None:
+            if want not in played and not self._add(want, party):
                 missing.append(want)
-            else:
-                additions.append(addition)
+        additions = party.additions
         casting = self._carry(casting, additions)
         return self._finish(casting, played, additions, missing)
 
@@ -145,7 +146,7 @@ class Integration:
     ) -> tuple[Casting, dict[RequiredIngredient, tuple[str, Recast]]]:
         """Give up lines that do not reach the goal in the wanted state, one round after the other."""
         while True:
-            steps, item = self._executed(replay(self.script, casting, self.kitchen))
+            steps, item = self._executed(replay(self._play, casting))
             arrived = {now for _, now in item.atoms} if item is not None else set()
             lost = [want for want in played if want.object not in arrived or not _shows(want, steps)]
             if not lost:
@@ -162,19 +163,16 @@ class Integration:
 
     # ---- foods that join
 
-    def _add(
-        self,
-        want: RequiredIngredient,
-        casting: Casting,
-        lines: Mapping[str, FoodLine],
-        additions: Sequence[Addition],
-    ) -> Addition | None:
+    def _add(self, want: RequiredIngredient, party: _Party) -> bool:
+        """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
         for node, preparation in self._forms(want):
-            for place in self._slots(want, casting, lines, additions):
+            for place in self._slots(want, party):
                 addition = Addition(want, place, node, preparation)
-                if self._arrives(addition, casting, additions):
-                    return addition
-        return None
+                if place not in party.closed and self._arrives(addition, party):
+                    party.let_in(addition)
+                    return True
+                party.closed.add(place)
+        return False
 
     def _forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
         """The ways to have a food ready, best first: made apart where it has to be made, else as it is sold."""
@@ -239,7 +237,7 @@ class Integration:
         self, want: RequiredIngredient, candidate: Candidate, script: Sequence[KnownUnit], casting: Casting, state: str
     ) -> Preparation | None:
         """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
-        replayed = replay(script, casting, self.kitchen)
+        replayed = replay(Script.of(script, self.kitchen), casting)
         targets = [
             node
             for node in script[-1].unit.output_nodes
@@ -251,28 +249,38 @@ class Integration:
         steps = _needed(replayed.steps, item.node)
         return Preparation(want, item.node, tuple(steps), casting, candidate.confidence) if steps else None
 
-    def _slots(
-        self,
-        want: RequiredIngredient,
-        casting: Casting,
-        lines: Mapping[str, FoodLine],
-        additions: Sequence[Addition],
-    ) -> list[int]:
-        """Answer the places where ``want`` may join, best first."""
-        steps, _ = self._executed(self._replay_with(casting, additions))
-        alive = {step.place for step in steps}
-        last = max((p for p in range(len(self.script)) if self._mixes_or_heats(p)), default=len(self.script))
-        left_open = {line.joins for label, line in lines.items() if casting.foods.get(label) is None}
-        left_open -= {addition.place for addition in additions}
-        scored = []
-        for place, known in enumerate(self.script):
-            unit = known.unit
-            if not motions.accepts_any(unit.motion, star=unit.accepts_any) or not self._receives(known):
-                continue
-            if place > last:
-                continue
-            scored.append((-self._likeness(want, place, lines), place not in left_open, place not in alive, -place))
-        return [-place for *_, place in sorted(scored)]
+    def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
+        """Answer the places where ``want`` may join, best first.
+
+        Best is where a food like it joins in the reference; then the place that a dropped food left open, so that
+        the way of the reference is kept; then a unit that happens anyway; then the latest. After the last unit that
+        mixes or heats nothing joins (sense, S2).
+        """
+        if party.alive is None:
+            steps, _ = self._executed(self._replay_with(party.casting, party.additions))
+            party.alive = frozenset(step.place for step in steps)
+        return sorted(
+            self._open_places,
+            key=lambda place: (
+                -self._likeness(want, place, party.lines),
+                place not in party.left_open,
+                place not in (party.alive or ()),
+                -place,
+            ),
+        )
+
+    @cached_property
+    def _open_places(self) -> tuple[int, ...]:
+        """The places at which any number of foods may enter something that holds foods, up to the last mixing."""
+        places = range(len(self.script))
+        last = max((place for place in places if self._mixes_or_heats(place)), default=len(self.script))
+        return tuple(
+            place
+            for place in places
+            if place <= last
+            and motions.accepts_any(self.script[place].unit.motion, star=self.script[place].unit.accepts_any)
+            and self._receives(self.script[place])
+        )
 
     def _mixes_or_heats(self, place: int) -> bool:
         motion = self.script[place].unit.motion
@@ -286,19 +294,18 @@ class Integration:
         here = [line.label for line in lines.values() if line.joins == place]
         return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
 
-    def _arrives(self, addition: Addition, casting: Casting, additions: Sequence[Addition]) -> bool:
-        replayed = self._replay_with(casting, [*additions, addition])
-        steps, item = self._executed(replayed)
+    def _arrives(self, addition: Addition, party: _Party) -> bool:
+        steps, item = self._executed(self._replay_with(party.casting, [*party.additions, addition]))
         if item is None or not any(node == addition.node for step in steps for node in step.added):
             return False
         arrived = {now for _, now in item.atoms}
-        return addition.want.object in arrived and all(a.want.object in arrived for a in additions)
+        return addition.want.object in arrived and all(a.want.object in arrived for a in party.additions)
 
     def _replay_with(self, casting: Casting, additions: Sequence[Addition]) -> Replayed:
         joined: dict[int, list[Item]] = {}
         for addition in additions:
             joined.setdefault(addition.place, []).append(_item(addition))
-        return replay(self.script, casting, self.kitchen, joined)
+        return replay(self._play, casting, joined)
 
     # ---- the whole
 
@@ -333,6 +340,27 @@ class Integration:
         return FinalTree(
             goal, tuple(_once(ordered)), {w: role[0] for w, role in played.items()}, tuple(additions), tuple(missing)
         )
+
+
+class _Party:
+    """Who has joined the reference tree so far, and where."""
+
+    def __init__(self, casting: Casting, lines: Mapping[str, FoodLine]) -> None:
+        self.casting = casting
+        self.lines = lines
+        self.additions: list[Addition] = []
+        self.left_open = {line.joins for label, line in lines.items() if casting.foods.get(label) is None}
+        self.alive: frozenset[int] | None = None
+        self.closed: set[int] = set()
+        """Places from which nothing gets into the goal, as things stand."""
+
+    def let_in(self, addition: Addition) -> None:
+        """Let a food join; what happens in the tree, and so which places lead to the goal, is to be seen anew."""
+        if addition.place not in (self.alive or ()):
+            self.alive = None
+            self.closed.clear()
+        self.additions.append(addition)
+        self.left_open.discard(addition.place)
 
 
 def is_whole(state: str) -> bool:

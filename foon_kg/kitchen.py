@@ -166,12 +166,13 @@ def is_place(state: str) -> bool:
     return _PLACE_KEPT_AS_STATE.search(state) is not None
 
 
-@functools.cache
+@functools.lru_cache(maxsize=1 << 16)
 def words(label: str) -> tuple[str, ...]:
     """Answer the words of a label, in lower case and in the singular: ``Bell Peppers`` → bell, pepper."""
     return tuple(_singular(word) for word in _WORD.findall(label.lower()))
 
 
+@functools.lru_cache(maxsize=1 << 16)
 def singular(label: str) -> str:
     """Answer a label with every word in the singular: labels of a FOON are, its ``{}`` names often are not."""
     return " ".join(words(label))
@@ -188,6 +189,7 @@ def _singular(word: str) -> str:
     return word[:-2] + "y" if word.endswith("ie") and len(word) > _SHORT else word
 
 
+@functools.lru_cache(maxsize=1 << 16)
 def _fold(name: str) -> str:
     return " ".join(name.lower().split())
 

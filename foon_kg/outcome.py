@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from foon_kg.integration import FinalTree
 from foon_kg.kitchen import Kitchen
@@ -35,8 +36,14 @@ def plan_result(
         kitchen=leaves,
         substitutions=tuple(_substitutions(tree, equivalents)),
         assumptions=tuple(_assumptions(leaves, units, kitchen)),
-        progress_lines=progress_lines([u.as_unit() for u in units], tree.goal, recipe.ingredients, kitchen),
     )
+
+
+def with_progress(result: PlanResult, kitchen: Kitchen) -> PlanResult:
+    """Answer ``result`` with the progress line of every required food."""
+    units = [unit.as_unit() for unit in result.units]
+    lines = progress_lines(units, result.goal, result.recipe.ingredients, kitchen)
+    return replace(result, progress_lines=lines)
 
 
 def _planned(step: Step, casting: Casting, reference: set[str]) -> PlannedUnit:

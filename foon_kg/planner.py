@@ -17,7 +17,7 @@ from foon_kg.integration import Integration
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import KnowledgeView, Vocabulary
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
-from foon_kg.outcome import plan_result
+from foon_kg.outcome import plan_result, with_progress
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
@@ -182,7 +182,7 @@ class _Question:
             if not any(faults) or len(found) == MOST_GOALS:
                 break
         if found:
-            return min(found, key=lambda row: row[0])[1]
+            return with_progress(min(found, key=lambda row: row[0])[1], self.kitchen)
         raise trouble or NoTreeError(
             f"no way to make this {self.recipe.dish_type} was found", code="no-way", hint="Ask for another dish type."
         )

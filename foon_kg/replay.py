@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
@@ -67,6 +68,55 @@ class Step:
     moving: frozenset[ObjectNode] = frozenset()
 
 
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """One unit of a script with what does not change from one replay to the next."""
+
+    known: KnownUnit
+    inputs: tuple[ObjectNode, ...]
+    outputs: tuple[ObjectNode, ...]
+    kept: frozenset[ObjectNode]
+    written: frozenset[str]
+    beside: frozenset[str]
+    acted: tuple[ObjectNode, ...]
+    holders: tuple[ObjectNode, ...]
+    turned: tuple[ObjectNode, ...]
+    has_foods: bool
+
+    @classmethod
+    def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
+        """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does."""
+        unit = known.unit
+        inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
+        foods = tuple(node for node in inputs if kitchen.is_food(node))
+        utensils = [node for node in inputs if not kitchen.is_food(node)]
+        return cls(
+            known,
+            inputs,
+            outputs,
+            kept,
+            written=frozenset(name for node in inputs for name in (node.label, *node.ingredients)),
+            beside=frozenset(node.label for node in foods),
+            acted=tuple(node for node in foods if node not in kept),
+            holders=tuple(node for node in utensils if node.ingredients and node not in kept),
+            turned=tuple(node for node in utensils if _is_turned(node, outputs)),
+            has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Script:
+    """The units of a task tree in their order, read once so that they can be replayed many times."""
+
+    scenes: tuple[Scene, ...]
+    kitchen: Kitchen
+
+    @classmethod
+    def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen) -> Script:
+        """Read ``units``, which are in the order of execution."""
+        return cls(tuple(Scene.of(known, kitchen) for known in units), kitchen)
+
+
 @dataclass(frozen=True)
 class Casting:
     """Who plays in a script: recast foods, dropped foods (``None``); a label not named stays as it is.
@@ -88,38 +138,35 @@ class Replayed:
     items: Mapping[ObjectNode, Item | None]
 
 
-def replay(
-    script: Sequence[KnownUnit],
-    casting: Casting,
-    kitchen: Kitchen,
-    additions: Mapping[int, Sequence[Item]] | None = None,
-) -> Replayed:
+def replay(script: Script, casting: Casting, additions: Mapping[int, Sequence[Item]] | None = None) -> Replayed:
     """Execute ``script`` with the foods of ``casting``; ``additions`` join at the unit of that place."""
-    stage = _Stage(casting, kitchen)
+    stage = _Stage(casting, script.kitchen)
+    joining = additions or {}
     steps = []
-    for place, known in enumerate(script):
-        step = stage.perform(place, known, tuple((additions or {}).get(place, ())))
+    for place, scene in enumerate(script.scenes):
+        step = stage.perform(place, scene, tuple(joining.get(place, ())))
         if step is not None:
             steps.append(step)
     return Replayed(tuple(steps), stage.items)
 
 
-@dataclass(frozen=True)
-class _Scene:
-    """One unit while it is performed: its inputs that are there, and what they bring."""
+class _Moment:
+    """A scene while it is performed: which of its inputs are there, and what they bring."""
 
-    present: Mapping[ObjectNode, Item]
-    gone: frozenset[ObjectNode]
-    added: tuple[Item, ...]
-    outputs: frozenset[ObjectNode]
-    written: frozenset[str]
-    """The names that the script's own inputs say, as labels or ingredients."""
+    def __init__(
+        self, scene: Scene, present: Mapping[ObjectNode, Item], gone: frozenset[ObjectNode], added: tuple[Item, ...]
+    ) -> None:
+        self.scene = scene
+        self.present = present
+        self.gone = gone
+        self.added = added
 
-    @property
+    @cached_property
     def atoms(self) -> frozenset[Atom]:
+        """All the foods in what is there."""
         return frozenset().union(*(item.atoms for item in self.present.values()), *(i.atoms for i in self.added))
 
-    @property
+    @cached_property
     def visible(self) -> frozenset[str]:
         """The names that the inputs say now: only these can be named in what comes of them."""
         items = (*self.present.values(), *self.added)
@@ -140,22 +187,25 @@ class _Stage:
         self.used: set[ObjectNode] = set()
         self.later: dict[ObjectNode, Item] = {}
 
-    def perform(self, place: int, known: KnownUnit, added: tuple[Item, ...]) -> Step | None:
+    def perform(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Step | None:
         """Execute one unit; answer what happens, or ``None`` where nothing does."""
-        unit = known.unit
-        there = [node for node in unit.input_nodes if not self._is_used(node)]
-        beside = frozenset(node.label for node in unit.input_nodes if self._is_food(node))
-        fetched = {node: self._fetch(node, beside) for node in there}
-        present = {node: item for node, item in fetched.items() if item is not None}
-        gone = frozenset(node for node, item in fetched.items() if item is None)
-        written = frozenset(name for node in unit.input_nodes for name in (node.label, *node.ingredients))
-        scene = _Scene(present, gone, added, frozenset(unit.output_nodes), written)
-        if not self._happens(unit.motion, scene):
-            self._pass_through(unit.output_nodes, scene)
+        present: dict[ObjectNode, Item] = {}
+        gone: list[ObjectNode] = []
+        for node in scene.inputs:
+            if self._is_used(node):
+                continue
+            item = self._fetch(node, scene.beside)
+            if item is None:
+                gone.append(node)
+            else:
+                present[node] = item
+        here = _Moment(scene, present, frozenset(gone), added)
+        if not self._happens(here):
+            self._pass_through(here)
             return None
-        made = self._make(unit.output_nodes, scene)
-        self.used |= {node for node in present if self._is_food(node) and node not in scene.outputs}
-        return self._step(place, known, scene, made)
+        made = self._make(here)
+        self.used.update(node for node in scene.acted if node in present)
+        return self._step(place, here, made)
 
     def _is_food(self, node: ObjectNode) -> bool:
         return not self.kitchen.is_utensil(node.label)
@@ -210,170 +260,170 @@ class _Stage:
 
     # ---- does it happen
 
-    def _happens(self, motion: str, scene: _Scene) -> bool:
-        if scene.added:
+    def _happens(self, here: _Moment) -> bool:
+        scene = here.scene
+        if here.added:
             return True
-        nodes = [*scene.present, *scene.gone]
-        if any(self._is_turned(node, scene) for node in scene.present):
+        if any(node in here.present for node in scene.turned) and (not scene.has_foods or here.atoms):
             return True
-        acted = [node for node in nodes if self._is_food(node) and node not in scene.outputs]
+        acted = [node for node in scene.acted if node in here.present or node in here.gone]
         if acted:
-            if not any(node in scene.present for node in acted):
+            if not any(node in here.present for node in acted):
                 return False
-            return not (scene.gone and motions.transfers(motion) and self._all_stay(acted, scene))
-        holders = [n for n in nodes if not self._is_food(n) and n.ingredients and n not in scene.outputs]
-        return not holders or any(n in scene.present and scene.present[n].atoms for n in holders)
+            return not (here.gone and motions.transfers(scene.known.unit.motion) and self._all_stay(here))
+        there = [here.present[node] for node in scene.holders if node in here.present]
+        return not scene.holders or any(item.atoms for item in there)
 
-    def _is_turned(self, node: ObjectNode, scene: _Scene) -> bool:
-        """Say whether the unit changes a utensil itself (its state or place), not only what it holds."""
-        if self._is_food(node):
-            return False
-        after = [other for other in scene.outputs if other.label == node.label]
-        plain = {EMPTY}
-        return bool(after) and all(
-            set(other.states) - plain != set(node.states) - plain or _spot(other) != _spot(node) for other in after
-        )
-
-    def _all_stay(self, acted: Sequence[ObjectNode], scene: _Scene) -> bool:
+    def _all_stay(self, here: _Moment) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""
-        places = {(node.label, node.container) for node in scene.outputs}
-        left = [node for node in acted if node in scene.present]
+        places = {(node.label, node.container) for node in here.scene.outputs}
+        left = [node for node in here.scene.acted if node in here.present]
         return all((node.label, node.container) in places for node in left)
 
-    def _pass_through(self, outputs: Iterable[ObjectNode], scene: _Scene) -> None:
-        for node in outputs:
+    def _pass_through(self, here: _Moment) -> None:
+        for node in here.scene.outputs:
             names = {node.label} if self._is_food(node) else set(node.ingredients)
             if names and names <= self.casting.cut:
                 continue  # at hand: asked for later, it is a leaf
-            same = scene.of_label(node.label)
+            same = here.of_label(node.label)
             self.items.setdefault(node, None)
             if same:
                 self.items[node] = same[0]
 
     # ---- what comes of it
 
-    def _make(self, outputs: Sequence[ObjectNode], scene: _Scene) -> dict[ObjectNode, Item | None]:
+    def _make(self, here: _Moment) -> dict[ObjectNode, Item | None]:
+        outputs = here.scene.outputs
         foods = [node for node in outputs if self._is_food(node)]
-        made = {node: self._food(node, scene) for node in foods}
+        made = {node: self._food(node, here) for node in foods}
         alive = {node.label: item for node, item in made.items() if item is not None}
-        made |= {node: self._vessel(node, scene, alive) for node in outputs if not self._is_food(node)}
+        made |= {node: self._vessel(node, here, alive) for node in outputs if not self._is_food(node)}
         return {node: made[node] for node in outputs}
 
-    def _food(self, node: ObjectNode, scene: _Scene) -> Item | None:
-        same = scene.of_label(node.label)
-        if node.label in self.leaf_foods or same or self._was_input(node.label, scene):
-            return self._same_food(node, scene, same)
-        sources = self._sources(node, scene)
+    def _food(self, node: ObjectNode, here: _Moment) -> Item | None:
+        same = here.of_label(node.label)
+        if node.label in self.leaf_foods or same or self._was_input(node.label, here):
+            return self._same_food(node, here, same)
+        sources = self._sources(node, here)
         if not sources:
             return None
         atoms = frozenset().union(*(item.atoms for item in sources))
-        current = _with(node, ingredients=self._listed(node, atoms, scene))
+        current = _with(node, ingredients=self._listed(node, atoms, here))
         return Item(current, atoms | {(node.label, node.label)})
 
-    def _was_input(self, label: str, scene: _Scene) -> bool:
-        return any(node.label == label for node in scene.gone)
+    def _was_input(self, label: str, here: _Moment) -> bool:
+        return any(node.label == label for node in here.gone)
 
-    def _same_food(self, node: ObjectNode, scene: _Scene, same: Sequence[Item]) -> Item | None:
-        names = {now for name, now in scene.atoms if name == node.label}
+    def _same_food(self, node: ObjectNode, here: _Moment, same: Sequence[Item]) -> Item | None:
+        names = {now for name, now in here.atoms if name == node.label}
         if not names:
             return None
-        if same and (not node.ingredients or not self._is_mixed(node, scene)):
+        if same and (not node.ingredients or not self._is_mixed(node, here)):
             sources = list(same)
         else:
-            sources = [*self._sources(node, scene), *same]
-        atoms = frozenset().union(*(item.atoms for item in sources)) if sources else scene.atoms
+            sources = [*self._sources(node, here), *same]
+        atoms = frozenset().union(*(item.atoms for item in sources)) if sources else here.atoms
         own = {(node.label, min(names))}
-        current = self._recast(node, self._listed(node, atoms - own, scene))
+        current = self._recast(node, self._listed(node, atoms - own, here))
         if current.label not in names:
             current = _with(current, label=min(names))
         return Item(current, atoms | own)
 
-    def _is_mixed(self, node: ObjectNode, scene: _Scene) -> bool:
+    def _is_mixed(self, node: ObjectNode, here: _Moment) -> bool:
         """Say whether a food takes others in here: it names some that it did not name before."""
-        before = {name for n in scene.present if n.label == node.label for name in n.ingredients}
+        before = {name for n in here.present if n.label == node.label for name in n.ingredients}
         return not set(node.ingredients) <= before
 
-    def _sources(self, node: ObjectNode, scene: _Scene) -> list[Item]:
+    def _sources(self, node: ObjectNode, here: _Moment) -> list[Item]:
         """The inputs that go into a mixture: what is acted on, and the vessels that hold it."""
-        foods = [item for n, item in scene.present.items() if self._is_food(n) and n not in scene.outputs]
-        holders = [item for n, item in scene.present.items() if not self._is_food(n) and n.ingredients and item.atoms]
+        foods = [item for n, item in here.present.items() if self._is_food(n) and n not in here.scene.kept]
+        holders = [item for n, item in here.present.items() if not self._is_food(n) and n.ingredients and item.atoms]
         if not foods and not holders:
-            return list(scene.added)
+            return list(here.added)
         named = set(node.ingredients)
         relevant = [
             item for item in (*foods, *holders) if not named or any(name in named or not name for name, _ in item.atoms)
         ]
-        return [*(relevant or [*foods, *holders]), *scene.added]
+        return [*(relevant or [*foods, *holders]), *here.added]
 
-    def _listed(self, node: ObjectNode, atoms: frozenset[Atom], scene: _Scene) -> set[str]:
+    def _listed(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
         """The ingredients that a food names now: those it named, those that joined, those it must carry."""
-        names = self._named(node, atoms, scene) | {now for name, now in atoms if not name}
+        names = self._named(node, atoms, here) | {now for name, now in atoms if not name}
         names |= {now for _, now in atoms if now in self.casting.carried}
         return names - {self._name_now(node.label) or node.label}
 
-    def _named(self, node: ObjectNode, atoms: frozenset[Atom], scene: _Scene) -> set[str]:
+    def _named(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
         """The names that ``node`` said and still can say: what the inputs say, or what only the script knew of."""
-        visible = scene.visible
-        return {
-            now for name, now in atoms if name in node.ingredients and (now in visible or name not in scene.written)
-        }
+        visible, written = here.visible, here.scene.written
+        known = {now for name, now in atoms if name in node.ingredients and (now in visible or name not in written)}
+        return known | {name for name in node.ingredients if name in visible and self.kitchen.is_utensil(name)}
 
-    def _vessel(self, node: ObjectNode, scene: _Scene, foods: Mapping[str, Item]) -> Item | None:
+    def _vessel(self, node: ObjectNode, here: _Moment, foods: Mapping[str, Item]) -> Item | None:
         if not node.ingredients:
             return Item(node)
-        brought = scene.atoms
+        brought = here.atoms
         own = {(name, foods[name].node.label) for name in node.ingredients if name in foods}
-        turned = {name for name in node.ingredients if name not in foods and not self._known(name, scene) and brought}
-        named = self._named(node, brought, scene) | {now for _, now in own} | turned
+        turned = {name for name in node.ingredients if name not in foods and not self._known(name, here) and brought}
+        named = self._named(node, brought, here) | {now for _, now in own} | turned
         inside = {atom for atom in brought if atom[0] in node.ingredients or not atom[0]} | own
         inside = inside.union({(name, name) for name in turned}, *(foods[name].atoms for name, _ in own))
-        kept = {atom for item in scene.of_label(node.label) for atom in item.atoms}
+        kept = {atom for item in here.of_label(node.label) for atom in item.atoms}
         if not turned:
             in_foods = {now for name, _ in own for _, now in foods[name].atoms}
-            named |= {now for name, now in brought if not name and now in scene.visible and now not in in_foods}
+            named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
         if not named:
             return Item(_emptied(node))
         return Item(_with(node, ingredients=named), frozenset(inside | kept))
 
-    def _known(self, name: str, scene: _Scene) -> bool:
+    def _known(self, name: str, here: _Moment) -> bool:
         """Say whether ``name`` is a food of the script by itself, here or in the kitchen: no name of a mixture."""
-        return name in scene.written or name in self.leaf_foods or name in self.casting.foods
+        return name in here.scene.written or name in self.leaf_foods or name in self.casting.foods
 
     # ---- telling it
 
-    def _step(self, place: int, known: KnownUnit, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> Step | None:
-        unit = known.unit
-        left_behind = self._left_behind(scene, made)
-        inputs = [item.node for node, item in scene.present.items() if node not in left_behind]
-        added = tuple(item.node for item in scene.added)
-        outputs = []
-        for node, item in made.items():
-            origin = next((n for n in left_behind if n.label == node.label and not node.ingredients), None)
-            self.items[node] = scene.present[origin] if origin is not None and not self._is_food(node) else item
-            if item is not None and not (origin is not None and not self._is_food(node)):
-                outputs.append(item.node)
-        self._remember(scene, made)
+    def _step(self, place: int, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> Step | None:
+        known = here.scene.known
+        untouched = self._left_behind(here, made)
+        outputs = self._put_down(here, made, untouched)
+        self._remember(here, made)
+        added = tuple(item.node for item in here.added)
+        inputs = [item.node for node, item in here.present.items() if node not in untouched]
         inputs = list(dict.fromkeys([*inputs, *added]))
-        outputs = list(dict.fromkeys(outputs))
-        if not outputs or set(outputs) <= set(inputs):
+        if set(outputs) <= set(inputs):
             return None
-        now = {**scene.present, **{node: item for node, item in made.items() if item is not None}}
-        moving = {now[p.node].node for p in (*unit.inputs, *unit.outputs) if p.moving and p.node in now}
-        motion = self._motion(unit.motion, scene)
+        there = {**here.present, **{node: item for node, item in made.items() if item is not None}}
+        participants = (*known.unit.inputs, *known.unit.outputs)
+        moving = {there[p.node].node for p in participants if p.moving and p.node in there}
+        motion = self._motion(known.unit.motion, here)
         return Step(place, known, tuple(inputs), motion, tuple(outputs), added, frozenset(moving.union(added)))
 
-    def _left_behind(self, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> set[ObjectNode]:
+    def _put_down(
+        self, here: _Moment, made: Mapping[ObjectNode, Item | None], untouched: set[ObjectNode]
+    ) -> list[ObjectNode]:
+        """Keep what every output has become; answer those that the step shows."""
+        shown = []
+        for node, item in made.items():
+            same = None
+            if not self._is_food(node) and not node.ingredients:
+                same = next((other for other in here.present if other in untouched and other.label == node.label), None)
+            self.items[node] = item if same is None else here.present[same]
+            self.used.discard(node)
+            if item is not None and same is None:
+                shown.append(item.node)
+        return list(dict.fromkeys(shown))
+
+    def _left_behind(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> set[ObjectNode]:
         """Vessels of the script that bring nothing any more and take nothing: they are not touched."""
         receiving = {node.label for node, item in made.items() if item is not None and item.atoms}
         return {
             node
-            for node, item in scene.present.items()
+            for node, item in here.present.items()
             if not self._is_food(node) and node.ingredients and not item.atoms and node.label not in receiving
         }
 
-    def _remember(self, scene: _Scene, made: Mapping[ObjectNode, Item | None]) -> None:
+    def _remember(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> None:
         """Keep what a vessel has become, for a later unit of the script that still knows it as it was."""
-        for node, item in scene.present.items():
+        for node, item in here.present.items():
             if self._is_food(node) or not item.node.ingredients:
                 continue
             for output, now in made.items():
@@ -382,12 +432,21 @@ class _Stage:
                 if _place(now.node) == _place(item.node) and set(now.node.ingredients) > set(item.node.ingredients):
                     self.later[item.node] = now
 
-    def _motion(self, motion: str, scene: _Scene) -> str:
-        acted = {node.label for node in scene.present if self._is_food(node) and node not in scene.outputs}
+    def _motion(self, motion: str, here: _Moment) -> str:
+        acted = {node.label for node in here.present if self._is_food(node) and node not in here.scene.kept}
         if len(acted) != 1:
             return motion
         recast = self.casting.foods.get(next(iter(acted)))
         return recast.motions.get(motion, motion) if recast is not None else motion
+
+
+def _is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:
+    """Say whether a unit changes the utensil ``node`` itself (its state or place), not only what it holds."""
+    after = [other for other in outputs if other.label == node.label]
+    plain = {EMPTY}
+    return bool(after) and all(
+        set(other.states) - plain != set(node.states) - plain or _spot(other) != _spot(node) for other in after
+    )
 
 
 class _AsItIs:

@@ -4,10 +4,15 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, script
 
 from foon_kg.kitchen import Kitchen
-from foon_kg.replay import Casting, Item, Recast, replay
+from foon_kg.replay import Casting, Item, Recast, Script
+from foon_kg.replay import replay as replay_script
 
 KITCHEN = Kitchen.default()
 SALAD_MADE = node("salad(mixed){onion,salt,tomato}@bowl")
+
+
+def replay(units, casting, kitchen, additions=None):
+    return replay_script(Script.of(units, kitchen), casting, additions)
 
 
 def made(replayed):
