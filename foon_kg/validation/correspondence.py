@@ -113,8 +113,8 @@ class Correspondence:
             return True
         if mine.relation != theirs.relation:
             return False
-        if mine.container is None or theirs.container is None:
-            return mine.container == theirs.container
+        if theirs.container is None:
+            return mine.container is None
         return mine.container in self.names_now(theirs.container)
 
     def is_food(self, node: ObjectNode) -> bool:

@@ -254,25 +254,43 @@ class TestC6Kitchen:
 
 class TestC7Honest:
     @pytest.mark.parametrize(
-        ("place", "change"),
+        ("place", "change", "said"),
         [
-            (0, {"confidence": None}),
-            (0, {"confidence": 1.5}),
-            (0, {"alternatives": [{"name": "", "confidence": 0.5}]}),
-            (0, {"alternatives": [{"name": "leek", "confidence": None}]}),
-            (0, {"object": ""}),
-            (1, {"object": ""}),
-            (1, {"object": "tomato"}),
-            (0, {"kind": "thing"}),
-            (0, {"required": ""}),
-            (2, {"equivalent": ""}),
-            (1, {"equivalent": None}),
+            (0, {"confidence": None}, "it has no confidence between 0 and 1"),
+            (0, {"confidence": 1.5}, "it has no confidence between 0 and 1"),
+            (0, {"confidence": -0.1}, "it has no confidence between 0 and 1"),
+            (0, {"alternatives": [{"name": "", "confidence": 0.5}]}, "an alternative has no name or no confidence"),
+            (
+                0,
+                {"alternatives": [{"name": "leek", "confidence": None}]},
+                "an alternative has no name or no confidence",
+            ),
+            (0, {"object": ""}, "it does not name its object"),
+            (1, {"object": ""}, "it does not name its object"),
+            (1, {"object": "tomato"}, "no unit uses it"),
+            (0, {"kind": "thing"}, "its kind is “thing”"),
+            (0, {"required": ""}, "it does not say what is required"),
+            (2, {"equivalent": ""}, "it names no equivalent"),
+            (1, {"equivalent": None}, "it names no equivalent"),
         ],
     )
-    def test_an_entry_that_is_not_whole(self, place, change):
+    def test_an_entry_that_is_not_whole(self, place, change, said):
         tree = salad()
         tree["substitutions"][place] |= change
-        assert broken(tree) == ("C7",)
+        findings = [f for f in judge(tree).findings if f.rule.startswith("C")]
+        assert {f.rule for f in findings} == {"C7"}
+        assert any(said in f.reason and f"substitution {place}" in f.reason for f in findings)
+
+    @pytest.mark.parametrize("confidence", [0, 1])
+    def test_the_ends_of_the_scale_are_confidences(self, confidence):
+        tree = salad()
+        tree["substitutions"][1]["confidence"] = confidence
+        assert broken(tree) == ()
+
+    def test_a_state_entry_may_stand_for_no_state(self):
+        tree = salad()
+        tree["substitutions"][1]["equivalent"] = ""
+        assert not any("names no equivalent" in f.reason for f in judge(tree).findings)
 
     def test_no_list_of_alternatives(self):
         tree = salad()

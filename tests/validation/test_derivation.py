@@ -148,3 +148,10 @@ def test_a_state_that_gets_lost_is_a_difference():
     pressed = "garlic(peeled); press > press > garlic(paste)"
     found = derivation(pressed, pressed.replace("(peeled)", "(clove,peeled)"))
     assert [(e.required, e.equivalent) for e in found.undeclared] == [("", "clove")]
+
+
+def test_a_vessel_is_empty_until_it_holds_something():
+    lifted = "bowl(empty); whisk > lift > bowl(empty); whisk(wet)"
+    assert derivation(lifted.replace("bowl(empty)", "bowl{oil}"), lifted).undeclared == ()
+    (missing, *_) = derivation(lifted.replace("bowl(empty)", "bowl"), lifted).undeclared
+    assert (missing.kind, missing.object, missing.equivalent) == ("state", "bowl", "empty")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from kitchen_stories import subgraph
 from validation.garden import (
     FOON,
     STALE,
@@ -22,7 +23,8 @@ from validation.garden import (
 )
 
 from foon_kg.kitchen import Kitchen
-from foon_kg.validation import TaskTree, check
+from foon_kg.snapshot import Snapshot
+from foon_kg.validation import KnownFoon, TaskTree, check
 
 
 def joined(food, state="cube"):
@@ -227,6 +229,16 @@ class TestS8Kept:
             if place >= kept:
                 one["seen_in"][0]["video"] = "potato_omelette"
         assert [rule for rule in broken(tree) if rule == "S8"] == list(rules)
+
+    @pytest.mark.parametrize(("kept", "rules"), [(2, ["S8"]), (3, [])])
+    def test_thirty_percent_to_the_unit(self, kept, rules):
+        lines = [f"fork > bend > fork(bent {number})" for number in range(9)] + ["fork > bend > cake"]
+        foon = Snapshot.of([subgraph("ten", "cake", *lines)], Kitchen.default())
+        units = [unit(line, "ten", place) for place, line in enumerate(lines[:kept])]
+        tree = with_kitchen(salad(), *units)
+        tree["reference"]["goal"] = nodes("cake")[0]
+        found = broken(tree, KnownFoon.of(foon.units, foon.goals()))
+        assert [rule for rule in found if rule == "S8"] == rules
 
     def test_a_reference_goal_that_no_video_makes(self):
         tree = salad()
