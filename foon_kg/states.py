@@ -36,9 +36,10 @@ _IRREGULAR = {"ground": "grind", "beaten": "beat", "frozen": "freeze", "torn": "
 
 @dataclass(frozen=True)
 class StateClasses:
-    """The table of classes: states are canonical names, pairs are kept both ways round."""
+    """The table of classes: states are canonical names (``spelling`` has them as written), pairs go both ways round."""
 
     class_of: Mapping[str, str]
+    spelling: Mapping[str, str]
     processed: frozenset[str]
     neighbours: Mapping[tuple[str, str], float]
     closer: Mapping[tuple[str, str], float]
@@ -50,6 +51,23 @@ class StateClasses:
 def state_class(state: str) -> tuple[str, float]:
     """Answer the class of ``state`` and how sure that is, 0 to 1: 1 for a state that the table lists."""
     return _state_class(canonical(state), _classes())
+
+
+def state_in(phrase: str) -> str | None:
+    """Answer the state that a phrase speaks of, as the table spells it; ``None`` where it speaks of none.
+
+    Of several words, what was done says more than what it looks like, and comes first ("cut into cubes" is cut). An
+    adverb stays where it moves the state into another class ("finely chopped").
+    """
+    classes = _classes()
+    words = canonical(phrase.replace(",", " ").replace("-", " ")).split()
+    found = [place for place, word in enumerate(words) if word in classes.class_of]
+    if not found:
+        return None
+    place = next((place for place in found if classes.class_of[words[place]] in classes.processed), found[0])
+    adverb, state = words[place - 1] if place else "", words[place]
+    moved = (adverb, classes.class_of[state]) in classes.adverbs
+    return f"{adverb} {state}" if moved else classes.spelling[state]
 
 
 def state_similarity(a: str, b: str) -> float:
@@ -110,15 +128,15 @@ def _stems(words: str) -> frozenset[str]:
 
 @lru_cache(maxsize=4_096)
 def _guess(state: str, path: str) -> tuple[str, float]:
-    """Place a state that no class lists; the confidences were measured by leaving each listed state out in turn."""
+    """Place a state that no class lists; benchmarks/states.py measures how often each way of guessing is right."""
     classes = state_classes(path)
-    first, _, rest = state.partition(" ")
-    if rest in classes.class_of and (first, classes.class_of[rest]) in classes.adverbs:
-        return classes.adverbs[first, classes.class_of[rest]], _BY_ADVERB
-    found = [classes.class_of[word] for word in state.replace("-", " ").split() if word in classes.class_of]
-    if found:  # "cut into cubes": what was done says more than what it looks like
-        return next((name for name in reversed(found) if name in classes.processed), found[-1]), _BY_WORD
-    return _nearest_class(state, classes)
+    said = state_in(state)
+    if said is None:
+        return _nearest_class(state, classes)
+    adverb, _, rest = said.partition(" ")
+    if (adverb, classes.class_of.get(rest, "")) in classes.adverbs:
+        return classes.adverbs[adverb, classes.class_of[rest]], _BY_ADVERB
+    return classes.class_of[canonical(said)], _BY_WORD
 
 
 def _nearest_class(state: str, classes: StateClasses) -> tuple[str, float]:
@@ -169,6 +187,7 @@ def _parsed(document: dict[str, Any]) -> StateClasses:
             closer[one, other] = max(group["similarity"], closer.get((one, other), 0.0))
     return StateClasses(
         class_of={canonical(state): row["name"] for row in classes for state in row["states"]},
+        spelling={canonical(state): state for row in classes for state in reversed(row["states"])},
         processed=frozenset(row["name"] for row in classes if row["processed"]),
         neighbours={
             pair: row["similarity"] for row in document["neighbours"] for pair in permutations(row["classes"], _DOUBLED)

@@ -50,12 +50,11 @@ class FoodGroups:
             shelves[:, shelf] = np.maximum(shelves[:, shelf], memberships[:, group])
         return shelves
 
-    def shared(self, one: str, other: str) -> tuple[str, ...]:
-        """Answer the groups in which the table lists both canonical names."""
-        if not {one, other} <= self.places.keys():
+    def of(self, name: str) -> tuple[str, ...]:
+        """Answer the groups in which the table lists a canonical name, in the order of the table."""
+        if name not in self.places:
             return ()
-        both = self.listed[self.places[one]] * self.listed[self.places[other]]
-        return tuple(group for group, member in zip(self.groups, both, strict=True) if member)
+        return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
 
     def _guess(self, names: Sequence[str], nearness: Nearness) -> None:
         by_words = {name: place for name in names if (place := self._place_of_ending(name)) is not None}

@@ -1,0 +1,93 @@
+import subprocess
+import sys
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from foon_kg.recipe_lines import RecipeLine, read_recipe_lines
+
+pytest.importorskip("ingredient_parser", reason="the extra 'recipes' is not installed: pip install 'foon-kg[recipes]'")
+
+
+def read(line):
+    (answer,) = read_recipe_lines([line])
+    return answer
+
+
+@pytest.mark.parametrize(
+    ("line", "food", "state", "quantity", "unit"),
+    [
+        ("2 cups finely chopped red onion", "red onion", "finely chopped", "2", "cups"),
+        ("3 cloves garlic, minced", "garlic", "minced", "3", "cloves"),
+        ("2 large eggs, beaten", "eggs", "beaten", "2", ""),
+        ("1 medium carrot, peeled and grated", "carrot", "grated", "1", ""),
+        ("1 cup shredded cheddar cheese", "cheddar cheese", "shredded", "1", "cup"),
+        ("1/4 cup half-and-half", "half-and-half", "", "1/4", "cups"),
+        ("1 1/2 teaspoons ground cumin", "cumin", "ground", "3/2", "teaspoons"),
+        ("1 cup powdered sugar, sifted", "powdered sugar", "sifted", "1", "cup"),
+        ("1 can diced tomatoes, drained", "tomatoes", "drained", "1", "can"),
+        ("1 lb ground beef", "ground beef", "", "1", "lb"),
+        ("1 head romaine lettuce, torn into bite-size pieces", "romaine lettuce", "torn", "1", "head"),
+        ("juice of 1 lemon", "lemon", "juice", "1", ""),
+    ],
+)
+def test_a_line_becomes_food_state_quantity_and_unit(line, food, state, quantity, unit):
+    answer = read(line)
+    assert (answer.object, answer.state, answer.quantity, answer.unit) == (food, state, quantity, unit)
+    assert answer.text == line
+    assert answer.confidence > 0.8
+
+
+def test_all_states_are_kept_in_their_order():
+    assert read("1 avocado, pitted, peeled and mashed").states == ("pitted", "peeled", "mashed")
+    assert read("1 package frozen chopped spinach, thawed").states == ("frozen", "chopped", "thawed")
+
+
+def test_a_range_is_kept_as_one():
+    assert read("2-3 green onions, thinly sliced").quantity == "2-3"
+
+
+def test_further_foods_are_kept():
+    assert read("1 cup sugar or honey").others == ("honey",)
+
+
+def test_what_is_not_understood_is_kept():
+    assert "at room temperature" in read("6 ounces cream cheese, at room temperature").left_over
+    assert any("14 ounce" in part for part in read("1 (14 ounce) can diced tomatoes").left_over)
+
+
+@pytest.mark.parametrize("line", ["For the dressing:", "12", "***", ""])
+def test_a_line_without_a_food_is_answered_and_kept(line):
+    answer = read(line)
+    assert answer.object is None
+    assert answer.text == line
+    assert " ".join(answer.left_over) == line
+
+
+def test_every_line_has_its_answer_in_order():
+    lines = ["1 onion, diced", "***", "salt", "1 onion, diced"]
+    answers = read_recipe_lines(lines)
+    assert [answer.text for answer in answers] == lines
+    assert answers[0] == answers[3]
+
+
+@settings(max_examples=40, suppress_health_check=[HealthCheck.too_slow], deadline=None)
+@given(st.text(max_size=30))
+def test_any_text_is_answered(text):
+    answer = read(text)
+    assert isinstance(answer, RecipeLine)
+    assert answer.text == text
+    assert answer.object is None or answer.object
+
+
+def test_nothing_is_downloaded():
+    program = (
+        "import urllib.request, nltk\n"
+        "def refuse(*a, **k): raise SystemExit('tried to download')\n"
+        "nltk.download = nltk.downloader.download = urllib.request.urlopen = refuse\n"
+        "from foon_kg.recipe_lines import read_recipe_lines\n"
+        "print(read_recipe_lines(['1 onion, diced'])[0].object)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.stdout.strip() == "onion", done.stdout + done.stderr
