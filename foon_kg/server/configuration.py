@@ -46,4 +46,4 @@ def write_configuration(home: Home, port: int) -> None:
 
 def new_password() -> str:
     """Return a random password of 192 bits."""
-    return secrets.token_urlsafe(24)
+    return secrets.token_hex(24)  # one that begins with "-" would be an option to the admin command
