@@ -7,6 +7,7 @@ critical paths and abstractions, ICAPS 2009). What is left of the weights tells 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
@@ -58,10 +59,15 @@ class CutBound:
     left: list[int]
     heights: Heights
 
-    def least_with(self, core: Core, step: int) -> int:
-        """Answer what any tree with ``step`` weighs at least."""
-        below = (self.heights.of_node[node] or 0 for node in core.inputs[step])
-        return self.bound + self.left[step] + max(below, default=0)
+    def least_with(self, core: Core, step: int) -> float:
+        """Answer what any tree with ``step`` weighs at least, infinite where there is none."""
+        dearest, of_node = 0, self.heights.of_node
+        for node in core.inputs[step]:
+            height = of_node[node]
+            if height is None:
+                return math.inf
+            dearest = max(dearest, height)
+        return self.bound + self.left[step] + dearest
 
 
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:

@@ -21,22 +21,23 @@ def within_least_penalty(core: Core) -> tuple[int, list[int]] | None:
     order, made = chain(core, range(len(core.gap_nodes), core.step_count))
     if made[core.goal]:
         return 0, order
-    everything, reached = chain(core)
-    if not reached[core.goal]:
-        return None
     needy = _needy(core, made)
-    penalty, part, cuts = _least(needy)
-    gaps = {step for step, node in enumerate(core.outputs[: len(core.gap_nodes)]) if made[node[0]]}
-    steps = [step for step in everything if step not in gaps]  # what can be made is never a gap in a best tree
-    return penalty, _kept(core.only(steps), steps, part, cuts, penalty)
+    order, reached = chain(needy)
+    if not reached[needy.goal]:
+        return None
+    penalty, part, cuts = _least(needy.only(reachable(needy, order)))
+    return penalty, _kept(core, made, part, cuts, penalty)
 
 
-def _kept(core: Core, steps: list[int], part: Core, cuts: CutBound, penalty: int) -> list[int]:
-    """Answer which of ``steps``, those of ``core``, may be in a tree of that penalty, by the cuts of a part of it."""
+def _kept(core: Core, made: list[bool], part: Core, cuts: CutBound, penalty: int) -> list[int]:
+    """Answer which steps of ``core`` may be in a tree of that penalty, by the cuts of a part of it."""
     paid = dict(zip(part.names, cuts.left, strict=True))
     left = [paid.get(name, weight) for name, weight in zip(core.names, _weights(core), strict=True)]
+    for gap, (node,) in enumerate(core.outputs[: len(core.gap_nodes)]):
+        if made[node]:
+            left[gap] = penalty + 1  # what can be made is never a gap in a best tree
     whole = CutBound(cuts.bound, left, heights(Web.of(core), left))
-    return [step for number, step in enumerate(sorted(steps)) if whole.least_with(core, number) <= penalty]
+    return [step for step in range(core.step_count) if whole.least_with(core, step) <= penalty]
 
 
 def _weights(core: Core) -> list[int]:
@@ -45,12 +46,13 @@ def _weights(core: Core) -> list[int]:
 
 def _needy(core: Core, made: list[bool]) -> Core:
     """Answer what of ``core`` needs a gap: the nodes that can be made without one count as there."""
-
-    def needy(sides: Iterable[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:
-        return tuple(tuple(node for node in side if not made[node]) for side in sides)
-
-    whole = replace(core, inputs=needy(core.inputs), outputs=needy(core.outputs))
-    return whole.only(reachable(whole, range(core.step_count)))
+    outputs = tuple(tuple(node for node in side if not made[node]) for side in core.outputs)
+    needy = [step for step, side in enumerate(outputs) if side]
+    inputs: list[tuple[int, ...]] = [()] * core.step_count
+    for step in needy:
+        inputs[step] = tuple(node for node in core.inputs[step] if not made[node])
+    part = replace(core, inputs=tuple(inputs), outputs=outputs)
+    return part.only(reachable(part, needy))
 
 
 def _least(core: Core) -> tuple[int, Core, CutBound]:
