@@ -24,9 +24,9 @@ participants = st.builds(Participant, nodes, st.booleans(), st.sampled_from((Non
 
 units = st.builds(
     FunctionalUnit,
-    st.lists(participants, min_size=1, max_size=4).map(tuple),
-    st.sampled_from(("chop", "mix", "pour")),
     st.lists(participants, min_size=1, max_size=3).map(tuple),
+    st.sampled_from(("chop", "mix", "pour")),
+    st.lists(participants, min_size=1, max_size=2).map(tuple),
     st.booleans(),
 )
 
@@ -39,7 +39,7 @@ sources = st.lists(st.sampled_from(("video one", "video two")), max_size=2, uniq
 
 def subgraphs_named(name: str) -> st.SearchStrategy[Subgraph]:
     """Subgraphs of one video, down to one without any unit."""
-    annotations = st.lists(st.builds(Annotation, units, timings), max_size=5).map(tuple)
+    annotations = st.lists(st.builds(Annotation, units, timings), max_size=3).map(tuple)
     return st.builds(Subgraph, st.just(name), annotations, sources)
 
 

@@ -54,8 +54,8 @@ def keeper(request):
     return InMemory() if request.param == "snapshot" else request.getfixturevalue("in_neo4j")
 
 
-for_every_foon = settings(max_examples=100, deadline=None)
-for_some_foons = settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+for_every_foon = settings(max_examples=60, deadline=None)
+for_some_foons = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def distinct_units(subgraphs):

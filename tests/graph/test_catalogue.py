@@ -1,0 +1,159 @@
+"""Every query of the catalogue: it compiles, says the truth in its header, is used, and comes with the package."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import neo4j
+import pytest
+
+from foon_kg.cypher import catalogue, read_query, schema_steps
+from foon_kg.graph import statements
+from foon_kg.graph.statements import Statement
+
+REPO = Path(__file__).parents[2]
+STATEMENTS = {value.name: value for value in vars(statements).values() if isinstance(value, Statement)}
+CONSTANTS = {value.name: name for name, value in vars(statements).items() if isinstance(value, Statement)}
+EXAMPLE_VALUES = {"LIST<STRING>": ["x"], "LIST<MAP>": [], "INTEGER": 1, "STRING": "x"}
+READS = [query for query in catalogue() if query.mode == "read"]
+
+every_query = pytest.mark.parametrize("query", [*catalogue(), *schema_steps()], ids=lambda query: query.name)
+every_named_query = pytest.mark.parametrize("query", catalogue(), ids=lambda query: query.name)
+every_read = pytest.mark.parametrize("query", READS, ids=lambda query: query.name)
+
+
+@pytest.fixture(scope="module")
+def session(neo4j_server):
+    login = (neo4j_server.user, neo4j_server.password)
+    with (
+        neo4j.GraphDatabase.driver(neo4j_server.uri, auth=login, warn_notification_severity="OFF") as driver,
+        driver.session(database=neo4j_server.database) as session,
+    ):
+        for step in schema_steps():
+            session.run(step.text).consume()
+        session.run("CALL db.awaitIndexes()").consume()
+        yield session
+
+
+def explained(session, query, language=""):
+    parameters = {name: EXAMPLE_VALUES[kind] for name, kind in query.parameters.items()}
+    result = session.run(f"EXPLAIN {language}{query.text}", parameters)
+    return tuple(result.keys()), result.consume()
+
+
+def operators(plan):
+    yield plan["operatorType"].partition("@")[0]
+    for child in plan.get("children", ()):
+        yield from operators(child)
+
+
+def code_of(query):
+    return "\n".join(line for line in query.text.splitlines() if not line.startswith("//"))
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize("language", ["CYPHER 5 ", "CYPHER 25 "])
+@every_query
+def test_it_compiles_on_neo4j(session, query, language):
+    explained(session, query, language)
+
+
+@pytest.mark.neo4j
+@every_named_query
+def test_its_columns_are_those_that_it_declares(session, query):
+    assert explained(session, query)[0] == query.columns
+
+
+@pytest.mark.neo4j
+@every_named_query
+def test_it_reads_or_writes_as_it_declares(session, query):
+    assert explained(session, query)[1].query_type in {"read": ("r",), "write": ("w", "rw")}[query.mode]
+
+
+@pytest.mark.neo4j
+@every_read
+def test_a_read_finds_its_nodes_by_index_or_says_why_it_scans(session, query):
+    scans = {name for name in operators(explained(session, query)[1].plan) if name.endswith("Scan")}
+    assert bool(scans) == bool(query.scans)
+
+
+@pytest.mark.neo4j
+def test_the_units_behind_a_node_are_found_by_a_search_that_visits_each_node_once(session):
+    behind = next(query for query in READS if query.name == "behind")
+    assert "VarLengthExpand(Pruning,BFS,All)" in set(operators(explained(session, behind)[1].plan))
+
+
+@every_query
+def test_the_declared_parameters_are_the_used_ones(query):
+    assert set(re.findall(r"\$(\w+)", code_of(query))) == set(query.parameters)
+
+
+@every_query
+def test_the_header_says_what_it_answers(query):
+    assert query.answers.endswith(".")
+    assert set(query.parameters.values()) <= EXAMPLE_VALUES.keys()
+
+
+@every_query
+def test_it_is_one_statement(query):
+    assert ";" not in code_of(query)
+
+
+@every_named_query
+def test_its_columns_are_the_fields_of_the_type_that_receives_them(query):
+    assert tuple(field.name for field in dataclasses.fields(STATEMENTS[query.name].row)) == query.columns
+
+
+@every_named_query
+def test_code_uses_it(query):
+    programs = [path.read_text() for path in (REPO / "foon_kg" / "graph").glob("*.py") if path.stem != "statements"]
+    assert any(re.search(rf"\b{CONSTANTS[query.name]}\b", program) for program in programs)
+
+
+def test_no_statement_names_a_query_that_is_not_there():
+    assert STATEMENTS.keys() == {query.name for query in catalogue()}
+
+
+def test_the_steps_of_the_schema_are_numbered_without_a_gap():
+    assert [int(step.name[:4]) for step in schema_steps()] == list(range(1, len(schema_steps()) + 1))
+
+
+@pytest.mark.parametrize("header", ["// nothing about it", "// mode: both", "// mode: read\n// mode: write"])
+def test_a_header_that_does_not_say_the_mode_is_refused(header):
+    with pytest.raises(ValueError, match=r"lost\.cypher: the header must say"):
+        read_query("lost", f"{header}\nRETURN 1")
+
+
+def test_only_three_places_hand_text_to_the_driver():
+    """The catalogue's queries, the steps of the schema, and what a person typed."""
+    sends = re.compile(r"\b(?:session|transaction|driver)\.(?:run|execute_query)\(")
+    programs = (REPO / "foon_kg" / "graph").glob("*.py")
+    assert {path.stem for path in programs if sends.search(path.read_text())} == {"statements", "schema", "free_cypher"}
+
+
+@pytest.mark.slow
+def test_the_wheel_contains_every_query(tmp_path):
+    build = [
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--no-deps",
+        "--no-build-isolation",
+        "--quiet",
+        "-w",
+        str(tmp_path),
+        ".",
+    ]
+    copy = tmp_path / "source"
+    subprocess.run(["git", "clone", "--quiet", str(REPO), str(copy)], check=True)
+    subprocess.run(build, cwd=copy, check=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    inside = set(zipfile.ZipFile(wheel).namelist())
+    files = {path.relative_to(REPO / "cypher").as_posix() for path in (REPO / "cypher").rglob("*.cypher")}
+    assert {f"foon_kg/cypher/{file}" for file in files} <= inside

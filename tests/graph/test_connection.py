@@ -1,0 +1,59 @@
+"""A database that does not answer as it should is told about in one sentence, with what to do."""
+
+from __future__ import annotations
+
+import socket
+from dataclasses import replace
+
+import pytest
+
+from foon_kg.errors import GraphError
+from foon_kg.graph import Connection, Neo4jGraph, load
+from foon_kg.graph.warming import warm
+from foon_kg.server.settings import ConnectionSettings
+
+
+@pytest.fixture
+def nobody():
+    """An address at which nobody listens."""
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        yield ConnectionSettings(f"bolt://127.0.0.1:{taken.getsockname()[1]}")
+
+
+def test_a_database_that_is_down_is_said_to_be(nobody):
+    with Neo4jGraph(nobody) as graph, pytest.raises(GraphError, match="no Neo4j answers at") as error, graph.reading():
+        pass
+    assert "NEO4J_URI" in error.value.hint
+
+
+def test_an_address_that_is_none_is_said_to_be():
+    settings = ConnectionSettings("http://localhost")
+    with Neo4jGraph(settings) as graph, pytest.raises(GraphError, match="http://localhost") as error, graph.reading():
+        pass
+    assert "NEO4J_URI" in error.value.hint
+
+
+@pytest.mark.neo4j
+def test_a_wrong_password_is_said_to_be(neo4j_server):
+    wrong = replace(neo4j_server, password="wrong-password")
+    with Neo4jGraph(wrong) as graph, pytest.raises(GraphError, match="does not let") as error, graph.reading():
+        pass
+    assert "NEO4J_PASSWORD" in error.value.hint
+
+
+@pytest.mark.neo4j
+def test_an_unknown_database_is_said_to_be(neo4j_server):
+    elsewhere = replace(neo4j_server, database="nowhere")
+    with Connection(elsewhere) as connection, pytest.raises(GraphError, match="nowhere") as error:
+        load(connection, [])
+    assert "NEO4J_DATABASE" in error.value.hint
+
+
+def test_warming_a_database_that_is_down_is_no_error(nobody):
+    warm(nobody)
+
+
+@pytest.mark.neo4j
+def test_an_empty_database_can_be_warmed(empty_graph):
+    warm(empty_graph)
