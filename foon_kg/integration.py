@@ -9,30 +9,17 @@ for the next one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
+from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
+from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
 from foon_kg.replay import Casting, Item, Recast, Replayed, Script, Step, replay
-from foon_kg.substitution import FAIR, Candidate, Equivalents
-
-Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
-"""Answers the units, in order, that make a food in a state (the last one outputs it), or ``None``."""
-
-
-@dataclass(frozen=True)
-class Preparation:
-    """A required food made apart: its steps, the script and casting they come from, and the node that is ready."""
-
-    want: RequiredIngredient
-    node: ObjectNode
-    steps: tuple[Step, ...]
-    casting: Casting
-    confidence: float
+from foon_kg.substitution import FAIR, Equivalents
 
 
 @dataclass(frozen=True)
@@ -65,7 +52,7 @@ class Integration:
     wants: tuple[RequiredIngredient, ...]
     equivalents: Equivalents
     kitchen: Kitchen
-    derive: Derive
+    preparations: Preparations
 
     @cached_property
     def _play(self) -> Script:
@@ -95,7 +82,9 @@ class Integration:
             for line in lines.values():
                 name = self.equivalents.name_confidence(want.object, line.label)
                 cast = self._cast(want, line) if name >= FAIR else None
-                if cast is not None and self._leaves_stand(line, cast[0]):
+                if cast is None or not self.preparations.leaves_stand(line, cast[0]):
+                    continue
+                if not self._is_made_better(want, name * cast[1]):
                     offers.append((-name * cast[1], number, line.label, cast[0]))
         offers.sort(key=lambda offer: offer[:3])
         played: dict[RequiredIngredient, tuple[str, Recast]] = {}
@@ -117,18 +106,14 @@ class Integration:
             return None
         return self.equivalents.recast(want, line.label, line.states if sold else line.at_join, line.made_by)
 
-    def _can_be_opened(self, want: RequiredIngredient) -> bool:
-        return next(self._opened_forms(want), None) is not None
+    def _is_made_better(self, want: RequiredIngredient, confidence: float) -> bool:
+        """Say whether FOON makes a processed food apart in a way that is surer than a renamed line of the reference."""
+        if confidence >= 1 or self.kitchen.is_start_state(want.object, want.state):
+            return False
+        return any(made.confidence > confidence and not made.strained for made in self.preparations.of(want))
 
-    def _leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
-        """Say whether every leaf of the line is at hand under its new name (contract, C6)."""
-        for node in line.leaves:
-            states = recast.states_of(node)
-            if any(not self.kitchen.is_start_state(recast.label, state) for state in states):
-                return False
-            if self.kitchen.is_mixture(node):
-                return False
-        return True
+    def _can_be_opened(self, want: RequiredIngredient) -> bool:
+        return bool(self.preparations.of(want))
 
     def _casting(
         self, lines: Mapping[str, FoodLine], played: Mapping[RequiredIngredient, tuple[str, Recast]]
@@ -148,7 +133,7 @@ class Integration:
         while True:
             steps, item = self._executed(replay(self._play, casting))
             arrived = {now for _, now in item.atoms} if item is not None else set()
-            lost = [want for want in played if want.object not in arrived or not _shows(want, steps)]
+            lost = [want for want in played if want.object not in arrived or not shows(want, steps)]
             if not lost:
                 return casting, played
             played = {want: role for want, role in played.items() if want not in lost}
@@ -159,13 +144,13 @@ class Integration:
         item = replayed.items.get(self.goal)
         if item is None:
             return [], None
-        return _needed(replayed.steps, item.node), item
+        return needed(replayed.steps, item.node), item
 
     # ---- foods that join
 
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
-        for node, preparation in self._forms(want):
+        for node, preparation in self.preparations.forms(want):
             for place in self._slots(want, party):
                 addition = Addition(want, place, node, preparation)
                 if place not in party.closed and self._arrives(addition, party):
@@ -173,81 +158,6 @@ class Integration:
                     return True
                 party.closed.add(place)
         return False
-
-    def _forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
-        """The ways to have a food ready, best first: made apart where it has to be made, else as it is sold."""
-        if self.kitchen.is_start_state(want.object, want.state):
-            if is_whole(want.state):
-                yield from self._opened_forms(want)
-            yield ObjectNode(want.object, (want.state,)), None
-            return
-        for candidate in self.equivalents.candidates(want):
-            preparation = self.prepare(want, candidate)
-            if preparation is not None:
-                yield preparation.node, preparation
-        yield ObjectNode(want.object, (want.state,)), None
-
-    def _opened_forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation]]:
-        """The ways to crack, peel, open or cut a food that is asked whole, before it joins others (sense, S3)."""
-        found = []
-        for state in self.equivalents.states_known(want.object):
-            script = None
-            if not self.kitchen.is_start_state(want.object, state):
-                script = self.derive(Candidate(want.object, state, 1.0, 1.0))
-            if script and any(opens_food(want.object, known) for known in script):
-                found.append((len(script), state, script))
-        for _, state, script in sorted(found, key=lambda row: row[:2]):
-            preparation = self._from_whole(want, state, script)
-            if preparation is not None:
-                yield preparation.node, preparation
-
-    def _from_whole(self, want: RequiredIngredient, state: str, script: Sequence[KnownUnit]) -> Preparation | None:
-        line = food_lines(script, self.kitchen).get(want.object)
-        if line is None:
-            return None
-        starts = {state for node in line.leaves for state in node.states}
-        cast = self.equivalents.recast(want, want.object, starts, ())
-        if cast is None or not self._leaves_stand(line, cast[0]):
-            return None
-        candidate = Candidate(want.object, state, 1.0, cast[1])
-        prepared = self._prepared(want, candidate, script, self._casting_of(script, want.object, cast[0]), state)
-        return prepared if prepared is not None and _shows(want, prepared.steps) else None
-
-    def _casting_of(self, script: Sequence[KnownUnit], label: str, recast: Recast) -> Casting:
-        """The casting in which ``label`` alone plays, and every other food is dropped."""
-        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
-        foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
-        return Casting(foods | {label: recast})
-
-    def prepare(self, want: RequiredIngredient, candidate: Candidate) -> Preparation | None:
-        """Make ``want`` as FOON makes ``candidate``; ``None`` where that needs other foods or does not work."""
-        script = self.derive(candidate)
-        if not script:
-            return None
-        line = food_lines(script, self.kitchen).get(candidate.label)
-        if line is None:
-            return None
-        cast = self.equivalents.recast(want, candidate.label, [candidate.state], line.made_by)
-        if cast is None or not self._leaves_stand(line, cast[0]):
-            return None
-        casting = self._casting_of(script, candidate.label, cast[0])
-        return self._prepared(want, candidate, script, casting, want.state)
-
-    def _prepared(
-        self, want: RequiredIngredient, candidate: Candidate, script: Sequence[KnownUnit], casting: Casting, state: str
-    ) -> Preparation | None:
-        """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
-        replayed = replay(Script.of(script, self.kitchen), casting)
-        targets = [
-            node
-            for node in script[-1].unit.output_nodes
-            if node.label == candidate.label and candidate.state in node.states
-        ]
-        item = replayed.items.get(targets[0]) if targets else None
-        if item is None or item.node.label != want.object or state not in item.node.states:
-            return None
-        steps = _needed(replayed.steps, item.node)
-        return Preparation(want, item.node, tuple(steps), casting, candidate.confidence) if steps else None
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
         """Answer the places where ``want`` may join, best first.
@@ -363,34 +273,8 @@ class _Party:
         self.left_open.discard(addition.place)
 
 
-def is_whole(state: str) -> bool:
-    """Say whether a food asked in ``state`` is asked whole (sense, S3)."""
-    return "whole" in state.split()
-
-
 def _item(addition: Addition) -> Item:
     return Item(addition.node, frozenset({("", addition.want.object)}))
-
-
-def _shows(want: RequiredIngredient, steps: Sequence[Step]) -> bool:
-    return any(
-        node.label == want.object and want.state in node.states
-        for step in steps
-        for node in (*step.input_nodes, *step.output_nodes)
-    )
-
-
-def _needed(steps: Sequence[Step], goal: ObjectNode) -> list[Step]:
-    """Answer the steps that lead to ``goal``, in their order: from the last that makes it, backwards."""
-    wanted = {goal}
-    kept: list[Step] = []
-    for step in reversed(steps):
-        made = wanted & set(step.output_nodes) - set(step.input_nodes)
-        if made:
-            kept.append(step)
-            wanted -= made
-            wanted |= set(step.input_nodes)
-    return kept[::-1]
 
 
 def _once(steps: Sequence[tuple[Step, Casting]]) -> Iterator[tuple[Step, Casting]]:

@@ -116,8 +116,18 @@ def _substitutions(tree: FinalTree, equivalents: Equivalents) -> Iterator[Substi
             sure = equivalents.state_confidence(food, required, known)
             yield Substitution("state", food, required, known, round(sure, 4), _others(options, known))
         else:
-            options = equivalents.motions_like(required)
-            yield Substitution("motion", food, required, known, _confidence(options, required), _others(options, known))
+            made = next(s for _, c in tree.steps for s in _states_made_by(c, food, known, required))
+            options = equivalents.motions_like(made)
+            yield Substitution(
+                "motion", food, required, known, _confidence(options, required), _others(options, required)
+            )
+
+
+def _states_made_by(casting: Casting, food: str, known: str, required: str) -> Iterator[str]:
+    """Answer the states for whose sake the motion ``required`` stands for ``known``."""
+    for recast in casting.foods.values():
+        if recast is not None and recast.label == food and recast.motions.get(known) == required:
+            yield from recast.states.values()
 
 
 def _confidence(options: Sequence[tuple[str, float]], name: str) -> float:

@@ -18,6 +18,7 @@ from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import KnowledgeView, Vocabulary
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result, with_progress
+from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
@@ -165,6 +166,7 @@ class _Question:
         self.kitchen = planner.settings.kitchen
         self.wants = _wants(recipe)
         self.vocabulary = planner.vocabulary
+        self._made_in: tuple[_Workshop, Preparations] | None = None
         self.equivalents = Equivalents(self.vocabulary, self.kitchen, planner.likeness, state_similarity)
 
     def answer(self) -> PlanResult:
@@ -222,7 +224,9 @@ class _Question:
     def _for_goal(self, ranked: RankedGoal, workshop: _Workshop) -> PlanResult:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
-        tree = Integration(reference.units, goal, self.wants, self.equivalents, self.kitchen, workshop.derive).run()
+        tree = Integration(
+            reference.units, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
+        ).run()
         if not tree.steps:
             raise NoTreeError(
                 f"nothing of {goal.label} is left for these ingredients",
@@ -231,6 +235,11 @@ class _Question:
             )
         summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
         return plan_result(self.recipe, tree, reference.units, summary, self.equivalents, self.kitchen)
+
+    def _preparations(self, workshop: _Workshop) -> Preparations:
+        if self._made_in is None or self._made_in[0] is not workshop:
+            self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive))
+        return self._made_in[1]
 
     def _faults(self, result: PlanResult, workshop: _Workshop) -> tuple[int, int]:
         """Answer how many rules of the contract and how many measures of sense the judge finds broken."""

@@ -57,7 +57,10 @@ class Item:
 
 @dataclass(frozen=True)
 class Step:
-    """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here."""
+    """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here.
+
+    ``strained`` says that something is taken in a state in which the unit of the script does not know it.
+    """
 
     place: int
     known: KnownUnit
@@ -66,6 +69,7 @@ class Step:
     output_nodes: tuple[ObjectNode, ...]
     added: tuple[ObjectNode, ...] = ()
     moving: frozenset[ObjectNode] = frozenset()
+    strained: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -395,7 +399,14 @@ class _Stage:
         participants = (*known.unit.inputs, *known.unit.outputs)
         moving = {there[p.node].node for p in participants if p.moving and p.node in there}
         motion = self._motion(known.unit.motion, here)
-        return Step(place, known, tuple(inputs), motion, tuple(outputs), added, frozenset(moving.union(added)))
+        strained = any(self._is_strange(node, item) for node, item in here.present.items() if node not in untouched)
+        return Step(
+            place, known, tuple(inputs), motion, tuple(outputs), added, frozenset(moving.union(added)), strained
+        )
+
+    def _is_strange(self, node: ObjectNode, item: Item) -> bool:
+        states = self._recast(node, ()).states
+        return bool((set(states) ^ set(item.node.states)) - {EMPTY}) or _spot(node) != _spot(item.node)
 
     def _put_down(
         self, here: _Moment, made: Mapping[ObjectNode, Item | None], untouched: set[ObjectNode]

@@ -1,0 +1,164 @@
+"""Foods made apart: the own subtree of a required food, or that of its equivalent (paper, algorithm 4).
+
+A food in a processed state is made as FOON makes it, or as FOON makes a fair equivalent. A food asked whole is
+cracked, peeled, opened or cut before it joins others, where FOON knows how. Other foods of such a subtree (the oil in
+which the bacon is fried) are left out: nobody asked for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from foon_kg.kitchen import Kitchen
+from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
+from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
+from foon_kg.replay import Casting, Recast, Script, Step, replay
+from foon_kg.substitution import Candidate, Equivalents
+
+Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
+"""Answers the units, in order, that make a food in a state (the last one outputs it), or ``None``."""
+
+
+@dataclass(frozen=True)
+class Preparation:
+    """A required food made apart: its steps, the casting they are played with, and the node that is ready.
+
+    ``confidence`` is that of the equivalent. ``strained`` counts the steps that take something in a state that FOON does
+    not know there, or something that an earlier step took away.
+    """
+
+    want: RequiredIngredient
+    node: ObjectNode
+    steps: tuple[Step, ...]
+    casting: Casting
+    confidence: float
+    strained: int
+
+
+@dataclass(frozen=True)
+class Preparations:
+    """The ways to have the foods of one recipe ready; each is worked out once."""
+
+    equivalents: Equivalents
+    kitchen: Kitchen
+    derive: Derive
+    _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
+
+    def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
+        """Answer the ways to make ``want``, best first: without strain before strained, then surest, then shortest."""
+        if want not in self._made:
+            if not self.kitchen.is_start_state(want.object, want.state):
+                found = list(self._processed(want))
+            elif is_whole(want.state):
+                found = list(self._opened(want))
+            else:
+                found = []
+            self._made[want] = tuple(sorted(found, key=_rank))
+        return self._made[want]
+
+    def forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
+        """Answer what can join a tree as ``want``, best first; last the bare food as it is sold, or is assumed to be."""
+        for preparation in self.of(want):
+            yield preparation.node, preparation
+        yield ObjectNode(want.object, (want.state,)), None
+
+    def leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
+        """Say whether every leaf of ``line`` is at hand under its new name (contract, C6)."""
+        return all(
+            self.kitchen.is_start_state(recast.label, state) for node in line.leaves for state in recast.states_of(node)
+        ) and not any(self.kitchen.is_mixture(node) for node in line.leaves)
+
+    def _processed(self, want: RequiredIngredient) -> Iterator[Preparation]:
+        for candidate in self.equivalents.candidates(want):
+            script = self.derive(candidate)
+            line = food_lines(script, self.kitchen).get(candidate.label) if script else None
+            if not script or line is None:
+                continue
+            cast = self.equivalents.recast(want, candidate.label, [candidate.state], line.made_by)
+            if cast is not None and self.leaves_stand(line, cast[0]):
+                yield from self._executed(want, want.state, candidate, script, cast[0])
+
+    def _opened(self, want: RequiredIngredient) -> Iterator[Preparation]:
+        for state in self.equivalents.states_known(want.object):
+            if self.kitchen.is_start_state(want.object, state):
+                continue
+            script = self.derive(Candidate(want.object, state, 1.0, 1.0))
+            if not script or not any(opens_food(want.object, known) for known in script):
+                continue
+            line = food_lines(script, self.kitchen).get(want.object)
+            if line is None:
+                continue
+            starts = {start for node in line.leaves for start in node.states}
+            cast = self.equivalents.recast(want, want.object, starts, ())
+            if cast is not None and self.leaves_stand(line, cast[0]):
+                candidate = Candidate(want.object, state, 1.0, cast[1])
+                prepared = self._executed(want, state, candidate, script, cast[0])
+                yield from (preparation for preparation in prepared if shows(want, preparation.steps))
+
+    def _executed(
+        self, want: RequiredIngredient, state: str, candidate: Candidate, script: Sequence[KnownUnit], recast: Recast
+    ) -> Iterator[Preparation]:
+        """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
+        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
+        dropped: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
+        casting = Casting(dropped | {candidate.label: recast})
+        replayed = replay(Script.of(script, self.kitchen), casting)
+        for target in script[-1].unit.output_nodes:
+            item = replayed.items.get(target)
+            if target.label != candidate.label or candidate.state not in target.states or item is None:
+                continue
+            steps = tuple(needed(replayed.steps, item.node))
+            if steps and item.node.label == want.object and state in item.node.states:
+                yield Preparation(want, item.node, steps, casting, candidate.confidence, strain(steps, self.kitchen))
+                return
+
+
+def _rank(preparation: Preparation) -> tuple[object, ...]:
+    return (
+        preparation.strained > 0,
+        -round(preparation.confidence, 4),
+        len(preparation.steps),
+        preparation.node.sort_key,
+        [step.known.unit.key for step in preparation.steps],
+    )
+
+
+def is_whole(state: str) -> bool:
+    """Say whether a food asked in ``state`` is asked whole (sense, S3)."""
+    return "whole" in state.split()
+
+
+def shows(want: RequiredIngredient, steps: Sequence[Step]) -> bool:
+    """Say whether a node of ``steps`` is the wanted food in the wanted state."""
+    return any(
+        node.label == want.object and want.state in node.states
+        for step in steps
+        for node in (*step.input_nodes, *step.output_nodes)
+    )
+
+
+def needed(steps: Sequence[Step], goal: ObjectNode) -> list[Step]:
+    """Answer the steps that lead to ``goal``, in their order: from the last that makes it, backwards."""
+    wanted = {goal}
+    kept: list[Step] = []
+    for step in reversed(steps):
+        made = wanted & set(step.output_nodes) - set(step.input_nodes)
+        if made:
+            kept.append(step)
+            wanted -= made
+            wanted |= set(step.input_nodes)
+    return kept[::-1]
+
+
+def strain(steps: Sequence[Step], kitchen: Kitchen) -> int:
+    """Count the steps that do not happen as FOON knows them: see :class:`Preparation`."""
+    taken: set[ObjectNode] = set()
+    count = 0
+    for step in steps:
+        holds_food = [node for node in step.input_nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
+        count += step.strained or not taken.isdisjoint(holds_food)
+        left = {node.label for node in step.output_nodes}
+        taken |= {node for node in holds_food if node.label in left and node not in step.output_nodes}
+        taken -= set(step.output_nodes)
+    return count
