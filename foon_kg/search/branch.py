@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import time
 from abc import ABC, abstractmethod
 from collections.abc import Hashable
 from dataclasses import dataclass, field
 
 from foon_kg.search.core import bits_of
 from foon_kg.search.cuts import cut_bound
+from foon_kg.search.deadline import Deadline
 from foon_kg.search.partial import Partial
 from foon_kg.search.problem import Bound, weakest
 from foon_kg.search.reduction import Reduced, Value, value_of
@@ -25,7 +25,7 @@ class Search(ABC):
 
     reduced: Reduced
     best: int
-    deadline: float | None = None
+    deadline: Deadline
     untried: list[Partial] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -39,7 +39,7 @@ class Search(ABC):
         choice, core = self.reduced.choice, self.reduced.core
         tried = 0
         while self.untried and not self.is_proven():
-            if tried == patience or (tried % _CLOCK_EVERY == 0 and self.is_late()):
+            if tried == patience or (tried % _CLOCK_EVERY == 0 and self.deadline.has_passed()):
                 return False
             tried += 1
             partial = choice.forced(self.untried.pop())
@@ -55,10 +55,6 @@ class Search(ABC):
                 ordered = sorted(options[node], key=lambda step: self._promise(step, outlook), reverse=True)
                 self.untried += [partial.take(core, node, step) for step in ordered]
         return True
-
-    def is_late(self) -> bool:
-        """Whether the deadline has passed."""
-        return self.deadline is not None and time.monotonic() > self.deadline
 
     def bound(self) -> Bound:
         """Answer what no tree can be better than: the best found, or anything still to be tried."""
@@ -171,7 +167,7 @@ class UnitSearch(Search):
     seen: dict[Hashable, tuple[int, int]] = field(default_factory=dict)
 
     @classmethod
-    def from_tree(cls, reduced: Reduced, best: int, deadline: float | None) -> UnitSearch:
+    def from_tree(cls, reduced: Reduced, best: int, deadline: Deadline) -> UnitSearch:
         """Answer a search among what may be in a tree no longer than ``best``."""
         less = reduced.without_longer_than(reduced.core.units_in(best))
         return cls(less, reduced.core.translated(best, less.core), deadline)

@@ -6,27 +6,42 @@ always the exact answer.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from foon_kg.search.core import Core, bits_of
 from foon_kg.search.cuts import CutBound, Web, cut_bound, heights
+from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import chain, cheapest_first
 from foon_kg.search.landmarks import landmarks_of
 from foon_kg.search.partial import Choice, Partial
 
 
-def within_least_penalty(core: Core) -> tuple[int, list[int]] | None:
-    """Answer the least gap penalty of any tree and the steps that such trees may have; ``None`` without a tree."""
+@dataclass(frozen=True)
+class LeastPenalty:
+    """The least gap ``penalty`` of any tree, and the ``steps`` that such trees may have.
+
+    Where the time was too short it is the least found, and ``at_least`` is what is proven.
+    """
+
+    penalty: int
+    at_least: int
+    steps: list[int]
+
+
+def within_least_penalty(core: Core, deadline: Deadline) -> LeastPenalty | None:
+    """Find the least gap penalty of any tree that makes the goal; ``None`` where nothing makes it."""
     order, made = chain(core, range(len(core.gap_nodes), core.step_count))
     if made[core.goal]:
-        return 0, order
+        return LeastPenalty(0, 0, order)
     needy = _needy(core, made)
     order, reached = chain(needy)
     if not reached[needy.goal]:
         return None
-    penalty, part, cuts = _least(needy.only(reachable(needy, order)))
-    return penalty, _kept(core, made, part, cuts, penalty)
+    penalty, part, cuts = _least(needy.only(reachable(needy, order)), deadline)
+    at_least = penalty if not deadline.has_passed() else cuts.bound
+    return LeastPenalty(penalty, at_least, _kept(core, made, part, cuts, penalty))
 
 
 def _kept(core: Core, made: list[bool], part: Core, cuts: CutBound, penalty: int) -> list[int]:
@@ -55,7 +70,7 @@ def _needy(core: Core, made: list[bool]) -> Core:
     return part.only(reachable(part, needy))
 
 
-def _least(core: Core) -> tuple[int, Core, CutBound]:
+def _least(core: Core, deadline: Deadline) -> tuple[int, Core, CutBound]:
     """Answer the least penalty, and cuts for what of ``core`` may be in a tree of that penalty."""
     best = core.penalty_of(cheapest_first(core))
     while True:
@@ -64,8 +79,8 @@ def _least(core: Core) -> tuple[int, Core, CutBound]:
         if cuts.bound == best:
             return best, core, cuts
         if len(kept) == core.step_count:
-            best = _proven(core, best, cuts)
-            return best, *_sharpened(core, best)
+            best = _proven(core, best, cuts, deadline)
+            return (best, core, cuts) if deadline.has_passed() else (best, *_sharpened(core, best))
         core = core.only(kept)
         best = min(best, core.penalty_of(cheapest_first(core)))
 
@@ -93,14 +108,17 @@ def _cuts(web: Web, weights: list[int]) -> CutBound:
     return cuts
 
 
-def _proven(core: Core, best: int, cuts: CutBound) -> int:
-    """Answer the least penalty, at most ``best``, by branch and bound with LM-cut at every tree."""
+def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
+    """Answer the least penalty, at most ``best``, by branch and bound with LM-cut at every tree.
+
+    It is the least found where the deadline passes.
+    """
     order, _ = chain(core)
     landmarks = landmarks_of(core, order)
     web, weights = Web.of(core), _weights(core)
     choice = Choice(core, web.makers, landmarks.nodes_of_step)
     stack = [choice.start()]
-    while stack and best > cuts.bound:
+    while stack and best > cuts.bound and not deadline.has_passed():
         partial = choice.forced(stack.pop())
         if partial is None or _outlook(web, weights, partial) >= best:
             continue
@@ -119,7 +137,7 @@ def _outlook(web: Web, weights: list[int], partial: Partial) -> float:
     for step in bits_of(partial.chosen):
         left[step] = 0
     cuts = cut_bound(web, left, partial.waiting, list(bits_of(partial.decided)))
-    return float("inf") if cuts is None else web.core.penalty_of(partial.chosen) + cuts.bound
+    return math.inf if cuts is None else web.core.penalty_of(partial.chosen) + cuts.bound
 
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 from foon_kg.model import ObjectNode
 from foon_kg.search.branch import OverlapSearch, UnitSearch
 from foon_kg.search.core import Core, bits_of, core_behind
+from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import cheapest_first
 from foon_kg.search.missing import no_way
 from foon_kg.search.penalty import within_least_penalty
@@ -33,7 +33,7 @@ def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> Refer
 
     Raises NoWayError when nothing makes any target, naming the missing nodes nearest to it first.
     """
-    deadline = None if time_limit is None else time.monotonic() + time_limit
+    deadline = Deadline.after(time_limit)
     targets = sorted(set(problem.targets), key=lambda node: node.sort_key)
     trees = [tree for target in targets if (tree := _tree_of(problem, target, deadline)) is not None]
     if not trees:
@@ -45,20 +45,23 @@ def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> Refer
     return replace(best, exact=False, bound=weakest([*bounds, _bound_of(best)]))
 
 
-def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: float | None) -> ReferenceTree | None:
+def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: Deadline) -> ReferenceTree | None:
     if target in problem.available:
         return ReferenceTree(target, (), (), penalty=0, covered=(), exact=True)
     number = problem.index.number_of.get(target)
     if number is None:
         return None
     core = core_behind(problem, number)
-    within = within_least_penalty(core)
-    if within is None:
+    least = within_least_penalty(core, deadline)
+    if least is None:
         return None
-    return _as_tree(problem, *_best_steps(Reduced.of(core, *within), deadline))
+    part, steps, bound = _best_steps(Reduced.of(core, least.penalty, least.steps), deadline)
+    if least.at_least < least.penalty:  # nothing is proven but that
+        bound = Bound(least.at_least, len(set(problem.wanted.values())), units=1)
+    return _as_tree(problem, part, steps, bound)
 
 
-def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[Core, int, Bound | None]:
+def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound | None]:
     """Answer the best tree as a set of steps of a core, and what is proven where that is not that it is the best."""
     first = cheapest_first(reduced.core)
     widest = OverlapSearch(reduced, first, deadline)
@@ -69,7 +72,7 @@ def _best_steps(reduced: Reduced, deadline: float | None) -> tuple[Core, int, Bo
         length = search.value[2]
         if search.run(patience):
             return search.reduced.core, search.best, None
-        if search.is_late():
+        if deadline.has_passed():
             return search.reduced.core, search.best, search.bound()
         patience *= 2
         if search.value[2] < length:  # a shorter tree rules more out: worth starting again with less
