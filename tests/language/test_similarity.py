@@ -147,3 +147,20 @@ def test_vectors_of_a_pipeline_that_is_not_there_are_a_usage_error_that_says_wha
     with pytest.raises(UsageError) as caught:
         spacy_similarity("no_such_pipeline")
     assert caught.value.hint
+
+
+def test_a_spacy_pipeline_answers_the_cosine_of_its_vectors(tmp_path):
+    spacy = pytest.importorskip("spacy", reason="the extra 'vectors' is not installed: pip install 'foon-kg[vectors]'")
+    pipeline = spacy.blank("en")
+    for word, vector in {"caper": (1, 0), "olive": (3, 4), "brick": (-1, 0)}.items():
+        pipeline.vocab.set_vector(word, np.array(vector, dtype=np.float32))
+    pipeline.to_disk(tmp_path / "tiny")
+    row = spacy_similarity(str(tmp_path / "tiny")).matrix(["caper"], ["olive", "brick", "xyzzy", "capers"])[0]
+    np.testing.assert_allclose(row, [0.6, 0, 0, 1], atol=1e-6)
+
+
+def test_a_spacy_pipeline_without_vectors_is_a_usage_error(tmp_path):
+    spacy = pytest.importorskip("spacy", reason="the extra 'vectors' is not installed: pip install 'foon-kg[vectors]'")
+    spacy.blank("en").to_disk(tmp_path / "empty")
+    with pytest.raises(UsageError, match="no word vectors"):
+        spacy_similarity(str(tmp_path / "empty"))
