@@ -34,8 +34,8 @@ def rank_goals(
     """Answer ``goals`` from the most to the least like the recipe.
 
     The order is: truly named before misnamed, then score (in hundredths), then fewer ingredients that nobody
-    asked for, then the goal's node. The paper counts pairs above a threshold (:func:`foon_kg.similarity.count_similar`);
-    a matching counts each food once.
+    asked for, then the goal's node. The paper counts pairs above a threshold (``similarity.count_similar``); a matching
+    counts each food once.
     """
     objects = sorted({want.object for want in wants})
     ranked = [

@@ -18,7 +18,8 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
-from foon_kg.replay import Casting, Item, Recast, Replayed, Script, Step, replay
+from foon_kg.replay import replay
+from foon_kg.script import Casting, Item, Recast, Replayed, Script, Step
 from foon_kg.substitution import FAIR, Equivalents
 
 
@@ -65,10 +66,7 @@ class Integration:
         casting = self._casting(lines, played)
         casting, played = self._keep_what_arrives(casting, lines, played)
         party = _Party(casting, lines)
-        missing = []
-        for want in self.wants:
-            if want not in played and not self._add(want, party):
-                missing.append(want)
+        missing = [want for want in self.wants if want not in played and not self._add(want, party)]
         additions = party.additions
         casting = self._carry(casting, additions)
         return self._finish(casting, played, additions, missing)
@@ -104,7 +102,7 @@ class Integration:
         sold = self.kitchen.is_start_state(want.object, want.state)
         if sold and is_whole(want.state) and not line.opened and self._can_be_opened(want):
             return None
-        return self.equivalents.recast(want, line.label, line.states if sold else line.at_join, line.made_by)
+        return self.equivalents.recast(want, line.states if sold else line.at_join, line.made_by)
 
     def _is_made_better(self, want: RequiredIngredient, confidence: float) -> bool:
         """Say whether FOON makes a processed food apart in a way that is surer than a renamed line of the reference."""
@@ -120,7 +118,7 @@ class Integration:
     ) -> Casting:
         names = {*lines, *held_names(self.script, self.kitchen)}
         foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
-        foods |= {label: recast for label, recast in played.values()}
+        foods |= dict(played.values())
         return Casting(foods)
 
     def _keep_what_arrives(

@@ -9,26 +9,36 @@ from __future__ import annotations
 import re
 from functools import cache
 
-ACCEPTS_ANY = frozenset(
-    "add beat blend combine drop fill mix place pour put scoop shake sprinkle stir toss whisk".split()
-)
+_WORD = re.compile(r"[^\W\d_]+")
+
+
+def _all(text: str) -> frozenset[str]:
+    return frozenset(_WORD.findall(text))
+
+
+ACCEPTS_ANY = _all("add beat blend combine drop fill mix place pour put scoop shake sprinkle stir toss whisk")
 """Words of motions into which any number of foods may enter (contract, C8)."""
 
-MIXES = frozenset("beat blend combine fold knead mash mix shake stir swirl toss whip whisk".split())
-HEATS = frozenset(
-    "bake barbecue boil broil brown cook fry grill heat melt microwave pan poach preheat reduce roast saute "
-    "sauté sear simmer steam toast warm".split()
-)
-TRANSFERS = frozenset(
-    "add drip drizzle drop dump empty fill garnish insert move pick place pour put scoop scrape spoon sprinkle squeeze "
-    "transfer".split()
-)
-OPENS = frozenset(
-    "break chop core crack cube cut dice grate halve hull julienne mince open peel pit quarter remove shave shred slice "
-    "slit split trim".split()
-)
+MIXES = _all("beat blend combine fold knead mash mix shake stir swirl toss whip whisk")
+"""Words of motions that make one thing of several."""
 
-_WORD = re.compile(r"[^\W\d_]+")
+HEATS = _all(
+    "bake barbecue boil broil brown cook fry grill heat melt microwave poach preheat reduce roast saute "
+    "sauté sear simmer steam toast warm "
+)
+"""Words of motions that cook what they act on."""
+
+TRANSFERS = _all(
+    "add drip drizzle drop dump empty fill garnish insert move pick place pour put scoop scrape spoon "
+    "sprinkle squeeze transfer "
+)
+"""Words of motions that bring something from one place to another."""
+
+OPENS = _all(
+    "break chop core crack cube cut dice grate halve hull julienne mince open peel pit quarter remove "
+    "shave shred slice slit split trim "
+)
+"""Words of motions that open a whole food: crack, peel or cut it."""
 
 
 @cache

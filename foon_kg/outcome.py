@@ -9,8 +9,8 @@ from foon_kg.integration import FinalTree
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode, Recipe
 from foon_kg.progress import progress_lines
-from foon_kg.replay import Casting, Recast, Step
 from foon_kg.result import Alternative, Assumption, Origin, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.script import Casting, Recast, Step
 from foon_kg.substitution import FAIR, Equivalents
 
 MOST_ALTERNATIVES = 3
@@ -21,6 +21,7 @@ def plan_result(
     tree: FinalTree,
     script: Sequence[KnownUnit],
     summary: ReferenceSummary,
+    *,
     equivalents: Equivalents,
     kitchen: Kitchen,
 ) -> PlanResult:

@@ -56,13 +56,13 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     """Answer the task tree that makes ``recipe``.
 
     Raises :class:`UsageError` for a recipe without ingredients or with an unknown dish type, and
-    :class:`NoTreeError` where the FOON has no way to make it; its code says why: ``no-goal``, ``no-way`` or ``left-out``.
+    :class:`NoTreeError` where the FOON has no way to make it; the code is ``no-goal``, ``no-way`` or ``left-out``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
 
 
 def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNode], int | None]:
-    """Answer what it costs a search among ``units`` to take a node that is not at hand: odd places least, mixtures most."""
+    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most."""
     made = {node for known in units for node in known.unit.output_nodes}
     mixtures = {node.label for node in made if kitchen.is_food(node) and kitchen.is_mixture(node)}
 
@@ -234,7 +234,9 @@ class _Question:
                 hint="Ask for another dish type, or add an ingredient that such a dish has.",
             )
         summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
-        return plan_result(self.recipe, tree, reference.units, summary, self.equivalents, self.kitchen)
+        return plan_result(
+            self.recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen
+        )
 
     def _preparations(self, workshop: _Workshop) -> Preparations:
         if self._made_in is None or self._made_in[0] is not workshop:
@@ -257,7 +259,7 @@ class _Question:
 
 
 def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
-    """The distinct required foods in the order of the recipe: a food asked twice in one state is one food."""
+    """Answer the distinct required foods in the order of the recipe: asked twice in one state is asked once."""
     wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")

@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
-from foon_kg.replay import Casting, Recast, Script, Step, replay
+from foon_kg.replay import replay
+from foon_kg.script import Casting, Recast, Script, Step
 from foon_kg.substitution import Candidate, Equivalents
 
 Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
@@ -24,8 +25,8 @@ Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
 class Preparation:
     """A required food made apart: its steps, the casting they are played with, and the node that is ready.
 
-    ``confidence`` is that of the equivalent. ``strained`` counts the steps that take something in a state that FOON does
-    not know there, or something that an earlier step took away.
+    ``confidence`` is that of the equivalent. ``strained`` counts the steps that take something in a state that FOON
+    does not know there, or something that an earlier step took away.
     """
 
     want: RequiredIngredient
@@ -58,7 +59,7 @@ class Preparations:
         return self._made[want]
 
     def forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
-        """Answer what can join a tree as ``want``, best first; last the bare food as it is sold, or is assumed to be."""
+        """Answer what can join a tree as ``want``, best first; last the bare food, as it is sold or assumed to be."""
         for preparation in self.of(want):
             yield preparation.node, preparation
         yield ObjectNode(want.object, (want.state,)), None
@@ -75,7 +76,7 @@ class Preparations:
             line = food_lines(script, self.kitchen).get(candidate.label) if script else None
             if not script or line is None:
                 continue
-            cast = self.equivalents.recast(want, candidate.label, [candidate.state], line.made_by)
+            cast = self.equivalents.recast(want, [candidate.state], line.made_by)
             if cast is not None and self.leaves_stand(line, cast[0]):
                 yield from self._executed(want, want.state, candidate, script, cast[0])
 
@@ -90,7 +91,7 @@ class Preparations:
             if line is None:
                 continue
             starts = {start for node in line.leaves for start in node.states}
-            cast = self.equivalents.recast(want, want.object, starts, ())
+            cast = self.equivalents.recast(want, starts, ())
             if cast is not None and self.leaves_stand(line, cast[0]):
                 candidate = Candidate(want.object, state, 1.0, cast[1])
                 prepared = self._executed(want, state, candidate, script, cast[0])

@@ -10,136 +10,12 @@ holds them. Removing, renaming and adding are therefore consistent by constructi
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.model import KnownUnit, ObjectNode
-
-EMPTY = "empty"
-"""The state of a vessel out of which everything was taken."""
-
-Atom = tuple[str, str]
-"""A food inside a node: its name in the script (``""`` for one that was added) and its name now."""
-
-
-@dataclass(frozen=True)
-class Recast:
-    """How a food of the script appears now: under another label, in other states, by other motions.
-
-    ``states`` maps a state of the script to the state now; the key ``""`` gives a state to nodes that name none.
-    """
-
-    label: str
-    states: Mapping[str, str] = field(default_factory=dict)
-    motions: Mapping[str, str] = field(default_factory=dict)
-
-    def states_of(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the states in which ``node`` appears now."""
-        if not node.states and "" in self.states:
-            return (self.states[""],)
-        return tuple(self.states.get(state, state) for state in node.states)
-
-
-@dataclass(frozen=True)
-class Item:
-    """What a node of the script has become: the current node and the foods inside it."""
-
-    node: ObjectNode
-    atoms: frozenset[Atom] = frozenset()
-
-    @property
-    def added(self) -> frozenset[Atom]:
-        """The foods in it that the script knows nothing of."""
-        return frozenset(atom for atom in self.atoms if not atom[0])
-
-
-@dataclass(frozen=True)
-class Step:
-    """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here.
-
-    ``strained`` says that something is taken in a state in which the unit of the script does not know it.
-    """
-
-    place: int
-    known: KnownUnit
-    input_nodes: tuple[ObjectNode, ...]
-    motion: str
-    output_nodes: tuple[ObjectNode, ...]
-    added: tuple[ObjectNode, ...] = ()
-    moving: frozenset[ObjectNode] = frozenset()
-    strained: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Scene:
-    """One unit of a script with what does not change from one replay to the next."""
-
-    known: KnownUnit
-    inputs: tuple[ObjectNode, ...]
-    outputs: tuple[ObjectNode, ...]
-    kept: frozenset[ObjectNode]
-    written: frozenset[str]
-    beside: frozenset[str]
-    acted: tuple[ObjectNode, ...]
-    holders: tuple[ObjectNode, ...]
-    turned: tuple[ObjectNode, ...]
-    has_foods: bool
-
-    @classmethod
-    def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
-        """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does."""
-        unit = known.unit
-        inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
-        foods = tuple(node for node in inputs if kitchen.is_food(node))
-        utensils = [node for node in inputs if not kitchen.is_food(node)]
-        return cls(
-            known,
-            inputs,
-            outputs,
-            kept,
-            written=frozenset(name for node in inputs for name in (node.label, *node.ingredients)),
-            beside=frozenset(node.label for node in foods),
-            acted=tuple(node for node in foods if node not in kept),
-            holders=tuple(node for node in utensils if node.ingredients and node not in kept),
-            turned=tuple(node for node in utensils if _is_turned(node, outputs)),
-            has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
-        )
-
-
-@dataclass(frozen=True, eq=False)
-class Script:
-    """The units of a task tree in their order, read once so that they can be replayed many times."""
-
-    scenes: tuple[Scene, ...]
-    kitchen: Kitchen
-
-    @classmethod
-    def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen) -> Script:
-        """Read ``units``, which are in the order of execution."""
-        return cls(tuple(Scene.of(known, kitchen) for known in units), kitchen)
-
-
-@dataclass(frozen=True)
-class Casting:
-    """Who plays in a script: recast foods, dropped foods (``None``); a label not named stays as it is.
-
-    ``cut`` names foods that are at hand although the script makes them: their makers are not run.
-    ``carried`` names foods (as they are called now) that every mixture must name, where the script forgets them.
-    """
-
-    foods: Mapping[str, Recast | None] = field(default_factory=dict)
-    cut: frozenset[str] = frozenset()
-    carried: frozenset[str] = frozenset()
-
-
-@dataclass(frozen=True)
-class Replayed:
-    """A script as it was executed: the steps that do something, and what every node has become."""
-
-    steps: tuple[Step, ...]
-    items: Mapping[ObjectNode, Item | None]
+from foon_kg.model import ObjectNode
+from foon_kg.script import EMPTY, Atom, Casting, Item, Replayed, Scene, Script, Step, changed, emptied, spot_of
 
 
 def replay(script: Script, casting: Casting, additions: Mapping[int, Sequence[Item]] | None = None) -> Replayed:
@@ -242,8 +118,8 @@ class _Stage:
             if not atoms and self.kitchen.is_storage(node.label):
                 return None
             if not self.kitchen.is_storage(node.label) and not set(self.kitchen.foods_in(node)) <= beside:
-                return Item(_emptied(node))  # nobody filled it, so it is taken empty
-            return Item(_with(node, ingredients=names), frozenset(atoms)) if atoms else Item(_emptied(node))
+                return Item(emptied(node))  # nobody filled it, so it is taken empty
+            return Item(changed(node, ingredients=names), frozenset(atoms)) if atoms else Item(emptied(node))
         self.leaf_foods.add(node.label)
         if self._name_now(node.label) is None:
             return None
@@ -259,8 +135,8 @@ class _Stage:
     def _recast(self, node: ObjectNode, ingredients: Iterable[str]) -> ObjectNode:
         recast = self.casting.foods.get(node.label)
         if recast is None:
-            return _with(node, ingredients=ingredients)
-        return _with(node, label=recast.label, states=recast.states_of(node), ingredients=ingredients)
+            return changed(node, ingredients=ingredients)
+        return changed(node, label=recast.label, states=recast.states_of(node), ingredients=ingredients)
 
     # ---- does it happen
 
@@ -312,7 +188,7 @@ class _Stage:
         if not sources:
             return None
         atoms = frozenset().union(*(item.atoms for item in sources))
-        current = _with(node, ingredients=self._listed(node, atoms, here))
+        current = changed(node, ingredients=self._listed(node, atoms, here))
         return Item(current, atoms | {(node.label, node.label)})
 
     def _was_input(self, label: str, here: _Moment) -> bool:
@@ -330,7 +206,7 @@ class _Stage:
         own = {(node.label, min(names))}
         current = self._recast(node, self._listed(node, atoms - own, here))
         if current.label not in names:
-            current = _with(current, label=min(names))
+            current = changed(current, label=min(names))
         return Item(current, atoms | own)
 
     def _is_mixed(self, node: ObjectNode, here: _Moment) -> bool:
@@ -339,7 +215,7 @@ class _Stage:
         return not set(node.ingredients) <= before
 
     def _sources(self, node: ObjectNode, here: _Moment) -> list[Item]:
-        """The inputs that go into a mixture: what is acted on, and the vessels that hold it."""
+        """Answer the inputs that go into a mixture: what is acted on, and the vessels that hold it."""
         foods = [item for n, item in here.present.items() if self._is_food(n) and n not in here.scene.kept]
         holders = [item for n, item in here.present.items() if not self._is_food(n) and n.ingredients and item.atoms]
         if not foods and not holders:
@@ -351,13 +227,13 @@ class _Stage:
         return [*(relevant or [*foods, *holders]), *here.added]
 
     def _listed(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
-        """The ingredients that a food names now: those it named, those that joined, those it must carry."""
+        """Answer the ingredients that a food names now: those it named, those that joined, those it must carry."""
         names = self._named(node, atoms, here) | {now for name, now in atoms if not name}
         names |= {now for _, now in atoms if now in self.casting.carried}
         return names - {self._name_now(node.label) or node.label}
 
     def _named(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
-        """The names that ``node`` said and still can say: what the inputs say, or what only the script knew of."""
+        """Answer the names that ``node`` said and still can say: what inputs say, or what only the script knew of."""
         visible, written = here.visible, here.scene.written
         known = {now for name, now in atoms if name in node.ingredients and (now in visible or name not in written)}
         return known | {name for name in node.ingredients if name in visible and self.kitchen.is_utensil(name)}
@@ -376,8 +252,8 @@ class _Stage:
             in_foods = {now for name, _ in own for _, now in foods[name].atoms}
             named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
         if not named:
-            return Item(_emptied(node))
-        return Item(_with(node, ingredients=named), frozenset(inside | kept))
+            return Item(emptied(node))
+        return Item(changed(node, ingredients=named), frozenset(inside | kept))
 
     def _known(self, name: str, here: _Moment) -> bool:
         """Say whether ``name`` is a food of the script by itself, here or in the kitchen: no name of a mixture."""
@@ -406,7 +282,7 @@ class _Stage:
 
     def _is_strange(self, node: ObjectNode, item: Item) -> bool:
         states = self._recast(node, ()).states
-        return bool((set(states) ^ set(item.node.states)) - {EMPTY}) or _spot(node) != _spot(item.node)
+        return bool((set(states) ^ set(item.node.states)) - {EMPTY}) or spot_of(node) != spot_of(item.node)
 
     def _put_down(
         self, here: _Moment, made: Mapping[ObjectNode, Item | None], untouched: set[ObjectNode]
@@ -451,15 +327,6 @@ class _Stage:
         return recast.motions.get(motion, motion) if recast is not None else motion
 
 
-def _is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:
-    """Say whether a unit changes the utensil ``node`` itself (its state or place), not only what it holds."""
-    after = [other for other in outputs if other.label == node.label]
-    plain = {EMPTY}
-    return bool(after) and all(
-        set(other.states) - plain != set(node.states) - plain or _spot(other) != _spot(node) for other in after
-    )
-
-
 class _AsItIs:
     """The mark of a label that the casting does not name."""
 
@@ -467,29 +334,5 @@ class _AsItIs:
 _AS_IT_IS = _AsItIs()
 
 
-def _emptied(node: ObjectNode) -> ObjectNode:
-    return _with(node, states={state for state in node.states if state != EMPTY} | {EMPTY}, ingredients=())
-
-
-def _spot(node: ObjectNode) -> tuple[str | None, str | None]:
-    return (node.relation, node.container)
-
-
 def _place(node: ObjectNode) -> tuple[tuple[str, ...], str | None, str | None]:
     return (node.states, node.relation, node.container)
-
-
-def _with(
-    node: ObjectNode,
-    *,
-    label: str | None = None,
-    states: Iterable[str] | None = None,
-    ingredients: Iterable[str] | None = None,
-) -> ObjectNode:
-    return ObjectNode(
-        node.label if label is None else label,
-        node.states if states is None else tuple(states),
-        node.ingredients if ingredients is None else tuple(ingredients),
-        node.relation,
-        node.container,
-    )

@@ -14,7 +14,7 @@ from functools import cached_property
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import RequiredIngredient
-from foon_kg.replay import Recast
+from foon_kg.script import Recast
 
 FAIR = 0.5
 """An equivalent below this confidence is none (contract, C6 and S5)."""
@@ -77,9 +77,9 @@ class Equivalents:
         return tuple(found[:limit])
 
     def recast(
-        self, want: RequiredIngredient, label: str, states: Iterable[str], made_by: Iterable[tuple[str, str]]
+        self, want: RequiredIngredient, states: Iterable[str], made_by: Iterable[tuple[str, str]]
     ) -> tuple[Recast, float] | None:
-        """Answer how the food ``label``, which passes ``states``, plays ``want``, and how well its states fit (0..1).
+        """Answer how a food that passes ``states`` plays ``want``, and how well its states fit (0..1).
 
         ``made_by`` are the (state, motion) of the line. ``None`` where none of its states can stand for the
         wanted one.

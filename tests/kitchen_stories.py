@@ -57,15 +57,28 @@ CHOP_ONION = (
     "cutting board(empty); onion(whole) > pick-and-place > cutting board{onion}; onion(whole)@on cutting_board",
     "onion(whole)@on cutting_board; knife > chop > onion(chopped)@on cutting_board",
 )
+ADD_TOMATO = (
+    "bowl(empty); cutting board{tomato}; tomato(diced)@on cutting_board"
+    " > pour > bowl{tomato}; tomato(diced)@bowl; cutting board(empty)"
+)
+ADD_ONION = (
+    "bowl{tomato}; cutting board{onion}; onion(chopped)@on cutting_board"
+    " > pour > bowl{onion,tomato}; onion(chopped)@bowl; cutting board(empty)"
+)
+ADD_SALT = (
+    "bowl{onion,tomato}; shaker{salt}; salt(granulated)@shaker"
+    " > sprinkle > bowl{onion,salt,tomato}; salt(granulated)@bowl"
+)
+MIX = (
+    "bowl{onion,salt,tomato}; tomato(diced)@bowl; onion(chopped)@bowl; salt(granulated)@bowl; spoon"
+    " > mix* > bowl{salad}; salad(mixed){onion,salt,tomato}@bowl"
+)
 SALAD = (
     "cutting board(empty); tomato(whole) > pick-and-place > cutting board{tomato}; tomato(whole)@on cutting_board",
     "tomato(whole)@on cutting_board; knife > dice > tomato(diced)@on cutting_board",
-    "bowl(empty); cutting board{tomato}; tomato(diced)@on cutting_board > pour > "
-    "bowl{tomato}; tomato(diced)@bowl; cutting board(empty)",
+    ADD_TOMATO,
     *CHOP_ONION,
-    "bowl{tomato}; cutting board{onion}; onion(chopped)@on cutting_board > pour > "
-    "bowl{onion,tomato}; onion(chopped)@bowl; cutting board(empty)",
-    "bowl{onion,tomato}; shaker{salt}; salt(granulated)@shaker > sprinkle > bowl{onion,salt,tomato}; salt(granulated)@bowl",
-    "bowl{onion,salt,tomato}; tomato(diced)@bowl; onion(chopped)@bowl; salt(granulated)@bowl; spoon > mix* > "
-    "bowl{salad}; salad(mixed){onion,salt,tomato}@bowl",
+    ADD_ONION,
+    ADD_SALT,
+    MIX,
 )

@@ -4,8 +4,8 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, script
 
 from foon_kg.kitchen import Kitchen
-from foon_kg.replay import Casting, Item, Recast, Script
 from foon_kg.replay import replay as replay_script
+from foon_kg.script import Casting, Item, Recast, Script
 
 KITCHEN = Kitchen.default()
 SALAD_MADE = node("salad(mixed){onion,salt,tomato}@bowl")
@@ -110,7 +110,7 @@ def test_a_food_cut_from_its_maker_is_a_leaf(cut):
     units = script(
         "lemon(whole); knife > cut > lemon(halved)",
         "lemon(halved); bowl(empty) > squeeze > bowl{lemon juice}; lemon juice(liquid)@bowl",
-        "glass(empty); bowl{lemon juice}; lemon juice(liquid)@bowl > pour > glass{lemon juice}; lemon juice(liquid)@glass",
+        "glass(empty); bowl{lemon juice}; lemon juice(liquid)@bowl > pour > lemon juice(liquid)@glass",
     )
     casting = Casting({"lemon": None, cut: Recast(cut)}, cut=frozenset({cut}))
     replayed = replay(units, casting, KITCHEN)
@@ -141,5 +141,5 @@ def test_nothing_appears_from_nowhere_and_every_input_is_there(dropped, renamed,
         assert names(step.output_nodes) <= names(step.input_nodes) | derived
         assert not set(step.output_nodes) <= set(step.input_nodes)
         there |= set(step.output_nodes)
-    gone = dropped - {to for to in renamed.values()}
+    gone = dropped - set(renamed.values())
     assert not gone & {name for s in replayed.steps for name in names((*s.input_nodes, *s.output_nodes))}

@@ -51,14 +51,12 @@ def test_a_state_of_another_class_and_a_food_below_one_half_are_no_equivalents()
 
 
 def test_a_known_diced_potato_is_recast_as_a_sliced_one_by_slicing():
-    recast, fit = EQUIVALENTS.recast(
-        RequiredIngredient("potato", "sliced"), "potato", ["whole", "diced"], [("diced", "dice")]
-    )
+    recast, fit = EQUIVALENTS.recast(RequiredIngredient("potato", "sliced"), ["whole", "diced"], [("diced", "dice")])
     assert (recast.label, recast.states, recast.motions, fit) == ("potato", {"diced": "sliced"}, {"dice": "slice"}, 0.8)
 
 
 def test_a_motion_that_makes_the_state_anyway_is_not_replaced():
-    recast, _ = EQUIVALENTS.recast(RequiredIngredient("potato", "diced"), "potato", ["sliced"], [("sliced", "chop")])
+    recast, _ = EQUIVALENTS.recast(RequiredIngredient("potato", "diced"), ["sliced"], [("sliced", "chop")])
     assert recast.motions == {}
 
 
@@ -69,11 +67,11 @@ def test_what_is_sold_never_stands_for_what_is_made_nor_the_other_way_round(requ
 
 def test_a_state_that_the_line_passes_anyway_needs_no_substitution():
     recast, fit = EQUIVALENTS.recast(
-        RequiredIngredient("onion", "chopped"), "onion", ["whole", "chopped"], [("chopped", "chop")]
+        RequiredIngredient("onion", "chopped"), ["whole", "chopped"], [("chopped", "chop")]
     )
     assert (recast.states, recast.motions, fit) == ({}, {}, 1.0)
 
 
 def test_the_form_in_which_something_is_sold_may_be_called_otherwise_within_its_class():
-    recast, fit = EQUIVALENTS.recast(RequiredIngredient("salt", "ground"), "salt", ["granulated"], [])
+    recast, fit = EQUIVALENTS.recast(RequiredIngredient("salt", "ground"), ["granulated"], [])
     assert (recast.states, fit) == ({"granulated": "ground"}, 0.8)

@@ -1,0 +1,172 @@
+"""A task tree as a script: who plays in it, and what each of its units is about.
+
+The words of :mod:`foon_kg.replay`, which executes scripts. Nothing here changes while a script is replayed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import KnownUnit, ObjectNode
+
+EMPTY = "empty"
+"""The state of a vessel out of which everything was taken."""
+
+Atom = tuple[str, str]
+"""A food inside a node: its name in the script (``""`` for one that was added) and its name now."""
+
+
+@dataclass(frozen=True)
+class Recast:
+    """How a food of the script appears now: under another label, in other states, by other motions.
+
+    ``states`` maps a state of the script to the state now; the key ``""`` gives a state to nodes that name none.
+    """
+
+    label: str
+    states: Mapping[str, str] = field(default_factory=dict)
+    motions: Mapping[str, str] = field(default_factory=dict)
+
+    def states_of(self, node: ObjectNode) -> tuple[str, ...]:
+        """Answer the states in which ``node`` appears now."""
+        if not node.states and "" in self.states:
+            return (self.states[""],)
+        return tuple(self.states.get(state, state) for state in node.states)
+
+
+@dataclass(frozen=True)
+class Item:
+    """What a node of the script has become: the current node and the foods inside it."""
+
+    node: ObjectNode
+    atoms: frozenset[Atom] = frozenset()
+
+    @property
+    def added(self) -> frozenset[Atom]:
+        """The foods in it that the script knows nothing of."""
+        return frozenset(atom for atom in self.atoms if not atom[0])
+
+
+@dataclass(frozen=True)
+class Step:
+    """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here.
+
+    ``strained`` says that something is taken in a state in which the unit of the script does not know it.
+    """
+
+    place: int
+    known: KnownUnit
+    input_nodes: tuple[ObjectNode, ...]
+    motion: str
+    output_nodes: tuple[ObjectNode, ...]
+    added: tuple[ObjectNode, ...] = ()
+    moving: frozenset[ObjectNode] = frozenset()
+    strained: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """One unit of a script with what does not change from one replay to the next."""
+
+    known: KnownUnit
+    inputs: tuple[ObjectNode, ...]
+    outputs: tuple[ObjectNode, ...]
+    kept: frozenset[ObjectNode]
+    written: frozenset[str]
+    beside: frozenset[str]
+    acted: tuple[ObjectNode, ...]
+    holders: tuple[ObjectNode, ...]
+    turned: tuple[ObjectNode, ...]
+    has_foods: bool
+
+    @classmethod
+    def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
+        """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does."""
+        unit = known.unit
+        inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
+        foods = tuple(node for node in inputs if kitchen.is_food(node))
+        utensils = [node for node in inputs if not kitchen.is_food(node)]
+        return cls(
+            known,
+            inputs,
+            outputs,
+            kept,
+            written=frozenset(name for node in inputs for name in (node.label, *node.ingredients)),
+            beside=frozenset(node.label for node in foods),
+            acted=tuple(node for node in foods if node not in kept),
+            holders=tuple(node for node in utensils if node.ingredients and node not in kept),
+            turned=tuple(node for node in utensils if is_turned(node, outputs)),
+            has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Script:
+    """The units of a task tree in their order, read once so that they can be replayed many times."""
+
+    scenes: tuple[Scene, ...]
+    kitchen: Kitchen
+
+    @classmethod
+    def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen) -> Script:
+        """Read ``units``, which are in the order of execution."""
+        return cls(tuple(Scene.of(known, kitchen) for known in units), kitchen)
+
+
+@dataclass(frozen=True)
+class Casting:
+    """Who plays in a script: recast foods, dropped foods (``None``); a label not named stays as it is.
+
+    ``cut`` names foods that are at hand although the script makes them: their makers are not run.
+    ``carried`` names foods (as they are called now) that every mixture must name, where the script forgets them.
+    """
+
+    foods: Mapping[str, Recast | None] = field(default_factory=dict)
+    cut: frozenset[str] = frozenset()
+    carried: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Replayed:
+    """A script as it was executed: the steps that do something, and what every node has become."""
+
+    steps: tuple[Step, ...]
+    items: Mapping[ObjectNode, Item | None]
+
+
+def is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:
+    """Say whether a unit changes the utensil ``node`` itself (its state or place), not only what it holds."""
+    after = [other for other in outputs if other.label == node.label]
+    plain = {EMPTY}
+    return bool(after) and all(
+        set(other.states) - plain != set(node.states) - plain or spot_of(other) != spot_of(node) for other in after
+    )
+
+
+def emptied(node: ObjectNode) -> ObjectNode:
+    """Answer the vessel with nothing in it any more."""
+    return changed(node, states={state for state in node.states if state != EMPTY} | {EMPTY}, ingredients=())
+
+
+def spot_of(node: ObjectNode) -> tuple[str | None, str | None]:
+    """Answer where a node is: relation and container."""
+    return (node.relation, node.container)
+
+
+def changed(
+    node: ObjectNode,
+    *,
+    label: str | None = None,
+    states: Iterable[str] | None = None,
+    ingredients: Iterable[str] | None = None,
+) -> ObjectNode:
+    """Answer ``node`` with another label, other states or other ingredients; its place stays."""
+    return ObjectNode(
+        node.label if label is None else label,
+        node.states if states is None else tuple(states),
+        node.ingredients if ingredients is None else tuple(ingredients),
+        node.relation,
+        node.container,
+    )
