@@ -116,11 +116,18 @@ class Evidence:
 
 def _by_words(wanted: Names, known: Names) -> Table:
     """Answer the four kinds of evidence that compare the names word by word."""
-    flags = [
-        (head == other_head, words < others, others < words, not words.isdisjoint(others))
-        for words, head in zip(wanted.words, wanted.last_words, strict=True)
-        for others, other_head in zip(known.words, known.last_words, strict=True)
-    ]
-    same_head, wider, narrower, shared = np.array(flags, dtype=bool).reshape(-1, 4).T
-    by_words = np.array([same_head, wider & same_head, narrower & same_head, shared & ~same_head], dtype=np.float64)
-    return by_words.reshape(4, len(wanted.words), len(known.words))
+    places = {word: place for place, word in enumerate(sorted(frozenset().union(*wanted.words, *known.words)))}
+    rows, columns = _word_rows(wanted, places), _word_rows(known, places)
+    shared = rows @ columns.T
+    size, known_size = rows.sum(axis=1)[:, None], columns.sum(axis=1)[None, :]
+    same_head = np.array(wanted.last_words)[:, None] == np.array(known.last_words)[None, :]
+    more_specific = same_head & (shared == size) & (size < known_size)
+    more_general = same_head & (shared == known_size) & (known_size < size)
+    return np.array([same_head, more_specific, more_general, (shared > 0) & ~same_head], dtype=np.float64)
+
+
+def _word_rows(names: Names, places: dict[str, int]) -> Table:
+    rows = np.zeros((len(names.words), len(places)))
+    for row, words in enumerate(names.words):
+        rows[row, [places[word] for word in words]] = 1
+    return rows
