@@ -80,7 +80,7 @@ class SchemaError(GraphError):
     code = "schema"
 
 
-class WriteRefused(GraphError):
+class WriteRefused(GraphError):  # noqa: N818 - it says what was done: the write was refused
     """A read-only question tried to change something, or to reach outside the graph."""
 
     code = "read-only"

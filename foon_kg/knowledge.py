@@ -28,7 +28,7 @@ class SeenAs:
 
 @dataclass(frozen=True, order=True)
 class MadeBy:
-    """How often units with this ``motion`` turn a food into ``state``: it is in an output and not in that food's inputs."""
+    """How often units with this ``motion`` give ``state`` to a food: an output has it, and no input of that food."""
 
     state: str
     motion: str
@@ -59,9 +59,7 @@ class KnowledgeView(Protocol):
         """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
         ...
 
-    def behind(
-        self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()
-    ) -> tuple[KnownUnit, ...]:
+    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
         """Answer every unit that may take part in making any of ``nodes``, or any node of one of ``foods``.
 
         A food is (label, state): every node with that label which has that state. Answered are the units that
