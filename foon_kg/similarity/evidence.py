@@ -83,7 +83,7 @@ class Evidence:
             [
                 wanted.vectors @ known.vectors.T,
                 wanted.heads @ known.heads.T,
-                wanted.kinds @ known.kinds.T,
+                _sparse_product(wanted.kinds, known.kinds),
                 kind_unknown,
                 agreement * both_listed,
                 agreement * ~both_listed,
@@ -105,13 +105,22 @@ class Evidence:
         rows = self.taxonomy.rows(names)
         both = np.outer(rows.any(axis=1), known)
         cosines = self.food_vectors.embed(names) @ vectors.T
-        near: Table = np.where(both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * (rows @ kinds.T), _ALONE * cosines)
+        near: Table = np.where(
+            both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * _sparse_product(rows, kinds), _ALONE * cosines
+        )
         return near
 
     @cached_property
     def _listed(self) -> tuple[Table, Table, Flags]:
         kinds = self.taxonomy.rows(self.food_groups.foods)
         return self.food_vectors.embed(self.food_groups.foods), kinds, np.asarray(kinds.any(axis=1), dtype=np.bool_)
+
+
+def _sparse_product(rows: Table, columns: Table) -> Table:
+    """Answer ``rows @ columns.T``, leaving out what no row has: a name is of some ten kinds out of thousands."""
+    used = rows.any(axis=0)
+    product: Table = rows[:, used] @ columns[:, used].T
+    return product
 
 
 def _by_words(wanted: Names, known: Names) -> Table:
