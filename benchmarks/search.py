@@ -4,9 +4,9 @@
 
 FOLDER holds the subgraphs, by default those beside the checkout. For every goal, with its own ingredients as the wanted
 foods (``--queries``: for every public recipe, the likeliest goal by shared names), four ways in one run: the exact
-search; OR-tools CP-SAT (needs the extra ``benchmarks``); the greedy tree (cheapest derivations first); all paths, where
-there are no more than ENUMERATED. Printed: shares proven, times in ms, and by how much greedy trees are worse. The exit
-code is 1 where search and solver, both proven, differ in gap penalty, overlap or units.
+search; OR-tools CP-SAT, the gaps first (needs the extra ``benchmarks``); the greedy tree, cheapest derivations first;
+all paths, where ENUMERATED combinations are enough. Printed: shares proven, times in ms, and how often greedy trees are
+worse. The exit code is 1 where search and solver, both proven, differ in gap penalty, overlap or units.
 """
 
 import argparse
@@ -23,12 +23,14 @@ from foon_kg.model import Goal
 from foon_kg.planner import gap_cost
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, enumerate_paths, retrieve
 from foon_kg.search.core import Core, core_behind
-from foon_kg.search.forward import cheapest_first
+from foon_kg.search.deadline import Deadline
+from foon_kg.search.forward import chain, cheapest_first
+from foon_kg.search.penalty import needy, reachable, within_least_penalty
 from foon_kg.search.reduction import value_of
 from foon_kg.snapshot import Snapshot
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
-ENUMERATED = 1_000
+ENUMERATED = 200
 SOLVER_SECONDS = 20.0
 UNITS_AT_MOST, FOODS_AT_MOST = 2_000, 64
 
@@ -72,7 +74,8 @@ def wanted_of(goal: Goal) -> dict[str, int]:
 def compare(problems: list[SearchProblem], time_limit: float, *, with_solver: bool) -> int:
     times: dict[str, list[float]] = {}
     counts: Counter[str] = Counter()
-    for problem in problems:
+    for number, problem in enumerate(problems):
+        print(f"\r{number} of {len(problems)}", end="", file=sys.stderr, flush=True)
         started = time.perf_counter()
         try:
             tree = retrieve(problem, time_limit=time_limit)
@@ -87,6 +90,7 @@ def compare(problems: list[SearchProblem], time_limit: float, *, with_solver: bo
         count_enumeration(problem, tree.objective, times, counts)
         if with_solver:
             count_solver(core, tree, times, counts)
+    print(file=sys.stderr)
     for name, taken in times.items():
         print(f"{name:15} {len(taken):4} answers, ms: median {statistics.median(taken):7.1f}, most {max(taken):7.1f}")
     for name, count in sorted(counts.items()):
@@ -116,7 +120,7 @@ def count_enumeration(problem: SearchProblem, best: tuple, times: dict, counts: 
 
 def count_solver(core: Core, tree, times: dict, counts: Counter) -> None:
     started = time.perf_counter()
-    objective = solve(core)
+    objective = solve_in_two_parts(core)
     times.setdefault("CP-SAT", []).append(ms(started))
     if objective is None:
         counts["CP-SAT did not prove it"] += 1
@@ -125,6 +129,20 @@ def count_solver(core: Core, tree, times: dict, counts: Counter) -> None:
         counts["DIFFERS from CP-SAT"] += 1
     else:
         counts["the same as CP-SAT"] += tree.exact
+
+
+def solve_in_two_parts(core: Core) -> tuple[int, int, int] | None:
+    """Answer the least penalty where gaps are needed, then the rest among the steps that can keep it.
+
+    In one piece, with a gap for every node, the solver proves nothing in 20 s.
+    """
+    _, made = chain(core, range(len(core.gap_nodes), core.step_count))
+    least = within_least_penalty(core, Deadline())
+    if not made[core.goal]:
+        penalty = solve(needy(core, made))
+        if penalty is None or penalty[0] != least.penalty:
+            return penalty
+    return solve(core.only(reachable(core, least.steps)))
 
 
 def solve(core: Core) -> tuple[int, int, int] | None:

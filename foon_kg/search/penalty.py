@@ -35,11 +35,11 @@ def within_least_penalty(core: Core, deadline: Deadline) -> LeastPenalty | None:
     order, made = chain(core, range(len(core.gap_nodes), core.step_count))
     if made[core.goal]:
         return LeastPenalty(0, 0, order)
-    needy = _needy(core, made)
-    order, reached = chain(needy)
-    if not reached[needy.goal]:
+    part = needy(core, made)
+    order, reached = chain(part)
+    if not reached[part.goal]:
         return None
-    penalty, part, cuts = _least(needy.only(reachable(needy, order)), deadline)
+    penalty, part, cuts = _least(part.only(reachable(part, order)), deadline)
     at_least = penalty if not deadline.has_passed() else cuts.bound
     return LeastPenalty(penalty, at_least, _kept(core, made, part, cuts, penalty))
 
@@ -59,15 +59,15 @@ def _weights(core: Core) -> list[int]:
     return [*core.costs, *[0] * len(core.units)]
 
 
-def _needy(core: Core, made: list[bool]) -> Core:
+def needy(core: Core, made: list[bool]) -> Core:
     """Answer what of ``core`` needs a gap: the nodes that can be made without one count as there."""
     outputs = tuple(tuple(node for node in side if not made[node]) for side in core.outputs)
-    needy = [step for step, side in enumerate(outputs) if side]
+    steps = [step for step, side in enumerate(outputs) if side]
     inputs: list[tuple[int, ...]] = [()] * core.step_count
-    for step in needy:
+    for step in steps:
         inputs[step] = tuple(node for node in core.inputs[step] if not made[node])
     part = replace(core, inputs=tuple(inputs), outputs=outputs)
-    return part.only(reachable(part, needy))
+    return part.only(reachable(part, steps))
 
 
 def _least(core: Core, deadline: Deadline) -> tuple[int, Core, CutBound]:

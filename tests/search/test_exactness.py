@@ -11,7 +11,7 @@ from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant
 from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, UnitIndex, enumerate_paths, retrieve
 
 NODES = [ObjectNode(name) for name in "abcdefghij"]
-PATHS = 20_000
+PATHS = 5_000
 
 
 def unit(inputs, outputs, motion="do"):
@@ -36,6 +36,26 @@ def problems(draw, max_units=9, max_nodes=8) -> SearchProblem:
     )
 
 
+@st.composite
+def deep_problems(draw) -> SearchProblem:
+    """FOONs whose trees are long: each node is made of earlier ones, with a few units that go back."""
+    count = draw(st.integers(5, 9))
+    units = []
+    for made in range(1, count):
+        for _ in range(draw(st.integers(1, 2))):
+            inputs = draw(st.lists(st.sampled_from(NODES[:made]), min_size=1, max_size=2, unique=True))
+            beside = draw(st.lists(st.sampled_from(NODES[1:count]), max_size=1))
+            back = draw(st.lists(st.sampled_from(NODES[1:count]), max_size=draw(st.integers(0, 1))))
+            units.append(unit([*inputs, *back], [NODES[made], *beside], draw(st.sampled_from(["cut", "mix", "fry"]))))
+    index = UnitIndex.of(
+        units,
+        at_hand={NODES[0]}.__contains__,
+        gap_cost=draw(st.dictionaries(st.sampled_from(NODES[1:count]), st.sampled_from([1, 3, 9]), max_size=3)).get,
+    )
+    wanted = draw(st.dictionaries(st.sampled_from("bcdefghi"), st.integers(0, 5), max_size=4))
+    return SearchProblem(index, (NODES[count - 1],), wanted)
+
+
 def answer(problem: SearchProblem) -> ReferenceTree | None:
     try:
         return retrieve(problem, time_limit=None)
@@ -44,7 +64,7 @@ def answer(problem: SearchProblem) -> ReferenceTree | None:
 
 
 @settings(max_examples=500, deadline=None)
-@given(problems())
+@given(problems() | deep_problems())
 def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     enumeration = enumerate_paths(problem, limit=PATHS)
     found = answer(problem)
@@ -112,7 +132,7 @@ def subsets(items):
 
 
 @settings(max_examples=200, deadline=None)
-@given(problems(max_units=14, max_nodes=10))
+@given(problems(max_units=14, max_nodes=10) | deep_problems())
 def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
     tree = answer(problem)
     if tree is None or tree.goal in problem.available:
