@@ -14,6 +14,8 @@ from foon_kg.errors import GraphError
 from foon_kg.server.settings import ConnectionSettings
 
 _UNREACHABLE = (driver_errors.ServiceUnavailable, driver_errors.SessionExpired, driver_errors.ConnectionPoolError)
+_SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "neo4j+ssc://")
+_ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
 _DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
 
 
@@ -25,6 +27,8 @@ class Connection:
 
     @cached_property
     def _driver(self) -> neo4j.Driver:
+        if not self.settings.uri.startswith(_SCHEMES):
+            raise GraphError(f"{self.settings.uri} is no address of a Neo4j", hint=_ADDRESS_HINT, code="address")
         return neo4j.GraphDatabase.driver(
             self.settings.uri,
             auth=(self.settings.user, self.settings.password),
