@@ -24,10 +24,15 @@ from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.states import state_similarity
 from foon_kg.substitution import FAIR, Candidate, Equivalents
-from foon_kg.validation import CONTRACT, SENSE, KnownFoon, TaskTree, check
+from foon_kg.validation import CONTRACT, KnownFoon, TaskTree, check
 
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
+
+KEPT = 0.3
+"""How much of the goal's video should be in the tree (sense, S8)."""
+
+_ASKED_OF_THE_JUDGE = frozenset({"S1", "S2", "S4", "S5", "S7"})
 
 FIRST_GOALS = 3
 """How many of the likeliest goals are looked behind in the first question."""
@@ -179,7 +184,7 @@ class _Question:
             except NoTreeError as error:
                 trouble = trouble or error
                 continue
-            faults = self._faults(result, workshop)
+            faults = self._faults(result, ranked, workshop)
             found.append(((*faults, len(found)), result))
             if not any(faults) or len(found) == MOST_GOALS:
                 break
@@ -194,7 +199,7 @@ class _Question:
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
-        foods = sorted({(c.label, c.state) for want in self.wants for c in self.equivalents.candidates(want)})
+        foods = sorted({food for want in self.wants for food in self.equivalents.makings(want)})
         for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
             if chunk:
                 units = self.planner.view.behind([r.goal.node for r in chunk], foods)
@@ -243,10 +248,16 @@ class _Question:
             self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive))
         return self._made_in[1]
 
-    def _faults(self, result: PlanResult, workshop: _Workshop) -> tuple[int, int]:
-        """Answer how many rules of the contract and how many measures of sense the judge finds broken."""
-        report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
-        return len(set(report.broken) & set(CONTRACT)), len(set(report.broken) & set(SENSE))
+    def _faults(self, result: PlanResult, ranked: RankedGoal, workshop: _Workshop) -> tuple[int, int]:
+        """Answer how many rules of the contract and how many measures of sense are broken.
+
+        The judge is asked only what the units behind the goal can answer, so that a plan from the whole FOON and one
+        from just these units choose alike; whether the dish is truly named (S6) is known from the ranking, and how
+        much of the video is kept (S8) from the place of its last unit.
+        """
+        broken = set(check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen).broken)
+        sense = broken & _ASKED_OF_THE_JUDGE
+        return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (_kept(result, ranked) < KEPT)
 
     def _wanted(self, ranked: RankedGoal) -> dict[str, int]:
         """Which ingredients of the goal may play which required food, by number: what counts as overlap."""
@@ -264,3 +275,13 @@ def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
     return wants
+
+
+def _kept(result: PlanResult, ranked: RankedGoal) -> float:
+    """Answer the share of the goal's video that is in the tree (sense, S8); of several videos the greatest."""
+    places: dict[str, set[int]] = {video: set() for video in ranked.goal.videos}
+    for unit in result.units:
+        for sighting in unit.seen_in:
+            if sighting.video in places:
+                places[sighting.video].add(sighting.position)
+    return max((len(found) / (max(found) + 1) for found in places.values() if found), default=0.0)

@@ -130,3 +130,13 @@ class Equivalents:
         """Answer the states in which FOON makes the food ``label``, most frequent first."""
         rows = [row for row in self.vocabulary.foods if row.label == label and row.made and row.state]
         return tuple(row.state for row in sorted(rows, key=lambda row: (-row.made, row.state)))
+
+    def makings(self, want: RequiredIngredient) -> tuple[tuple[str, str], ...]:
+        """Answer each (label, state) of FOON that may have to be made for ``want``, sorted.
+
+        For a processed food these are its equivalents, for one that is sold so the states in which it is opened.
+        """
+        if self.kitchen.is_start_state(want.object, want.state):
+            states = (s for s in self.states_known(want.object) if not self.kitchen.is_start_state(want.object, s))
+            return tuple(sorted((want.object, state) for state in states))
+        return tuple(sorted({(candidate.label, candidate.state) for candidate in self.candidates(want)}))
