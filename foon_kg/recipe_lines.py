@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
 from typing import Any
@@ -20,6 +21,7 @@ from foon_kg.similarity.groups import food_groups
 from foon_kg.states import state_in
 
 _REMEMBERED = 100_000
+_NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b|\(|\)", re.IGNORECASE)
 
 
@@ -53,14 +55,28 @@ def read_recipe_lines(lines: Iterable[str]) -> tuple[RecipeLine, ...]:
     return tuple(_read(line) for line in lines)
 
 
-@lru_cache(maxsize=_REMEMBERED)
 def _read(line: str) -> RecipeLine:
+    """Read a line, or find one again that differs only in its number: cookbooks have "2 cups sugar" in every amount."""
     text = " ".join(line.split())
+    number = _NUMBER.match(text)
+    if number is None:
+        return replace(_parse(text), text=line)
+    quantity = sum(map(Fraction, number[0].split()), Fraction(0))
+    stand_in = "1" if quantity == 1 else "2"  # units are written in the singular after 1 alone
+    answer = _parse(stand_in + text[number.end() :])
+    if answer.quantity != stand_in:
+        return replace(_parse(text), text=line)
+    return replace(answer, text=line, quantity=str(quantity))
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _parse(text: str) -> RecipeLine:
     if not any(letter.isalpha() for letter in text):
-        return RecipeLine(line, None, left_over=(text,) if text else ())
+        return RecipeLine(text, None, left_over=(text,) if text else ())
     parsed = _parser()(text, string_units=True)
     if not parsed.name:
-        return RecipeLine(line, None, left_over=(text,))
+        return RecipeLine(text, None, left_over=(text,))
+    quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")
     name, preparation = parsed.name[0].text, _text(parsed.preparation)
     if f"{preparation} {name}" in text and _is_another_food(preparation, name):
         name, preparation = f"{preparation} {name}", ""
@@ -68,9 +84,8 @@ def _read(line: str) -> RecipeLine:
     prepared, unread = _states_of(preparation)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
     states = tuple(dict.fromkeys((*in_name, *prepared)))
-    quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")
     return RecipeLine(
-        line,
+        text,
         name,
         state=states[-1] if states else "",
         states=states,
@@ -93,10 +108,15 @@ def _split_name(text: str) -> tuple[tuple[str, ...], str]:
     """Split states off the front of a name: "frozen chopped spinach"; "ground beef" and "white rice" stay whole."""
     words = text.replace(",", " ").split()
     states = []
-    while len(words) > 1 and (state := state_in(words[0])) and not _is_another_food(words[0], " ".join(words[1:])):
+    while len(words) > 1 and (state := _state_before(words[0], " ".join(words[1:]))):
         states.append(state)
         words = words[1:]
     return tuple(states), " ".join(words)
+
+
+def _state_before(word: str, food: str) -> str | None:
+    is_food = canonical(word) in food_groups().places  # "bean" is a state of the FOON, but not in "bean sprout"
+    return None if is_food or _is_another_food(word, food) else state_in(word)
 
 
 def _is_another_food(state: str, food: str) -> bool:

@@ -1,10 +1,12 @@
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from foon_kg import recipe_lines
 from foon_kg.recipe_lines import RecipeLine, read_recipe_lines
 
 pytest.importorskip("ingredient_parser", reason="the extra 'recipes' is not installed: pip install 'foon-kg[recipes]'")
@@ -27,6 +29,7 @@ def read(line):
         ("1 1/2 teaspoons ground cumin", "cumin", "ground", "3/2", "teaspoons"),
         ("1 cup powdered sugar, sifted", "powdered sugar", "sifted", "1", "cup"),
         ("1 can diced tomatoes, drained", "tomatoes", "drained", "1", "can"),
+        ("1 cup bean sprouts, chopped", "bean sprouts", "chopped", "1", "cup"),
         ("1 lb ground beef", "ground beef", "", "1", "lb"),
         ("1 head romaine lettuce, torn into bite-size pieces", "romaine lettuce", "torn", "1", "head"),
         ("juice of 1 lemon", "lemon", "juice", "1", ""),
@@ -46,6 +49,17 @@ def test_all_states_are_kept_in_their_order():
 
 def test_a_range_is_kept_as_one():
     assert read("2-3 green onions, thinly sliced").quantity == "2-3"
+
+
+@pytest.mark.parametrize("rest", ["cups chopped onion", "cup sugar", "large eggs, beaten", "(14 ounce) cans tomatoes"])
+@pytest.mark.parametrize(
+    ("number", "quantity"), [("3", "3"), ("1 1/2", "3/2"), ("1/4", "1/4"), ("1", "1"), ("12", "12")]
+)
+def test_a_line_that_differs_only_in_its_number_is_read_as_if_it_came_alone(rest, number, quantity):
+    alone = recipe_lines._parse(f"{number} {rest}")
+    answer = read(f"{number} {rest}")
+    assert replace(answer, confidence=0) == replace(alone, confidence=0)
+    assert answer.quantity == quantity
 
 
 def test_further_foods_are_kept():
