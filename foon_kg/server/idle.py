@@ -60,14 +60,14 @@ def visit(settings: ConnectionSettings) -> Visit | None:
     return Visit(max(int(row["connectionId"].rpartition("-")[2]) for row in rows), len(others))
 
 
-def watch(place: Home, server: psutil.Process) -> None:
+def watch(place: Home, server: psutil.Process, settings: ConnectionSettings) -> None:
     """Follow one server until it ends; end it when it has been idle for as long as its home remembers."""
     before, used, quiet = None, time.monotonic(), False
     while known := _memory_of(place, server):
         limit = known.idle_minutes * 60
         if _ended_within(server, min(LOOK_SECONDS, limit / 4) if limit else LOOK_SECONDS):
             break
-        now = visit(settings_of(place, known.port or 0))
+        now = visit(settings)
         if now is None or before is None or now.saw_use(before):
             used = time.monotonic()
         elif not quiet:
@@ -76,7 +76,7 @@ def watch(place: Home, server: psutil.Process) -> None:
         before = now or before
         if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
             break
-    if not place.root.exists():  # somebody has removed the folder under the server: no command can find it any more
+    if not place.arguments.exists():  # somebody has removed the folder under the server: no command would find it
         processes.end(server)
     if not quiet:
         the_startup_cache().make()
@@ -108,9 +108,10 @@ def main(root: str, pid: str) -> None:
     os.nice(NICE)
     place = Home(Path(root))
     with FileLock(place.watch_lock):
-        server = processes.find(place, place.recall())
-        if server and server.pid == int(pid):
-            watch(place, server)
+        known = place.recall()
+        server = processes.find(place, known)
+        if known and known.port and server and server.pid == int(pid):
+            watch(place, server, settings_of(place, known.port))
 
 
 if __name__ == "__main__":

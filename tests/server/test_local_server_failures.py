@@ -1,0 +1,162 @@
+"""What can go wrong with a real local server: a clear message, nothing left behind, and the next start works."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+
+import psutil
+import pytest
+from server.live_server import START, servers_of, up
+
+from foon_kg.errors import ServerError
+from foon_kg.server import status, stop
+from foon_kg.server.fetch import fetch
+from foon_kg.server.jars import pinned
+from foon_kg.server.startup_cache import the_startup_cache
+
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
+
+
+@pytest.fixture
+def private_cache(tmp_path, monkeypatch):
+    """A cache of one test alone, with every jar in it; answers the folder of the jars."""
+    jars = the_startup_cache().folder
+    fetch(pinned(), jars)
+    private = tmp_path / "cache"
+    shutil.copytree(jars, private / jars.name, copy_function=shutil.copy)
+    monkeypatch.setenv("FOON_KG_CACHE", str(private))
+    return private / jars.name
+
+
+def test_a_process_id_that_another_process_has_got_is_not_taken_for_the_server(place):
+    up()
+    stop()
+    with subprocess.Popen(["sleep", "1000"]) as other:
+        record = json.loads(place.memory_file.read_text())
+        place.memory_file.write_text(json.dumps(record | {"pid": other.pid}))
+        assert status().running is False
+        assert stop() is False
+        up()
+        assert status().pid != other.pid
+        assert other.poll() is None
+        other.kill()
+
+
+def test_a_port_that_is_taken_is_said_and_the_next_start_works(place):
+    stop()
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(ServerError, match=f"port {port} is in use") as caught:
+            up(port=port)
+        assert "--port" in caught.value.hint
+        assert servers_of(place) == []
+    assert up(port=port).uri.endswith(f":{port}")
+    with pytest.raises(ServerError, match=f"runs already, on port {port}"):
+        up(port=port + 1)
+    assert servers_of(place) != []
+
+
+def test_a_port_that_it_had_before_and_another_program_has_now_is_left_to_that(place, ask):
+    before = up()
+    stop()
+    lines = []
+    with socket.create_server(("127.0.0.1", int(before.uri.rpartition(":")[2]))):
+        after = up(say=lines.append)
+        assert after.uri != before.uri
+        assert ask(after, "RETURN 1") == 1
+    assert any("taken by another program" in line and after.uri.rpartition(":")[2] in line for line in lines)
+
+
+def test_a_start_without_room_says_so_and_the_next_one_works(place):
+    up()
+    stop()
+
+    def small_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+    code = (
+        "import sys\nfrom foon_kg.errors import ServerError\nfrom foon_kg.server import start\n"
+        "try:\n    start()\nexcept ServerError as error:\n    sys.exit(f'{error.code}: {error.message}')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], preexec_fn=small_files, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert done.stderr.startswith("no-space: "), done.stderr
+    assert servers_of(place) == []
+    up()
+
+
+def test_a_start_that_is_interrupted_leaves_no_server_behind(place):
+    stop()
+    command = subprocess.Popen(START, stderr=subprocess.DEVNULL)
+    while command.poll() is None and not servers_of(place):
+        os.sched_yield()
+    command.send_signal(signal.SIGINT)
+    assert command.wait() != 0
+    assert servers_of(place) == []
+    up()
+
+
+def test_a_start_that_is_killed_leaves_a_server_that_the_next_one_takes_over(place, ask):
+    stop()
+    command = subprocess.Popen(START)
+    while command.poll() is None and not (status().running and place.arguments.exists()):
+        os.sched_yield()
+    command.kill()
+    command.wait()
+    assert ask(up(), "RETURN 1") == 1
+    assert len(servers_of(place)) == 1
+
+
+def test_a_lost_password_is_said_with_its_path(place):
+    up()
+    stop()
+    password = place.password_file.read_text()
+    place.password_file.unlink()
+    with pytest.raises(ServerError, match=str(place.password_file)) as caught:
+        up()
+    assert caught.value.code == "password"
+    assert servers_of(place) == []
+    place.password_file.write_text("another password")
+    with pytest.raises(ServerError, match="does not accept the password") as caught:
+        up()
+    assert caught.value.code == "password"
+    assert servers_of(place) == []
+    place.password_file.write_text(password)
+    up()
+
+
+def test_a_broken_startup_cache_does_not_stop_the_start(place, private_cache):
+    stop()
+    the_startup_cache().file.write_bytes(b"no cache at all" * 1000)
+    up()
+    assert servers_of(place) != []
+    stop()
+
+
+def test_a_damaged_jar_is_named_and_removed_so_that_it_is_fetched_again(place, private_cache):
+    stop()
+    (kernel,) = [jar for jar in pinned().jars if jar.coordinates.startswith("org.neo4j:neo4j-kernel:")]
+    broken = private_cache / kernel.name
+    broken.write_bytes(b"\0" * kernel.size)
+    with pytest.raises(ServerError, match=f"damaged on disk.*{kernel.name}") as caught:
+        up()
+    assert "start it again" in caught.value.hint
+    assert pinned().missing(private_cache) == (kernel,)
+    assert servers_of(place) == []
+
+
+def test_a_server_whose_folder_was_removed_ends(tmp_path, monkeypatch):
+    monkeypatch.setenv("FOON_KG_HOME", str(tmp_path / "home"))
+    up(idle_minutes=0.1)
+    server = psutil.Process(status().pid)
+    shutil.rmtree(tmp_path / "home", ignore_errors=True)
+    server.wait(120)
