@@ -20,13 +20,15 @@ _NEVER = -2  # and of one that cannot be executed
 
 @dataclass(frozen=True, eq=False)
 class Web:
-    """A core with, for each node, the steps that take and that make it, and the steps that need nothing."""
+    """A core with, for each node, the steps that take and that make it; ``arity`` counts the inputs of each step.
+
+    The last of ``users``, which -1 finds, are the steps that need nothing.
+    """
 
     core: Core
     users: list[list[int]]
     makers: list[list[int]]
     arity: list[int]
-    roots: list[int]
 
     @classmethod
     def of(cls, core: Core) -> Web:
@@ -40,7 +42,8 @@ class Web:
             for node in nodes:
                 makers[node].append(step)
         arity = [len(nodes) for nodes in core.inputs]
-        return cls(core, users, makers, arity, [step for step, count in enumerate(arity) if not count])
+        users.append([step for step, count in enumerate(arity) if not count])
+        return cls(core, users, makers, arity)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,26 +75,33 @@ class CutBound:
 
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
     """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
-    outputs = web.core.outputs
+    outputs, users = web.core.outputs, web.users
     of_node: list[int | None] = [None] * len(web.core.nodes)
     missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
     waiting = [(0, node) for node in there]
-    for step in web.roots:
+    for step in users[_FREE]:
         supporter[step] = _FREE
         waiting += [(weights[step], node) for node in outputs[step]]
     heapify(waiting)
     while waiting:
-        height, node = heappop(waiting)
-        if of_node[node] is not None:
+        height, lowest = heappop(waiting)
+        if of_node[lowest] is not None:
             continue
-        of_node[node] = height
-        for step in web.users[node]:
-            missing[step] -= 1
-            if not missing[step]:
-                supporter[step] = node
+        of_node[lowest] = height
+        level = [lowest]
+        for node in level:  # grows while it is read: most steps cost nothing and stay on the level
+            for step in users[node]:
+                missing[step] -= 1
+                if missing[step]:
+                    continue
+                supporter[step], weight = node, weights[step]
                 for made in outputs[step]:
                     if of_node[made] is None:
-                        heappush(waiting, (height + weights[step], made))
+                        if weight:
+                            heappush(waiting, (height + weight, made))
+                        else:
+                            of_node[made] = height
+                            level.append(made)
     return Heights(of_node, supporter)
 
 
@@ -125,17 +135,16 @@ def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collec
             if supporter >= 0 and not left[step] and supporter not in zone:
                 zone.add(supporter)
                 waiting.append(supporter)
-    cut, reached = set[int](), set(there)
-    waiting, steps = list(there), web.roots
-    while True:
-        for step in steps:
-            for made in web.core.outputs[step]:
+    cut, reached, outputs = set[int](), set(there), web.core.outputs
+    waiting = [_FREE, *there]
+    for node in waiting:  # grows while it is read
+        for step in web.users[node]:
+            if found.supporter[step] != node:
+                continue
+            for made in outputs[step]:
                 if made in zone:
                     cut.add(step)
                 elif made not in reached:
                     reached.add(made)
                     waiting.append(made)
-        if not waiting:
-            return cut
-        node = waiting.pop()
-        steps = [step for step in web.users[node] if found.supporter[step] == node]
+    return cut
