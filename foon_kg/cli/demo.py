@@ -69,8 +69,7 @@ def demo_subgraphs() -> list[Subgraph]:
     from foon_kg.demo import demo_folder
     from foon_kg.loaders import read_paths
 
-    results = read_paths(sorted(demo_folder().glob("*.txt")))
-    return [result.subgraph for result in results if result.subgraph is not None]
+    return [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 
 
 def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:

@@ -52,12 +52,10 @@ def test_the_demo_again_changes_nothing_and_answers_the_same(demo):
     assert PlanResult.from_json(json.loads(first.stdout)).recipe.id == RECIPE
 
 
-def test_a_plan_from_neo4j_is_the_plan_from_the_files(foon, tmp_path):
-    for path in demo_folder().glob("*.txt"):
-        (tmp_path / path.name).write_bytes(path.read_bytes())
-    assert foon("load", "foon", tmp_path).exit_code == 0
+def test_a_plan_from_neo4j_is_the_plan_from_the_files(foon):
+    assert foon("load", "foon", demo_folder()).exit_code == 0
     from_graph = foon("plan", *demo_recipes(), "--json")
-    from_files = foon("plan", *demo_recipes(), "--json", "--files", tmp_path)
+    from_files = foon("plan", *demo_recipes(), "--json", "--files", demo_folder())
     assert from_graph.exit_code == 0, from_graph.stderr
     assert from_graph.stdout == from_files.stdout
 

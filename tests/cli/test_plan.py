@@ -16,18 +16,10 @@ from foon_kg.result import PlanFailure, PlanResult
 SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]
 
 
-@pytest.fixture(scope="module")
-def demo_files(tmp_path_factory):
-    """The demo's subgraphs alone, in a folder."""
-    folder = tmp_path_factory.mktemp("foon")
-    for path in demo_folder().glob("*.txt"):
-        (folder / path.name).write_bytes(path.read_bytes())
-    return folder
-
-
 @pytest.fixture
-def foon(demo_files):
-    return lambda *arguments: CliRunner().invoke(app, ["plan", *map(str, arguments), "--files", str(demo_files)])
+def foon():
+    """``foon plan`` from the demo's files."""
+    return lambda *arguments: CliRunner().invoke(app, ["plan", *map(str, arguments), "--files", str(demo_folder())])
 
 
 def recipe_file(folder, name, **fields):
