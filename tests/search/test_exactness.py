@@ -63,7 +63,7 @@ def answer(problem: SearchProblem) -> ReferenceTree | None:
         return None
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=300, deadline=None)
 @given(problems() | deep_problems())
 def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     enumeration = enumerate_paths(problem, limit=PATHS)
@@ -73,7 +73,7 @@ def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     assert found == (enumeration.trees[0] if enumeration.trees else None)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(problems(max_units=7, max_nodes=7))
 def test_no_subset_of_the_units_is_a_better_tree(problem):
     ranks = [rank for target in set(problem.targets) for rank in ranks_of_all_subsets(problem, target)]
@@ -131,7 +131,7 @@ def subsets(items):
     return itertools.chain.from_iterable(itertools.combinations(items, n) for n in range(len(items) + 1))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(problems(max_units=14, max_nodes=10) | deep_problems())
 def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
     tree = answer(problem)
@@ -152,7 +152,7 @@ def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
         useful.update(known.unit.input_nodes)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(problems(), st.randoms(use_true_random=False))
 def test_the_order_of_the_units_does_not_matter(problem, random):
     units = list(problem.index.units)
