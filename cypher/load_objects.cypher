@@ -8,6 +8,9 @@ MERGE (o:Object {key: row.key})
     o.relation = row.relation, o.container = row.container, o.start = row.start
 WITH f, o
 WHERE NOT EXISTS { (o)-[:CALLED]->() }
-MERGE (l:Label {name: o.label})
+WITH f, o.label AS label, collect(o) AS objects
+MERGE (l:Label {name: label})
 MERGE (l)-[:LABEL_OF]->(f)
+WITH l, objects
+UNWIND objects AS o
 CREATE (o)-[:CALLED]->(l)
