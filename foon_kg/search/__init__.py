@@ -3,7 +3,7 @@
 :func:`retrieve` is the everyday search, :func:`enumerate_paths` the definition that it is measured against.
 """
 
-from foon_kg.search.enumeration import enumerate_paths
+from foon_kg.search.enumeration import Enumeration, enumerate_paths
 from foon_kg.search.problem import Bound, NoWayError, ReferenceTree, SearchProblem
 from foon_kg.search.retrieve import retrieve
 from foon_kg.search.schedule import schedule
@@ -11,6 +11,7 @@ from foon_kg.search.unit_index import UnitIndex
 
 __all__ = [
     "Bound",
+    "Enumeration",
     "NoWayError",
     "ReferenceTree",
     "SearchProblem",
