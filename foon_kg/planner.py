@@ -24,7 +24,7 @@ from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.states import state_similarity
 from foon_kg.substitution import FAIR, Candidate, Equivalents
-from foon_kg.validation import CONTRACT, KnownFoon, TaskTree, check
+from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
 
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
@@ -176,7 +176,7 @@ class _Question:
 
     def answer(self) -> PlanResult:
         """Try the goals, likeliest first, until one gives a tree with everything in it."""
-        found: list[tuple[tuple[int, ...], PlanResult]] = []
+        found: list[tuple[tuple[int, ...], Report, PlanResult]] = []
         trouble: NoTreeError | None = None
         for ranked, workshop in self._goals_to_try():
             try:
@@ -184,14 +184,26 @@ class _Question:
             except NoTreeError as error:
                 trouble = trouble or error
                 continue
-            faults = self._faults(result, ranked, workshop)
-            found.append(((*faults, len(found)), result))
+            report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
+            faults = self._faults(report, result, ranked)
+            found.append(((*faults, len(found)), report, result))
             if not any(faults) or len(found) == MOST_GOALS:
                 break
         if found:
-            return with_progress(min(found, key=lambda row: row[0])[1], self.kitchen)
+            _, report, result = min(found, key=lambda row: row[0])
+            if not report.sound:
+                raise self._refusal(report)
+            return with_progress(result, self.kitchen)
         raise trouble or NoTreeError(
             f"no way to make this {self.recipe.dish_type} was found", code="no-way", hint="Ask for another dish type."
+        )
+
+    def _refusal(self, report: Report) -> NoTreeError:
+        """Say why even the best tree is none: no tree that breaks the contract is ever answered."""
+        return NoTreeError(
+            f"no tree for this {self.recipe.dish_type} keeps the contract: {report.of(CONTRACT)[0]}",
+            code="no-way",
+            hint="Leave this ingredient out or ask for it in another state, or ask for another dish type.",
         )
 
     def _goals_to_try(self) -> Iterator[tuple[RankedGoal, _Workshop]]:
@@ -248,14 +260,14 @@ class _Question:
             self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive))
         return self._made_in[1]
 
-    def _faults(self, result: PlanResult, ranked: RankedGoal, workshop: _Workshop) -> tuple[int, int]:
+    def _faults(self, report: Report, result: PlanResult, ranked: RankedGoal) -> tuple[int, int]:
         """Answer how many rules of the contract and how many measures of sense are broken.
 
         The judge is asked only what the units behind the goal can answer, so that a plan from the whole FOON and one
         from just these units choose alike; whether the dish is truly named (S6) is known from the ranking, and how
         much of the video is kept (S8) from the place of its last unit.
         """
-        broken = set(check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen).broken)
+        broken = set(report.broken)
         sense = broken & _ASKED_OF_THE_JUDGE
         return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (_kept(result, ranked) < KEPT)
 
