@@ -17,6 +17,7 @@ from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
+from foon_kg.ordering import Played, fresh_order, once
 from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Item, Recast, Replayed, Script, Step
@@ -38,7 +39,7 @@ class FinalTree:
     """A tree that was executed: its steps in order, each with the casting that it was played with."""
 
     goal: ObjectNode
-    steps: tuple[tuple[Step, Casting], ...]
+    steps: tuple[Played, ...]
     lines: Mapping[RequiredIngredient, str]
     additions: tuple[Addition, ...]
     missing: tuple[RequiredIngredient, ...]
@@ -236,18 +237,27 @@ class Integration:
     ) -> FinalTree:
         steps, item = self._executed(self._replay_with(casting, additions))
         goal = item.node if item is not None else self.goal
-        prepared: dict[int, list[tuple[Step, Casting]]] = {}
+        prepared: dict[int, list[Played]] = {}
         for addition in additions:
             if addition.preparation is not None:
                 own = [(step, addition.preparation.casting) for step in addition.preparation.steps]
                 prepared.setdefault(addition.place, []).extend(own)
-        ordered: list[tuple[Step, Casting]] = []
+        ordered: list[Played] = []
         for step in steps:
             ordered += prepared.get(step.place, [])
             ordered.append((step, casting))
-        return FinalTree(
-            goal, tuple(_once(ordered)), {w: role[0] for w, role in played.items()}, tuple(additions), tuple(missing)
-        )
+        furnished = [*self._turned_on(ordered), *ordered]
+        lines = {want: label for want, (label, _) in played.items()}
+        return FinalTree(goal, fresh_order(tuple(once(furnished))), lines, tuple(additions), tuple(missing))
+
+    def _turned_on(self, steps: Sequence[Played]) -> Iterator[Played]:
+        """Answer the steps that make utensils hot or on that nobody made so, where FOON knows how (contract, C6)."""
+        made: set[ObjectNode] = set()
+        for step, _ in steps:
+            for node in step.input_nodes:
+                if node not in made and not self.kitchen.is_food(node) and self.kitchen.is_running(node):
+                    yield from self.preparations.utensil(node)
+            made.update(step.output_nodes)
 
 
 class _Party:
@@ -273,13 +283,3 @@ class _Party:
 
 def _item(addition: Addition) -> Item:
     return Item(addition.node, frozenset({("", addition.want.object)}))
-
-
-def _once(steps: Sequence[tuple[Step, Casting]]) -> Iterator[tuple[Step, Casting]]:
-    """Leave out steps that were done before: the same inputs, motion and outputs."""
-    seen = set()
-    for step, casting in steps:
-        same = (frozenset(step.input_nodes), step.motion, frozenset(step.output_nodes))
-        if same not in seen:
-            seen.add(same)
-            yield step, casting

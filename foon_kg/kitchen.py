@@ -11,7 +11,7 @@ import functools
 import json
 import re
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from importlib import resources
 
@@ -57,6 +57,11 @@ class Kitchen:
     def default(free_foods: Iterable[str] | None = None) -> Kitchen:
         """Answer the kitchen of the project's own data; ``free_foods`` replaces the free foods (water)."""
         return _from_data(None if free_foods is None else frozenset(map(_fold, free_foods)))
+
+    def with_foods(self, names: Iterable[str]) -> Kitchen:
+        """Answer the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
+        foods = frozenset(map(_fold, names)) & self.utensils
+        return replace(self, utensils=self.utensils - foods) if foods else self
 
     def is_utensil(self, label: str) -> bool:
         """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""

@@ -117,6 +117,7 @@ class _Workshop:
         self.foon = KnownFoon.of(units, goals)
         self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
+        self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
 
     def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
         """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
@@ -133,8 +134,16 @@ class _Workshop:
             self.derived[key] = self._derive(*key)
         return self.derived[key]
 
+    def make(self, node: ObjectNode) -> Sequence[KnownUnit] | None:
+        """Answer the fewest units that make ``node``, or ``None`` where nothing does."""
+        if node not in self.made:
+            self.made[node] = self._retrieve((node,))
+        return self.made[node]
+
     def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
-        targets = tuple(node for node in self.index.nodes if node.label == label and state in node.states)
+        return self._retrieve(tuple(n for n in self.index.nodes if n.label == label and state in n.states))
+
+    def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
         try:
             return retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
         except NoTreeError:
@@ -168,8 +177,8 @@ class _Question:
         self.planner = planner
         self.recipe = recipe
         self.settings = planner.settings
-        self.kitchen = planner.settings.kitchen
         self.wants = _wants(recipe)
+        self.kitchen = planner.settings.kitchen.with_foods(want.object for want in self.wants)
         self.vocabulary = planner.vocabulary
         self._made_in: tuple[_Workshop, Preparations] | None = None
         self.equivalents = Equivalents(self.vocabulary, self.kitchen, planner.likeness, state_similarity)
@@ -257,7 +266,7 @@ class _Question:
 
     def _preparations(self, workshop: _Workshop) -> Preparations:
         if self._made_in is None or self._made_in[0] is not workshop:
-            self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive))
+            self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive, workshop.make))
         return self._made_in[1]
 
     def _faults(self, report: Report, result: PlanResult, ranked: RankedGoal) -> tuple[int, int]:

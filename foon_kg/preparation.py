@@ -7,18 +7,22 @@ which the bacon is fried) are left out: nobody asked for them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
+from foon_kg.ordering import Played
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Recast, Script, Step
 from foon_kg.substitution import Candidate, Equivalents
 
 Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
 """Answers the units, in order, that make a food in a state (the last one outputs it), or ``None``."""
+
+Make = Callable[[ObjectNode], Sequence[KnownUnit] | None]
+"""Answers the units, in order, that make a node (the last one outputs it), or ``None``."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +48,7 @@ class Preparations:
     equivalents: Equivalents
     kitchen: Kitchen
     derive: Derive
+    make: Make
     _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
 
     def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
@@ -63,6 +68,24 @@ class Preparations:
         for preparation in self.of(want):
             yield preparation.node, preparation
         yield ObjectNode(want.object, (want.state,)), None
+
+    def utensil(self, node: ObjectNode) -> tuple[Played, ...]:
+        """Answer the steps that bring a utensil into its state, without any food; none where FOON knows none."""
+        script = self.make(node)
+        if not script:
+            return ()
+        casting = self._alone(script, {})
+        replayed = replay(Script.of(script, self.kitchen), casting)
+        item = replayed.items.get(node)
+        if item is None or item.node != node:
+            return ()
+        return tuple((step, casting) for step in needed(replayed.steps, node))
+
+    def _alone(self, script: Sequence[KnownUnit], foods: Mapping[str, Recast]) -> Casting:
+        """Answer the casting in which just these foods play, and every other one is dropped."""
+        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
+        dropped: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
+        return Casting(dropped | dict(foods))
 
     def leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
         """Say whether every leaf of ``line`` is at hand under its new name (contract, C6)."""
@@ -101,9 +124,7 @@ class Preparations:
         self, want: RequiredIngredient, state: str, candidate: Candidate, script: Sequence[KnownUnit], recast: Recast
     ) -> Iterator[Preparation]:
         """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
-        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
-        dropped: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
-        casting = Casting(dropped | {candidate.label: recast})
+        casting = self._alone(script, {candidate.label: recast})
         replayed = replay(Script.of(script, self.kitchen), casting)
         for target in script[-1].unit.output_nodes:
             item = replayed.items.get(target)

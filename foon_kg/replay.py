@@ -248,7 +248,7 @@ class _Stage:
         inside = {atom for atom in brought if atom[0] in node.ingredients or not atom[0]} | own
         inside = inside.union({(name, name) for name in turned}, *(foods[name].atoms for name, _ in own))
         kept = {atom for item in here.of_label(node.label) for atom in item.atoms}
-        if not turned:
+        if not turned and self.kitchen.foods_in(node):
             in_foods = {now for name, _ in own for _, now in foods[name].atoms}
             named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
         if not named:
