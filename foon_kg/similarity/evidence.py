@@ -60,7 +60,8 @@ class Evidence:
 
     def about(self, names: Sequence[str]) -> Names:
         """Answer all that is known of canonical ``names``."""
-        groups = self.food_groups.rows(names, self._near_listed)
+        memberships = self.food_groups.rows(names, self._near_listed)
+        groups = memberships * self._stands_for_others
         last_words = tuple(name.rpartition(" ")[2] for name in names)
         return Names(
             vectors=self.food_vectors.embed(names),
@@ -69,7 +70,7 @@ class Evidence:
             groups=groups,
             shelves=self.food_groups.shelves(groups),
             listed=np.array([name in self.food_groups.places for name in names], dtype=bool),
-            dish=np.minimum(groups @ self._is_dish, 1.0),
+            dish=np.minimum(memberships @ self._is_dish, 1.0),
             words=tuple(frozenset(name.split()) for name in names),
             last_words=last_words,
         )
@@ -96,8 +97,11 @@ class Evidence:
 
     @cached_property
     def _is_dish(self) -> Table:
-        groups = self.food_groups
-        return np.asarray(groups.shelf_of == groups.shelf_of[groups.groups.index("mixtures")], dtype=np.float64)
+        return self.food_groups.on_shelves("dish", "apart")
+
+    @cached_property
+    def _stands_for_others(self) -> Table:
+        return 1 - self.food_groups.on_shelves("apart")
 
     def _near_listed(self, names: Sequence[str]) -> Table:
         """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""

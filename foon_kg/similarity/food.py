@@ -1,9 +1,11 @@
 """The default similarity: evidence of twelve kinds, weighed into one probability.
 
-``confidence = 1 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
-judged as a cook would; ``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on
-halves that they were not fitted on. So 0.5 means: as likely as not, a cook would accept the known food. Equal
-canonical names are one food and answer 1; nothing else reaches 0.99.
+``confidence = 0.99 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
+judged as a cook would. ``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on
+halves that they were not fitted on: of the pairs said to be 0.9 or more 91 % were accepted, of those said to be 0.5 to
+0.7 56 %, of those below 0.1 fewer than 1 %. So 0.5 means: as likely as not, a cook would accept the known food; below
+it a planner does better to say that it knows no equivalent (S5 of the contract's sense). Equal canonical names are one
+food and answer 1; nothing else reaches 0.99.
 """
 
 from __future__ import annotations

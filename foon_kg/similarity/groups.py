@@ -29,6 +29,7 @@ class FoodGroups:
     """Which groups the listed ``foods`` are in (one row of ``listed`` each), and on which shelf each group stands."""
 
     groups: tuple[str, ...]
+    shelf_names: tuple[str, ...]
     shelf_of: npt.NDArray[np.int64]
     foods: tuple[str, ...]
     listed: Memberships
@@ -45,10 +46,14 @@ class FoodGroups:
 
     def shelves(self, memberships: Memberships) -> Memberships:
         """Answer the memberships in shelves that those in groups amount to."""
-        shelves = np.zeros((len(memberships), int(self.shelf_of.max()) + 1))
+        shelves = np.zeros((len(memberships), len(self.shelf_names)))
         for group, shelf in enumerate(self.shelf_of):
             shelves[:, shelf] = np.maximum(shelves[:, shelf], memberships[:, group])
         return shelves
+
+    def on_shelves(self, *names: str) -> Memberships:
+        """Answer for each group 1 where it stands on one of these shelves, else 0."""
+        return np.isin(self.shelf_of, [self.shelf_names.index(name) for name in names]).astype(np.float64)
 
     def of(self, name: str) -> tuple[str, ...]:
         """Answer the groups in which the table lists a canonical name, in the order of the table."""
@@ -90,4 +95,4 @@ def food_groups() -> FoodGroups:
     shelves = sorted(set(shelf_names))
     shelf_of = np.array([shelves.index(name) for name in shelf_names])
     groups = tuple(heading.split(" / ")[1] for heading, _, _ in lines)
-    return FoodGroups(groups, shelf_of, tuple(foods), listed, places)
+    return FoodGroups(groups, tuple(shelves), shelf_of, tuple(foods), listed, places)
