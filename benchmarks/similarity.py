@@ -75,7 +75,7 @@ def without(groups: FoodGroups, food: str) -> FoodGroups:
     kept = [place for place, name in enumerate(groups.foods) if name != food]
     foods = tuple(groups.foods[place] for place in kept)
     places = {name: place for place, name in enumerate(foods)}
-    return dataclasses.replace(groups, foods=foods, listed=groups.listed[kept], places=places, _guessed={})
+    return dataclasses.replace(groups, foods=foods, listed=groups.listed[kept], places=places)
 
 
 def judge(name: str, accepted: dict[str, set[str]], known: list[str], *, strange: bool) -> Judged:

@@ -35,7 +35,7 @@ KINDS = (
 _KIND_SHARE, _ALONE = 0.5, 0.8
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Names:
     """All that is known of some canonical names, one row each, ready to be compared with other names."""
 
@@ -50,7 +50,7 @@ class Names:
     last_words: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Evidence:
     """Brings the vectors, the kinds, the groups and the words of names together."""
 

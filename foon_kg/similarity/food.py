@@ -27,6 +27,7 @@ from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
 
 _MOST = 0.99
+_REMEMBERED = 20_000  # rows; with 400 known foods, 64 MB
 _TOLD = 0.3  # evidence of less weight than this changes no answer that a person would notice
 _TOLD_AS = {
     "vectors": "named in like company",
@@ -38,7 +39,7 @@ _TOLD_AS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Known:
     """Known names made ready once, and the rows of confidences that were asked for them so far."""
 
@@ -61,6 +62,9 @@ class FoodSimilarity:
         side = self._known(tuple(map(canonical, known)))
         new = [name for name in dict.fromkeys(rows) if name not in side.answered]
         if new and known:
+            if len(side.answered) + len(new) > _REMEMBERED:
+                side.answered.clear()
+                new = list(dict.fromkeys(rows))
             side.answered.update(zip(new, self._confidences(new, side), strict=True))
         return np.array([side.answered[name] for name in rows if known]).reshape(len(wanted), len(known))
 

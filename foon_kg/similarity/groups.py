@@ -6,7 +6,7 @@ A food that the table does not list is placed by its last words, or else by the 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
@@ -24,7 +24,7 @@ _NEAREST = 8
 _SHARPNESS = 12.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FoodGroups:
     """Which groups the listed ``foods`` are in (one row of ``listed`` each), and on which shelf each group stands."""
 
@@ -34,15 +34,21 @@ class FoodGroups:
     foods: tuple[str, ...]
     listed: Memberships
     places: dict[str, int]
-    _guessed: dict[str, Memberships] = field(default_factory=dict, compare=False)
 
     def rows(self, names: Sequence[str], nearness: Nearness) -> Memberships:
         """Answer one row of memberships (0 to 1 in each group) for each canonical name."""
-        unknown = [name for name in dict.fromkeys(names) if name not in self.places and name not in self._guessed]
-        if unknown:
-            self._guess(unknown, nearness)
-        rows = [self.listed[self.places[name]] if name in self.places else self._guessed[name] for name in names]
-        return np.array(rows).reshape(len(names), len(self.groups))
+        rows = np.zeros((len(names), len(self.groups)))
+        strange = []
+        for row, name in enumerate(names):
+            if name in self.places:
+                rows[row] = self.listed[self.places[name]]
+            elif (place := self._place_of_ending(name)) is not None:
+                rows[row] = _SHORTENED * self.listed[place]
+            else:
+                strange.append(row)
+        if strange:
+            rows[strange] = [self._vote(near) for near in nearness([names[row] for row in strange])]
+        return rows
 
     def shelves(self, memberships: Memberships) -> Memberships:
         """Answer the memberships in shelves that those in groups amount to."""
@@ -60,13 +66,6 @@ class FoodGroups:
         if name not in self.places:
             return ()
         return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
-
-    def _guess(self, names: Sequence[str], nearness: Nearness) -> None:
-        by_words = {name: place for name in names if (place := self._place_of_ending(name)) is not None}
-        strange = [name for name in names if name not in by_words]
-        self._guessed.update({name: _SHORTENED * self.listed[place] for name, place in by_words.items()})
-        if strange:
-            self._guessed.update(zip(strange, map(self._vote, nearness(strange)), strict=True))
 
     def _place_of_ending(self, name: str) -> int | None:
         words = name.split()

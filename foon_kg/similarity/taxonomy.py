@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
@@ -20,7 +20,7 @@ Kinds = dict[int, float]
 _SHORTENED = 0.9  # of "red onion" only the onion was found
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FoodTaxonomy:
     """The kinds of foods, each with its name and the information it adds (0..1), and the kinds that a word may mean."""
 
@@ -28,7 +28,6 @@ class FoodTaxonomy:
     added: tuple[float, ...]
     above: tuple[frozenset[int], ...]
     meanings: dict[str, tuple[int, ...]]
-    _known: dict[str, Kinds] = field(default_factory=dict, compare=False)
 
     def rows(self, names: Sequence[str]) -> npt.NDArray[np.float64]:
         """Answer one row for each canonical name, of length at most 1; zeros where WordNet has no such food."""
@@ -45,11 +44,6 @@ class FoodTaxonomy:
         return self.names[min(both, key=lambda kind: (-telling[kind], kind))] if both else None
 
     def _kinds(self, name: str) -> Kinds:
-        if name not in self._known:
-            self._known[name] = self._look_up(name)
-        return self._known[name]
-
-    def _look_up(self, name: str) -> Kinds:
         words = name.split()
         for start in range(len(words)):
             meanings = self.meanings.get(" ".join(words[start:]))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
@@ -15,8 +16,6 @@ from Stemmer import Stemmer
 Vectors = npt.NDArray[np.float64]
 
 _WORD = re.compile(r"[a-z]+")
-
-
 _STEMMER = Stemmer("english")
 
 
@@ -25,24 +24,21 @@ def stem(word: str) -> str:
     return str(_STEMMER.stemWord(word))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FoodVectors:
     """A vector for each known stem."""
 
     vectors: Vectors
     places: dict[str, int]
-    _embedded: dict[str, Vectors] = field(default_factory=dict, compare=False)
 
     def embed(self, names: Sequence[str]) -> Vectors:
         """Answer one row of length 1 for each name: the mean of its words. Zeros where no word is known."""
-        rows = [self._embedded[name] if name in self._embedded else self._remember(name) for name in names]
-        return np.array(rows).reshape(len(names), self.vectors.shape[1])
+        return np.array([self._embed(name) for name in names]).reshape(len(names), self.vectors.shape[1])
 
-    def _remember(self, name: str) -> Vectors:
+    def _embed(self, name: str) -> Vectors:
         places = [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
-        mean = self.vectors[places].mean(axis=0) if places else np.zeros(self.vectors.shape[1])
-        self._embedded[name] = mean / (np.linalg.norm(mean) or 1.0)
-        return self._embedded[name]
+        total: Vectors = self.vectors[places].sum(axis=0)
+        return total / (math.sqrt(float(total @ total)) or 1.0)
 
 
 @lru_cache(maxsize=1)

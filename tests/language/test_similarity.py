@@ -102,6 +102,15 @@ def test_nearest_does_not_depend_on_the_order_of_the_known(known):
     assert food_similarity().nearest("caper", known) == food_similarity().nearest("caper", KNOWN)
 
 
+def test_rows_that_were_forgotten_are_answered_again_alike(monkeypatch):
+    names = [*KNOWN, "caper", "leek", "stock"]
+    at_once = food_similarity().matrix(names, KNOWN)
+    monkeypatch.setattr("foon_kg.similarity.food._REMEMBERED", 2)
+    for start in range(0, len(names), 5):
+        some = food_similarity().matrix(names[start : start + 5], KNOWN)
+        np.testing.assert_allclose(some, at_once[start : start + 5], atol=2e-6)
+
+
 def test_a_strange_food_is_placed_by_its_last_words_or_its_neighbours():
     similarity = food_similarity()
     assert similarity.nearest("organic baby lettuce hearts of salinas lettuce", KNOWN, limit=1)[0].name == "lettuce"
