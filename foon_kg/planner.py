@@ -54,7 +54,7 @@ class PlanSettings:
 
     kitchen: Kitchen = field(default_factory=Kitchen.default)
     similarity: Similarity = field(default_factory=food_similarity)
-    time_limit: float | None = 2.0
+    time_limit: float | None = 20.0
 
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:

@@ -68,7 +68,7 @@ def _asked(wanted: RequiredIngredient) -> Text:
 
 def _reference(result: PlanResult) -> Text:
     reference = result.reference
-    proven = "no other tree covers more in fewer" if reference.exact else "the best one found in time"
+    proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
     videos = [unit.seen_in[0].video for unit in result.units if unit.origin == "reference" and unit.seen_in]
     seen = f" (video {max(sorted(videos), key=videos.count)})" if videos else ""
