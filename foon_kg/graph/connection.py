@@ -63,6 +63,11 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
     """Raise what the driver raises as GraphErrors that say what to do."""
     try:
         yield
+    except driver_errors.IncompleteCommit as error:
+        raise GraphError(
+            f"{settings.uri} was lost while it stored a transaction",
+            hint="Do it again: what was stored already changes nothing.",
+        ) from error
     except _UNREACHABLE as error:
         raise GraphError(
             f"no Neo4j answers at {settings.uri}",
@@ -78,11 +83,6 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
     except driver_errors.ConfigurationError as error:
         raise GraphError(
             f"{settings.uri}: {error}", hint="Check NEO4J_URI: neo4j://host or bolt://host:7687."
-        ) from error
-    except driver_errors.IncompleteCommit as error:
-        raise GraphError(
-            f"{settings.uri} was lost while it stored a transaction",
-            hint="Do it again: what was stored already changes nothing.",
         ) from error
     except driver_errors.Neo4jError as error:
         raise GraphError(f"{settings.uri}: {error.message}", hint=_hint_for(error, settings)) from error

@@ -9,7 +9,7 @@ import neo4j
 
 from foon_kg.errors import UsageError
 from foon_kg.graph.connection import Connection
-from foon_kg.graph.schema import kitchen_key, prepare_for_writing
+from foon_kg.graph.schema import check_readable, kitchen_key, prepare_for_writing
 from foon_kg.graph.statements import VIDEO_CONTENTS, ask
 from foon_kg.graph.writing import Writer
 from foon_kg.kitchen import Kitchen
@@ -95,6 +95,7 @@ def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
 def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
     """Write ``batch``; what another program wrote since we looked is found out again."""
     writer = Writer(transaction, kitchen)
+    check_readable(writer.state, kitchen)
     contents = _contents(transaction, [subgraph.name for subgraph in batch])
     changed = [subgraph for subgraph in batch if contents.get(subgraph.name) != subgraph.content_key]
     writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
@@ -110,6 +111,7 @@ def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kit
 
 def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen: Kitchen) -> None:
     writer = Writer(transaction, kitchen)
+    check_readable(writer.state, kitchen)
     if unknown := sorted(set(names) - _contents(transaction, names).keys()):
         raise UsageError(
             f"the graph has no video “{'”, “'.join(unknown)}”",

@@ -42,7 +42,8 @@ Row = TypeVar("Row")
 class GraphView:
     """One read transaction on the graph; implements :class:`~foon_kg.knowledge.KnowledgeView`.
 
-    ``round_trips`` counts the queries that were sent. Each method sends one.
+    ``round_trips`` counts the queries that were sent. Each method sends one. Neo4j reads what is committed when a query
+    starts: a load that ends between two questions shows in the second.
     """
 
     def __init__(self, transaction: neo4j.Transaction) -> None:

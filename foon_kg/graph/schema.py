@@ -20,6 +20,9 @@ from foon_kg.graph.statements import SCHEMA_RECORD, SCHEMA_STATE, ask
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import content_key
 
+_SCHEMA_CONFLICT = "Neo.ClientError.Schema."
+"""Another program made the same constraint, or the same record, just then: it is there at the next try."""
+
 _TRIES = 5
 
 
@@ -52,9 +55,19 @@ def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
 
 def prepare_for_writing(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     """Apply what is missing of the schema and answer the state of the graph. Raises SchemaError for a newer one."""
+    for _ in range(_TRIES - 1):
+        try:
+            return _up_to_date(session, kitchen)
+        except driver_errors.ClientError as error:
+            if not (error.code or "").startswith(_SCHEMA_CONFLICT):
+                raise
+    return _up_to_date(session, kitchen)
+
+
+def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     state = read_state(session)
     if state is None or state.version < schema_version():
-        _apply_steps(session, after=state.version if state else 0)
+        session.execute_write(_run_steps, state.version if state else 0)
         state = SchemaState(schema_version(), state.kitchen if state else kitchen_key(kitchen))
         session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen)
     _refuse_newer(state)
@@ -66,18 +79,8 @@ def read_state(session: neo4j.Session) -> SchemaState | None:
     return next(iter(session.execute_read(ask, SCHEMA_STATE)), None)
 
 
-def _apply_steps(session: neo4j.Session, after: int) -> None:
-    """Run the numbered files that follow number ``after``; two programs that do so at once end with one schema."""
-    for _ in range(_TRIES - 1):
-        try:
-            session.execute_write(_run_steps, after)
-        except (driver_errors.ConstraintError, driver_errors.ClientError):
-            continue  # another program made the same constraint just then: with IF NOT EXISTS it is fine next time
-        return
-    session.execute_write(_run_steps, after)
-
-
 def _run_steps(transaction: neo4j.ManagedTransaction, after: int) -> None:
+    """Run the numbered files that follow number ``after``."""
     for step in schema_steps()[after:]:
         transaction.run(step.text).consume()
 

@@ -25,6 +25,8 @@ from foon_kg.vocabulary import WordCounts
 class Writer:
     """Adds and forgets subgraphs within ``transaction``; :meth:`finish` brings everything derived up to date.
 
+    ``state`` is what the graph said about itself when our turn came; ``None`` where there is no graph (any more).
+
     Units that lost a sighting are looked at only at the end, so that what the new content of a video shows again is
     never deleted in between.
     """
@@ -34,7 +36,7 @@ class Writer:
         self._kitchen = kitchen
         self._counts = WordCounts(kitchen.is_utensil)
         self._doubtful: set[str] = set()
-        self._ask(cypher.WRITING_TURN)
+        self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
 
     def add(self, subgraphs: Sequence[Subgraph]) -> None:
         """Write videos of which the graph has no sightings (any more)."""
