@@ -229,8 +229,8 @@ class _Stage:
     def _listed(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
         """Answer the ingredients that a food names now: those it named, those that joined, those it must carry."""
         names = self._named(node, atoms, here) | {now for name, now in atoms if not name}
-        names |= {now for _, now in atoms if now in self.casting.carried}
-        return names - {self._name_now(node.label) or node.label}
+        names -= {self._name_now(node.label) or node.label}
+        return names | {now for _, now in atoms if now in self.casting.carried}
 
     def _named(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
         """Answer the names that ``node`` said and still can say: what inputs say, or what only the script knew of."""
