@@ -148,7 +148,9 @@ def _finish(draw: st.DrawFn, cooking: Cooking, dish_type: str, foods: set[str]) 
 
 def foons(*, most: int = 3) -> st.SearchStrategy[list[Subgraph]]:
     """One to ``most`` videos."""
-    return st.integers(1, most).flatmap(lambda count: st.tuples(*(videos(f"video {n}") for n in range(count)))).map(list)
+    return (
+        st.integers(1, most).flatmap(lambda count: st.tuples(*(videos(f"video {n}") for n in range(count)))).map(list)
+    )
 
 
 @st.composite

@@ -1,0 +1,98 @@
+"""The demo's FOON plans its own recipes and its own dishes without a fault, and the same everywhere."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from planner.dishes import KITCHEN, leaf_foods
+
+from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.graph import Connection, Neo4jGraph, load
+from foon_kg.loaders import read_paths
+from foon_kg.model import Recipe
+from foon_kg.planner import Planner, PlanSettings, plan
+from foon_kg.recipes import IngredientWords, read_recipe
+from foon_kg.snapshot import Snapshot, goals_of
+from foon_kg.validation import KnownFoon, TaskTree, check, repeatable
+
+SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
+SNAPSHOT = Snapshot.of(SUBGRAPHS, KITCHEN)
+WORDS = IngredientWords(SNAPSHOT.vocabulary(), KITCHEN)
+RECIPES = [read_recipe(path, WORDS).recipe for path in demo_recipes()]
+SETTINGS = PlanSettings(time_limit=None)
+
+every_recipe = pytest.mark.parametrize("recipe", RECIPES, ids=lambda recipe: recipe.id)
+every_dish = pytest.mark.parametrize("dish", SUBGRAPHS, ids=lambda dish: dish.name)
+
+
+@pytest.fixture(scope="module")
+def planner():
+    return Planner(SNAPSHOT, SETTINGS, SNAPSHOT.units)
+
+
+@pytest.fixture(scope="module")
+def judge():
+    foon = KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
+    return lambda result: check(TaskTree.from_json(result.to_json()), foon, KITCHEN)
+
+
+@every_recipe
+def test_a_recipe_of_the_demo_gives_a_tree_without_a_fault(recipe, planner, judge):
+    assert list(map(str, judge(planner.plan(recipe)).findings)) == []
+
+
+@every_dish
+def test_a_dish_planned_from_its_own_foods_is_that_dish_without_a_fault(dish, planner, judge):
+    ((goal, dish_type),) = goals_of(dish, KITCHEN)
+    result = planner.plan(Recipe(dish_type, tuple(dict.fromkeys(leaf_foods(dish))), dish.name))
+    assert list(map(str, judge(result).findings)) == []
+    assert result.goal.label == goal.label
+    assert {unit.origin for unit in result.units} == {"reference"}
+    assert (result.substitutions, result.assumptions) == ((), ())
+
+
+@every_recipe
+def test_a_recipe_has_the_same_tree_from_the_whole_foon_and_from_what_is_behind_its_goals(recipe, planner):
+    assert plan(SNAPSHOT, recipe, SETTINGS).to_json() == planner.plan(recipe).to_json()
+
+
+PLAN_ALL = """
+import json, random, sys
+from planner.test_demo_dishes import KITCHEN, RECIPES, SETTINGS, SUBGRAPHS
+from foon_kg.planner import Planner
+from foon_kg.snapshot import Snapshot
+shuffled = random.Random(sys.argv[1]).sample(SUBGRAPHS, len(SUBGRAPHS))
+snapshot = Snapshot.of(shuffled, KITCHEN)
+planner = Planner(snapshot, SETTINGS, snapshot.units)
+print(json.dumps([planner.plan(recipe).to_json() for recipe in RECIPES]))
+"""
+
+
+def test_another_hash_seed_and_another_order_of_files_give_the_same_bytes():
+    tests = str(Path(__file__).resolve().parents[1])
+    answers = [
+        subprocess.run(
+            [sys.executable, "-c", PLAN_ALL, seed],
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": tests},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "1", "31")
+    ]
+    assert repeatable([json.loads(answer) for answer in answers]) == ()
+    assert len(set(answers)) == 1
+    assert len(json.loads(answers[0])) == len(RECIPES)
+
+
+@pytest.mark.neo4j
+def test_neo4j_and_memory_give_the_same_trees(empty_graph, planner):
+    with Connection(empty_graph) as connection:
+        load(connection, SUBGRAPHS)
+    with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
+        for recipe in RECIPES:
+            assert json.dumps(plan(view, recipe, SETTINGS).to_json()) == json.dumps(planner.plan(recipe).to_json())
