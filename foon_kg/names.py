@@ -22,9 +22,9 @@ ALIASES_VARIABLE = "FOON_KG_ALIASES"
 _APOSTROPHES = str.maketrans({"\u2019": "'", "\u2018": "'", "`": "'", "_": " "})
 _TIDY = re.compile(r"[^\w&'%/\- ]+")
 _STILL_SINGULAR = ("ss", "us", "is", "'s")
-_TAKES_ES = ("ches", "shes", "sses", "xes", "zes", "oes")
+_TAKES_ES = ("ches", "shes", "sses", "xes", "zzes", "oes")
 _SHORTEST_PLURAL = 4  # "peas"; "gas" and "bus" are no plurals
-_OWN_IE = frozenset({"brownies", "cookies", "pies", "smoothies", "veggies"})
+_OWN_IE = frozenset({"brownies", "cookies", "hoagies", "pies", "smoothies", "veggies"})
 
 
 @dataclass(frozen=True)

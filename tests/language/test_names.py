@@ -50,6 +50,12 @@ SINGULARS = [
     ("egg whites", "egg white"),
     ("peaches", "peach"),
     ("kiwis", "kiwi"),
+    ("quiches", "quiche"),
+    ("artichoke hearts", "artichoke heart"),
+    ("glazes", "glaze"),
+    ("cheeses", "cheese"),
+    ("glasses", "glass"),
+    ("hearts of palm", "heart of palm"),
 ]
 
 TRAPS = [
