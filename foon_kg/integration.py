@@ -109,7 +109,7 @@ class Integration:
         """Say whether FOON makes a processed food apart in a way that is surer than a renamed line of the reference."""
         if confidence >= 1 or self.kitchen.is_start_state(want.object, want.state):
             return False
-        return any(made.confidence > confidence and not made.strained for made in self.preparations.of(want))
+        return any(made.confidence > confidence and not made.stale for made in self.preparations.of(want))
 
     def _can_be_opened(self, want: RequiredIngredient) -> bool:
         return bool(self.preparations.of(want))

@@ -144,4 +144,4 @@ def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[PlannedUnit], kit
         taker = next(unit for unit in units if node in unit.input_nodes)
         fault = kitchen.leaf_fault(node, [other for other in taker.input_nodes if other != node])
         if fault is not None:
-            yield Assumption(node, f"nothing in this FOON, nor any fair equivalent, makes it: {fault}")
+            yield Assumption(node, f"nothing in this FOON makes it, or a fair equivalent, from what was asked: {fault}")

@@ -29,8 +29,7 @@ Make = Callable[[ObjectNode], Sequence[KnownUnit] | None]
 class Preparation:
     """A required food made apart: its steps, the casting they are played with, and the node that is ready.
 
-    ``confidence`` is that of the equivalent. ``strained`` counts the steps that take something in a state that FOON
-    does not know there, or something that an earlier step took away.
+    ``confidence`` is that of the equivalent. ``stale`` counts the steps that take what an earlier step took away.
     """
 
     want: RequiredIngredient
@@ -38,7 +37,7 @@ class Preparation:
     steps: tuple[Step, ...]
     casting: Casting
     confidence: float
-    strained: int
+    stale: int
 
 
 @dataclass(frozen=True)
@@ -52,10 +51,12 @@ class Preparations:
     _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
 
     def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
-        """Answer the ways to make ``want``, best first: without strain before strained, then surest, then shortest."""
+        """Answer the ways to make ``want``, best first: fresh before stale, then surest, then shortest."""
         if want not in self._made:
             if not self.kitchen.is_start_state(want.object, want.state):
-                found = list(self._processed(want))
+                found = list(self._processed(want, self.leaves_stand)) or list(
+                    self._processed(want, self._leaves_given)
+                )
             elif is_whole(want.state):
                 found = list(self._opened(want))
             else:
@@ -93,14 +94,23 @@ class Preparations:
             self.kitchen.is_start_state(recast.label, state) for node in line.leaves for state in recast.states_of(node)
         ) and not any(self.kitchen.is_mixture(node) for node in line.leaves)
 
-    def _processed(self, want: RequiredIngredient) -> Iterator[Preparation]:
+    def _leaves_given(self, line: FoodLine, recast: Recast) -> bool:
+        """Say whether the leaves of ``line`` that are not at hand are such as no unit of FOON makes: assumed, then."""
+        return not any(self.kitchen.is_mixture(node) or self._is_made(node, recast) for node in line.leaves)
+
+    def _is_made(self, node: ObjectNode, recast: Recast) -> bool:
+        states = recast.states_of(node)
+        at_hand = all(self.kitchen.is_start_state(recast.label, state) for state in states)
+        return not at_hand and self.make(node) is not None
+
+    def _processed(self, want: RequiredIngredient, stands: Callable[[FoodLine, Recast], bool]) -> Iterator[Preparation]:
         for candidate in self.equivalents.candidates(want):
             script = self.derive(candidate)
             line = food_lines(script, self.kitchen).get(candidate.label) if script else None
             if not script or line is None:
                 continue
             cast = self.equivalents.recast(want, [candidate.state], line.made_by)
-            if cast is not None and self.leaves_stand(line, cast[0]):
+            if cast is not None and stands(line, cast[0]):
                 yield from self._executed(want, want.state, candidate, script, cast[0])
 
     def _opened(self, want: RequiredIngredient) -> Iterator[Preparation]:
@@ -131,14 +141,15 @@ class Preparations:
             if target.label != candidate.label or candidate.state not in target.states or item is None:
                 continue
             steps = tuple(needed(replayed.steps, item.node))
-            if steps and item.node.label == want.object and state in item.node.states:
-                yield Preparation(want, item.node, steps, casting, candidate.confidence, strain(steps, self.kitchen))
+            odd = not steps or any(step.strained for step in steps)  # the food it leaned on was nobody's wish
+            if not odd and item.node.label == want.object and state in item.node.states:
+                yield Preparation(want, item.node, steps, casting, candidate.confidence, stale(steps, self.kitchen))
                 return
 
 
 def _rank(preparation: Preparation) -> tuple[object, ...]:
     return (
-        preparation.strained > 0,
+        preparation.stale > 0,
         -round(preparation.confidence, 4),
         len(preparation.steps),
         preparation.node.sort_key,
@@ -173,13 +184,13 @@ def needed(steps: Sequence[Step], goal: ObjectNode) -> list[Step]:
     return kept[::-1]
 
 
-def strain(steps: Sequence[Step], kitchen: Kitchen) -> int:
-    """Count the steps that do not happen as FOON knows them: see :class:`Preparation`."""
+def stale(steps: Sequence[Step], kitchen: Kitchen) -> int:
+    """Count the steps that take a food, or a vessel with food, that an earlier step moved or changed (sense, S1)."""
     taken: set[ObjectNode] = set()
     count = 0
     for step in steps:
         holds_food = [node for node in step.input_nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
-        count += step.strained or not taken.isdisjoint(holds_food)
+        count += not taken.isdisjoint(holds_food)
         left = {node.label for node in step.output_nodes}
         taken |= {node for node in holds_food if node.label in left and node not in step.output_nodes}
         taken -= set(step.output_nodes)
