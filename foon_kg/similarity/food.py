@@ -27,6 +27,7 @@ from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
 
 _MOST = 0.99
+_FEW = 8  # known foods that are not worth to be remembered in the place of many
 _REMEMBERED = 20_000  # rows; with 400 known foods, 64 MB
 _TOLD = 0.3  # evidence of less weight than this changes no answer that a person would notice
 _TOLD_AS = {
@@ -59,7 +60,8 @@ class FoodSimilarity:
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
         rows = [canonical(name) for name in wanted]
-        side = self._known(tuple(map(canonical, known)))
+        columns = tuple(map(canonical, known))
+        side = self._known(columns) if len(columns) > _FEW else self._about_known(columns)
         new = [name for name in dict.fromkeys(rows) if name not in side.answered]
         if new and known:
             if len(side.answered) + len(new) > _REMEMBERED:
