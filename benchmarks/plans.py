@@ -1,0 +1,119 @@
+"""How good and how quick whole plans are: shares of sound and clean trees, their sizes, and the time a recipe takes.
+
+    python benchmarks/plans.py [--files FOLDER] [--recipes PATH ...] [--every N] [--time-limit S] [--findings]
+
+Plans recipes from one snapshot in memory, by default those beside the checkout, and asks the judge about each tree
+against the whole FOON. Printed, for each dish type and for all: recipes, median and 95 % time in ms (planning alone;
+what is derived for one recipe serves the next), shares sound and clean (a failure is neither), means of units,
+substitutions and assumptions; then which rules are broken how often. ``--findings`` prints every finding.
+"""
+
+import argparse
+import statistics
+import sys
+import time
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+
+from foon_kg.errors import NoTreeError
+from foon_kg.kitchen import Kitchen
+from foon_kg.loaders import read_paths
+from foon_kg.model import Recipe
+from foon_kg.planner import Planner, PlanSettings
+from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
+from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.snapshot import Snapshot
+from foon_kg.validation import CONTRACT, SENSE, KnownFoon, Report, TaskTree, check
+
+SHARED = Path(__file__).parents[1].parent / "shared" / "data"
+HEAD = f"{'':<14}{'recipes':>8}{'median':>9}{'95 %':>9}{'sound':>8}{'clean':>8}{'units':>7}{'subst.':>8}{'assumed':>9}"
+
+
+@dataclass(frozen=True)
+class Planned:
+    """One recipe: its answer, how long it took (seconds), and what the judge says."""
+
+    recipe: Recipe
+    answer: PlanResult | PlanFailure
+    seconds: float
+    report: Report
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--files", type=Path, default=SHARED / "foon-111" / "TXT")
+    parser.add_argument("--recipes", nargs="+", type=Path, default=[SHARED / "queries"])
+    parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--time-limit", type=float, default=2.0)
+    parser.add_argument("--findings", action="store_true")
+    options = parser.parse_args()
+    read = read_paths([options.files])
+    snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
+    paths = list(recipe_files(options.recipes))[:: options.every]
+    done = plan_all(snapshot, paths, PlanSettings(time_limit=options.time_limit))
+    show(done)
+    if options.findings:
+        for planned in done:
+            for finding in planned.report.findings:
+                print(f"{planned.recipe.dish_type} {planned.recipe.id}: {finding}")
+
+
+def plan_all(snapshot: Snapshot, paths: list[Path], settings: PlanSettings) -> list[Planned]:
+    started = time.perf_counter()
+    words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
+    planner = Planner(snapshot, settings, snapshot.units)
+    foon = KnownFoon.of(snapshot.units, snapshot.goals())
+    print(f"{len(snapshot.units)} units, ready in {time.perf_counter() - started:.2f} s")
+    done = []
+    for number, path in enumerate(paths):
+        print(f"\r{number} of {len(paths)}", end="", file=sys.stderr, flush=True)
+        done.append(plan_one(planner, read_recipe(path, words).recipe, foon))
+    print("\r", end="", file=sys.stderr)
+    return done
+
+
+def plan_one(planner: Planner, recipe: Recipe, foon: KnownFoon) -> Planned:
+    started = time.perf_counter()
+    answer: PlanResult | PlanFailure
+    try:
+        answer = planner.plan(recipe)
+    except NoTreeError as error:
+        answer = PlanFailure.of(recipe, error)
+    seconds = time.perf_counter() - started
+    return Planned(recipe, answer, seconds, check(TaskTree.from_json(answer.to_json()), foon))
+
+
+def show(done: list[Planned]) -> None:
+    by_dish: defaultdict[str, list[Planned]] = defaultdict(list)
+    for planned in done:
+        by_dish[planned.recipe.dish_type].append(planned)
+    print(HEAD)
+    for dish_type in sorted(by_dish):
+        print(row(dish_type, by_dish[dish_type]))
+    print(row("all", done))
+    failures = Counter(planned.answer.code for planned in done if isinstance(planned.answer, PlanFailure))
+    broken = Counter(
+        rule for planned in done if isinstance(planned.answer, PlanResult) for rule in planned.report.broken
+    )
+    print("no tree: ", ", ".join(f"{code} {count}" for code, count in sorted(failures.items())) or "none")
+    print("broken by trees: ", ", ".join(f"{rule} {broken[rule]}" for rule in (*CONTRACT, *SENSE) if broken[rule]))
+
+
+def row(name: str, done: list[Planned]) -> str:
+    times = sorted(1000 * planned.seconds for planned in done)
+    trees = [planned.answer for planned in done if isinstance(planned.answer, PlanResult)]
+    sound = sum(planned.report.sound for planned in done) / len(done)
+    clean = sum(planned.report.clean for planned in done) / len(done)
+    means = [
+        statistics.fmean(len(part(tree)) for tree in trees) if trees else 0.0
+        for part in (lambda t: t.units, lambda t: t.substitutions, lambda t: t.assumptions)
+    ]
+    return (
+        f"{name:<14}{len(done):>8}{times[len(times) // 2]:>6.0f} ms{times[int(len(times) * 0.95)]:>6.0f} ms"
+        f"{sound:>8.1%}{clean:>8.1%}{means[0]:>7.1f}{means[1]:>8.2f}{means[2]:>9.2f}"
+    )
+
+
+if __name__ == "__main__":
+    main()
