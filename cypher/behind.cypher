@@ -29,7 +29,10 @@ WITH DISTINCT m
 WHERE m:Motion
 RETURN collect([
   m.key, m.verb, m.accepts_any,
-  COLLECT { MATCH (o)-[:INPUT_OF]->(m) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] },
-  COLLECT { MATCH (m)-[:OUTPUTS]->(o) RETURN [o.label, o.states, o.ingredients, o.relation, o.container] },
-  COLLECT { MATCH (m)-[s:SEEN_IN]->(v) RETURN [v.name, v.sources, properties(s)] }
+  [(o)-[:INPUT_OF]->(m) | [o.label, o.states, o.ingredients, o.relation, o.container]],
+  [(m)-[:OUTPUTS]->(o) | [o.label, o.states, o.ingredients, o.relation, o.container]],
+  [(m)-[s:SEEN_IN]->(v) | [
+    v.name, s.position, v.sources[0], s.start, s.end,
+    s.inputs, s.inputs_moving, s.inputs_dish, s.outputs, s.outputs_moving, s.outputs_dish
+  ]]
 ]) AS units

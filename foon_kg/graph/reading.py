@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from operator import itemgetter
@@ -11,11 +12,11 @@ import neo4j
 
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.rows import (
+    SIDES,
     KnownUnitValue,
     SeenUnit,
     SubgraphRow,
     node_of,
-    sighting_of,
     timing_of,
     unit_of,
 )
@@ -32,11 +33,13 @@ from foon_kg.graph.statements import (
 )
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
-from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
 from foon_kg.server.settings import ConnectionSettings
 from foon_kg.snapshot import Snapshot
 
 Row = TypeVar("Row")
+
+_SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 
 
 class GraphView:
@@ -139,6 +142,7 @@ def _annotation(unit: SeenUnit) -> Annotation:
 def _known_unit(unit: KnownUnitValue) -> KnownUnit:
     """Write the unit as its first sighting has it, as the snapshot does."""
     _, verb, accepts_any, inputs, outputs, sightings = unit
-    seen = sorted(sightings, key=lambda sighting: (sighting[0], sighting[2]["position"]))
-    written = unit_of(verb, inputs, outputs, seen[0][2], accepts_any=accepts_any)
-    return KnownUnit(written, tuple(sighting_of(*sighting) for sighting in seen))
+    sightings.sort(key=itemgetter(0, 1))
+    first = dict(zip(SIDES, sightings[0][_SIGHTING_FIELDS:], strict=True))
+    written = unit_of(verb, inputs, outputs, first, accepts_any=accepts_any)
+    return KnownUnit(written, tuple(Sighting(*sighting[:_SIGHTING_FIELDS]) for sighting in sightings))

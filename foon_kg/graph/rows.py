@@ -11,15 +11,18 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Sighting, Timing
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
 
 NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
 SeenUnit = tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]
 """``[key, verb, accepts_any, inputs, outputs, properties]``: a unit as one video has it."""
 
-KnownUnitValue = tuple[str, str, bool, list[NodeRow], list[NodeRow], list[tuple[str, list[str], Properties]]]
-"""The same with every sighting, each ``[video, sources, properties]``."""
+KnownUnitValue = tuple[str, str, bool, list[NodeRow], list[NodeRow], list[list[Any]]]
+"""The same with every sighting: the values of a ``Sighting``, then those of the properties in ``SIDES``."""
+
+SIDES = ("inputs", "inputs_moving", "inputs_dish", "outputs", "outputs_moving", "outputs_dish")
+"""The properties of a ``SEEN_IN`` edge that say how its video writes the unit."""
 
 
 @dataclass(frozen=True)
@@ -130,11 +133,6 @@ def bare_unit_of(row: UnitRow) -> FunctionalUnit:
 def timing_of(seen: Properties) -> Timing:
     """Answer the time that :func:`properties_of` wrote."""
     return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
-
-
-def sighting_of(video: str, sources: Sequence[str], seen: Properties) -> Sighting:
-    """Answer the place that a ``SEEN_IN`` edge stands for; the first source stands for the video."""
-    return Sighting(video, seen["position"], sources[0] if sources else None, seen.get("start"), seen.get("end"))
 
 
 def properties_of(annotation: Annotation, position: int) -> Properties:
