@@ -8,23 +8,23 @@ apart, and, only where none of these goals leads to a tree, the units behind the
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
 
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.goals import RankedGoal, rank_goals
 from foon_kg.integration import Integration
-from foon_kg.kitchen import Kitchen, words
-from foon_kg.knowledge import KnowledgeView, Vocabulary
-from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.kitchen import words
+from foon_kg.knowledge import KnowledgeView
+from foon_kg.likeness import Likeness
+from foon_kg.model import DISH_TYPES, KnownUnit, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result, with_progress
 from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
-from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
-from foon_kg.similarity import Similarity, food_similarity
+from foon_kg.settings import PlanSettings
 from foon_kg.states import state_similarity
-from foon_kg.substitution import FAIR, Candidate, Equivalents
-from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
+from foon_kg.substitution import FAIR, Equivalents
+from foon_kg.validation import CONTRACT, Report, TaskTree, check
+from foon_kg.workshop import Workshop
 
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
@@ -37,25 +37,6 @@ _ASKED_OF_THE_JUDGE = frozenset({"S1", "S2", "S4", "S5", "S7"})
 FIRST_GOALS = 3
 """How many of the likeliest goals are looked behind in the first question."""
 
-# What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
-# a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own.
-_ODD_PLACE = 1
-_FILLED_BY_NOBODY = 2
-_USED = 10
-_FILLED_BY_A_UNIT = 50
-_PROCESSED = 100
-_TURNED_ON_BY_A_UNIT = 200
-_MIXTURE = 1000
-
-
-@dataclass(frozen=True)
-class PlanSettings:
-    """How to plan: what is at hand, how foods are compared, how long a search may take (seconds)."""
-
-    kitchen: Kitchen = field(default_factory=Kitchen.default)
-    similarity: Similarity = field(default_factory=food_similarity)
-    time_limit: float | None = 20.0
-
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
     """Answer the task tree that makes ``recipe``.
@@ -64,28 +45,6 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     :class:`NoTreeError` where the FOON has no way to make it; the code is ``no-goal``, ``no-way`` or ``left-out``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
-
-
-def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNode], int | None]:
-    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most."""
-    made = {node for known in units for node in known.unit.output_nodes}
-    mixtures = {node.label for node in made if kitchen.is_food(node) and kitchen.is_mixture(node)}
-
-    def cost(node: ObjectNode) -> int | None:
-        if kitchen.is_food(node):
-            if kitchen.is_mixture(node):
-                return _MIXTURE
-            return _PROCESSED if kitchen.processed_states(node) else _ODD_PLACE
-        foods = kitchen.foods_in(node)
-        if len(foods) > 1 or not mixtures.isdisjoint(foods):
-            return _MIXTURE
-        if kitchen.is_running(node):
-            return _TURNED_ON_BY_A_UNIT if node in made else _USED
-        if foods:
-            return _FILLED_BY_A_UNIT if node in made else _FILLED_BY_NOBODY
-        return _ODD_PLACE if kitchen.at_rest(node) else _USED
-
-    return cost
 
 
 class Planner:
@@ -99,75 +58,12 @@ class Planner:
         self.view = view
         self.settings = settings
         self.vocabulary = view.vocabulary()
-        self.likeness = _Likeness(settings.similarity, self.vocabulary)
-        self.whole = None if units is None else _Workshop(units, view.goals(), settings)
+        self.likeness = Likeness(settings.similarity, self.vocabulary)
+        self.whole = None if units is None else Workshop(units, view.goals(), settings)
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
         return _Question(self, recipe).answer()
-
-
-class _Workshop:
-    """Numbered units, and what was found among them: reference trees and the makings of foods."""
-
-    def __init__(self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings) -> None:
-        self.kitchen = settings.kitchen
-        self.time_limit = settings.time_limit
-        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=gap_cost(self.kitchen, units))
-        self.foon = KnownFoon.of(units, goals)
-        self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
-        self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
-        self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
-
-    def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
-        """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
-        key = (goal, tuple(sorted(wanted.items())))
-        if key not in self.references:
-            problem = SearchProblem(self.index, (goal,), wanted=wanted)
-            self.references[key] = retrieve(problem, time_limit=self.time_limit)
-        return self.references[key]
-
-    def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:
-        """Answer the fewest units that make a food in a state, or ``None`` where nothing does."""
-        key = (candidate.label, candidate.state)
-        if key not in self.derived:
-            self.derived[key] = self._derive(*key)
-        return self.derived[key]
-
-    def make(self, node: ObjectNode) -> Sequence[KnownUnit] | None:
-        """Answer the fewest units that make ``node``, or ``None`` where nothing does."""
-        if node not in self.made:
-            self.made[node] = self._retrieve((node,))
-        return self.made[node]
-
-    def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
-        return self._retrieve(tuple(n for n in self.index.nodes if n.label == label and state in n.states))
-
-    def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
-        try:
-            return retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
-        except NoTreeError:
-            return None
-
-
-class _Likeness:
-    """How likely a cook is to accept one food for another, worked out in one product a food and kept."""
-
-    def __init__(self, similarity: Similarity, vocabulary: Vocabulary) -> None:
-        self.similarity = similarity
-        self.labels = sorted({row.label for row in vocabulary.foods})
-        self.rows: dict[str, dict[str, float]] = {}
-
-    def __call__(self, required: str, known: str) -> float:
-        if required == known:
-            return 1.0
-        if required not in self.rows:
-            values = self.similarity.matrix([required], self.labels)[0].tolist()
-            self.rows[required] = dict(zip(self.labels, values, strict=True))
-        row = self.rows[required]
-        if known not in row:
-            row[known] = float(self.similarity.matrix([required], [known])[0, 0])
-        return row[known]
 
 
 class _Question:
@@ -180,7 +76,7 @@ class _Question:
         self.wants = _wants(recipe)
         self.kitchen = planner.settings.kitchen.with_foods(want.object for want in self.wants)
         self.vocabulary = planner.vocabulary
-        self._made_in: tuple[_Workshop, Preparations] | None = None
+        self._made_in: tuple[Workshop, Preparations] | None = None
         self.equivalents = Equivalents(self.vocabulary, self.kitchen, planner.likeness, state_similarity)
 
     def answer(self) -> PlanResult:
@@ -215,7 +111,7 @@ class _Question:
             hint="Leave this ingredient out or ask for it in another state, or ask for another dish type.",
         )
 
-    def _goals_to_try(self) -> Iterator[tuple[RankedGoal, _Workshop]]:
+    def _goals_to_try(self) -> Iterator[tuple[RankedGoal, Workshop]]:
         ranked = self._ranked_goals()
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
@@ -224,7 +120,7 @@ class _Question:
         for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
             if chunk:
                 units = self.planner.view.behind([r.goal.node for r in chunk], foods)
-                workshop = _Workshop(units, [r.goal for r in ranked], self.settings)
+                workshop = Workshop(units, [r.goal for r in ranked], self.settings)
                 yield from ((goal, workshop) for goal in chunk)
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:
@@ -247,7 +143,7 @@ class _Question:
             dish_type=dish_type,
         )
 
-    def _for_goal(self, ranked: RankedGoal, workshop: _Workshop) -> PlanResult:
+    def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> PlanResult:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
         tree = Integration(
@@ -264,7 +160,7 @@ class _Question:
             self.recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen
         )
 
-    def _preparations(self, workshop: _Workshop) -> Preparations:
+    def _preparations(self, workshop: Workshop) -> Preparations:
         if self._made_in is None or self._made_in[0] is not workshop:
             self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive, workshop.make))
         return self._made_in[1]

@@ -1,0 +1,88 @@
+"""Where one planner works: numbered units, the kitchen of a search, and what was derived among them so far."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from foon_kg.errors import NoTreeError
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import Goal, KnownUnit, ObjectNode
+from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
+from foon_kg.settings import PlanSettings
+from foon_kg.substitution import Candidate
+from foon_kg.validation import KnownFoon
+
+# What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
+# a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own.
+_ODD_PLACE = 1
+_FILLED_BY_NOBODY = 2
+_USED = 10
+_FILLED_BY_A_UNIT = 50
+_PROCESSED = 100
+_TURNED_ON_BY_A_UNIT = 200
+_MIXTURE = 1000
+
+
+def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNode], int | None]:
+    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most."""
+    made = {node for known in units for node in known.unit.output_nodes}
+    mixtures = {node.label for node in made if kitchen.is_food(node) and kitchen.is_mixture(node)}
+
+    def cost(node: ObjectNode) -> int | None:
+        if kitchen.is_food(node):
+            if kitchen.is_mixture(node):
+                return _MIXTURE
+            return _PROCESSED if kitchen.processed_states(node) else _ODD_PLACE
+        foods = kitchen.foods_in(node)
+        if len(foods) > 1 or not mixtures.isdisjoint(foods):
+            return _MIXTURE
+        if kitchen.is_running(node):
+            return _TURNED_ON_BY_A_UNIT if node in made else _USED
+        if foods:
+            return _FILLED_BY_A_UNIT if node in made else _FILLED_BY_NOBODY
+        return _ODD_PLACE if kitchen.at_rest(node) else _USED
+
+    return cost
+
+
+class Workshop:
+    """Numbered units, and what was found among them: reference trees and the makings of foods."""
+
+    def __init__(self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings) -> None:
+        self.kitchen = settings.kitchen
+        self.time_limit = settings.time_limit
+        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=gap_cost(self.kitchen, units))
+        self.foon = KnownFoon.of(units, goals)
+        self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
+        self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
+        self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
+
+    def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
+        """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
+        key = (goal, tuple(sorted(wanted.items())))
+        if key not in self.references:
+            problem = SearchProblem(self.index, (goal,), wanted=wanted)
+            self.references[key] = retrieve(problem, time_limit=self.time_limit)
+        return self.references[key]
+
+    def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:
+        """Answer the fewest units that make a food in a state, or ``None`` where nothing does."""
+        key = (candidate.label, candidate.state)
+        if key not in self.derived:
+            self.derived[key] = self._derive(*key)
+        return self.derived[key]
+
+    def make(self, node: ObjectNode) -> Sequence[KnownUnit] | None:
+        """Answer the fewest units that make ``node``, or ``None`` where nothing does."""
+        if node not in self.made:
+            self.made[node] = self._retrieve((node,))
+        return self.made[node]
+
+    def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
+        return self._retrieve(tuple(n for n in self.index.nodes if n.label == label and state in n.states))
+
+    def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
+        try:
+            return retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
+        except NoTreeError:
+            return None
