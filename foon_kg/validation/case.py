@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from operator import attrgetter
 
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient
@@ -56,7 +57,17 @@ class Case:
     @cached_property
     def derivations(self) -> tuple[Derivation | None, ...]:
         """How each unit comes from the FOON, by the best of the units it names; ``None`` where none is known."""
-        return tuple(self._derivation(unit) for unit in self.tree.units)
+        rank = attrgetter("cost", "source.key")
+        return tuple(min(found, key=rank, default=None) for found in self.comparisons)
+
+    @cached_property
+    def comparisons(self) -> tuple[tuple[Derivation, ...], ...]:
+        """Each unit derived from each of its sources."""
+        declared = self.tree.substitutions or ()
+        return tuple(
+            tuple(derive(unit, source, declared, self.kitchen) for source in self.sources(unit))
+            for unit in self.tree.units
+        )
 
     def sources(self, unit: TreeUnit) -> tuple[FunctionalUnit, ...]:
         """Answer the units of the FOON that ``unit`` names; for a tree that cannot name any, those of its motion."""
@@ -70,23 +81,24 @@ class Case:
         named = (self.foon.by_sighting.get(place) for place in places)
         return tuple({source.key: source for source in named if source is not None}.values())
 
-    def compare(self, unit: TreeUnit) -> Iterator[Derivation]:
-        """Derive ``unit`` from each of its sources."""
-        declared = self.tree.substitutions or ()
-        return (derive(unit, source, declared, self.kitchen) for source in self.sources(unit))
-
-    def _derivation(self, unit: TreeUnit) -> Derivation | None:
-        return min(self.compare(unit), key=lambda found: (found.cost, found.source.key), default=None)
-
     def is_required_or_free(self, name: str) -> bool:
         """Whether a food may come from the kitchen."""
         return singular(name) in self.required_names or self.kitchen.is_free(name)
 
     def names_of(self, nodes: Iterable[ObjectNode]) -> frozenset[str]:
         """Answer the foods that ``nodes`` are or hold, in the singular."""
-        names = [node.label for node in nodes if self.kitchen.is_food(node)]
-        names += [name for node in nodes for name in self.kitchen.foods_in(node)]
-        return frozenset(map(singular, names))
+        return frozenset().union(*map(self.names_in, nodes))
+
+    def names_in(self, node: ObjectNode) -> frozenset[str]:
+        """Answer the foods that ``node`` is or holds, in the singular."""
+        if node not in self._names:
+            names = self.kitchen.foods_in(node)
+            self._names[node] = frozenset(map(singular, (node.label, *names) if self.kitchen.is_food(node) else names))
+        return self._names[node]
+
+    @cached_property
+    def _names(self) -> dict[ObjectNode, frozenset[str]]:
+        return {}  # asked of every node again and again
 
 
 def _overlaps(unit: TreeUnit, source: FunctionalUnit) -> bool:

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
+from foon_kg.validation.words import OPENS, has_word
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,12 @@ class KnownFoon:
         return (singular(label), state) in self._processed_alone
 
     @cached_property
+    def opened(self) -> frozenset[str]:
+        """The labels of what some unit cracks, peels, opens or cuts, utensils (a can, a box) among them."""
+        units = [known.unit for known in self.units if has_word(known.unit.motion, OPENS)]
+        return frozenset(node.label for unit in units for node in unit.input_nodes if node not in unit.output_nodes)
+
+    @cached_property
     def end_products(self) -> Mapping[str, frozenset[str]]:
         """The labels of the end products of each dish type."""
         found: defaultdict[str, set[str]] = defaultdict(set)
@@ -101,9 +108,18 @@ class KnownFoon:
 
     def videos_of(self, goal: ObjectNode) -> tuple[str, ...]:
         """Answer the videos that end in ``goal``, sorted; where none is marked, those that make it."""
-        marked = {video for known in self.goals if known.node == goal for video in known.videos}
+        if goal in self._videos_by_goal:
+            return tuple(sorted(self._videos_by_goal[goal]))
         made = {s.video for known in self.units if goal in known.unit.output_nodes for s in known.seen_in}
-        return tuple(sorted(marked or made))
+        return tuple(sorted(made))
+
+    @cached_property
+    def _videos_by_goal(self) -> Mapping[ObjectNode, set[str]]:
+        found: defaultdict[ObjectNode, set[str]] = defaultdict(set)
+        for known in self.goals:
+            if known.videos:
+                found[known.node].update(known.videos)
+        return dict(found)
 
     @cached_property
     def video_units(self) -> Mapping[str, frozenset[int]]:

@@ -62,7 +62,7 @@ def grounded(case: Case) -> Iterator[Finding]:
         for sighting in unit.seen_in:
             if case.foon is not None and (sighting.video, sighting.position) not in case.foon.by_sighting:
                 yield Finding("C8", f"the FOON has no unit {sighting.position} in “{sighting.video}”", place)
-        for found in case.compare(unit):
+        for found in case.comparisons[place]:
             for fault in found.faults:
                 yield Finding("C8", fault.reason, place, fault.node)
     for entry in case.tree.substitutions or ():

@@ -83,16 +83,13 @@ def joinings(case: Case) -> tuple[Joining, ...]:
 
 def _comes_alone(case: Case, unit: TreeUnit, food: str) -> bool:
     """Whether an input is the food, or holds it and nothing else that counts."""
-    return any(
-        food in names and not _others(case, names, food)
-        for names in (case.names_of((node,)) for node in unit.input_nodes)
-    )
+    return any(food in names and not _others(case, names, food) for names in map(case.names_in, unit.input_nodes))
 
 
 def _is_with_others(case: Case, unit: TreeUnit, food: str) -> bool:
-    already = {node for node in unit.input_nodes if _others(case, case.names_of((node,)), food)}
+    already = {node for node in unit.input_nodes if _others(case, case.names_in(node), food)}
     for node in unit.output_nodes:
-        names = case.names_of((node,))
+        names = case.names_in(node)
         if node not in already and food in names and _others(case, names, food):
             return True
     return False
@@ -129,7 +126,9 @@ def in_time(case: Case) -> Iterator[Finding]:
 
 def opened(case: Case) -> Iterator[Finding]:
     """S3: a food asked whole is cracked, peeled, opened or cut before it joins others, where FOON has a unit for it."""
-    known = _can_be_opened(case)
+    known = (
+        {singular(label) for label in case.foon.opened if not case.kitchen.is_utensil(label)} if case.foon else set()
+    )
     asked = {singular(w.object) for w in case.required if _is_whole(w.state)} & known
     for joining in joinings(case):
         if joining.food in asked and not _opened_before(case, joining):
@@ -140,15 +139,6 @@ def opened(case: Case) -> Iterator[Finding]:
 
 def _is_whole(state: str) -> bool:
     return "whole" in words(state)
-
-
-def _can_be_opened(case: Case) -> frozenset[str]:
-    found = set()
-    for known in case.foon.units if case.foon else ():
-        if has_word(known.unit.motion, OPENS):
-            changed = set(known.unit.input_nodes) - set(known.unit.output_nodes)
-            found |= {singular(node.label) for node in changed if case.kitchen.is_food(node)}
-    return frozenset(found)
 
 
 def _opened_before(case: Case, joining: Joining) -> bool:
