@@ -305,7 +305,10 @@ class _Stage:
         return {
             node
             for node, item in here.present.items()
-            if not self._is_food(node) and node.ingredients and not item.atoms and node.label not in receiving
+            if self.kitchen.foods_in(node)
+            and not self._is_food(node)
+            and not item.atoms
+            and node.label not in receiving
         }
 
     def _remember(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> None:
