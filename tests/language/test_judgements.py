@@ -13,6 +13,7 @@ from foon_kg.similarity import cosine_similarity, food_similarity
 from foon_kg.snapshot import Snapshot
 
 OWN = json.loads((Path(__file__).parent / "data" / "accepted.json").read_text(encoding="utf-8"))
+PARTS = ["unseen foods", "recipe words", "judged afterwards"]
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 
 
@@ -35,19 +36,17 @@ def brier(answers, truth):
 @pytest.fixture(scope="module")
 def known():
     """All foods that any judgement accepts."""
-    return sorted(
-        {canonical(other) for part in ("unseen foods", "recipe words") for a in OWN[part].values() for other in a}
-    )
+    return sorted({canonical(other) for part in PARTS for a in OWN[part].values() for other in a})
 
 
-@pytest.mark.parametrize("part", ["unseen foods", "recipe words"])
+@pytest.mark.parametrize("part", PARTS)
 def test_nine_of_ten_foods_get_an_equivalent_that_a_cook_accepts(part, known):
     judged = folded(OWN[part])
     assert share_right(food_similarity(), judged, known, among=1) >= 0.85
     assert share_right(food_similarity(), judged, known, among=3) >= 0.95
 
 
-@pytest.mark.parametrize("part", ["unseen foods", "recipe words"])
+@pytest.mark.parametrize("part", PARTS)
 def test_the_default_is_better_than_the_raw_cosine(part, known):
     judged = folded(OWN[part])
     cosine = share_right(cosine_similarity(), judged, known, among=1)
