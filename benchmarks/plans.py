@@ -20,9 +20,10 @@ from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
-from foon_kg.planner import Planner, PlanSettings
+from foon_kg.planner import Planner
 from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
 from foon_kg.validation import CONTRACT, SENSE, KnownFoon, Report, TaskTree, check
 

@@ -15,7 +15,7 @@ from kitchen_stories import subgraph
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Subgraph
-from foon_kg.planner import PlanSettings
+from foon_kg.settings import PlanSettings
 from foon_kg.similarity.answers import Confidences, Neighbour, best
 
 KITCHEN = Kitchen.default()

@@ -15,8 +15,9 @@ from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
-from foon_kg.planner import Planner, PlanSettings, plan
+from foon_kg.planner import Planner, plan
 from foon_kg.recipes import IngredientWords, read_recipe
+from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot, goals_of
 from foon_kg.validation import KnownFoon, TaskTree, check, repeatable
 
