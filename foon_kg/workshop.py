@@ -32,7 +32,7 @@ def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNo
         if kitchen.is_food(node):
             if kitchen.is_mixture(node):
                 return _MIXTURE
-            return _PROCESSED if kitchen.processed_states(node) else _ODD_PLACE
+            return _PROCESSED * len(kitchen.processed_states(node)) or _ODD_PLACE
         foods = kitchen.foods_in(node)
         if len(foods) > 1 or not mixtures.isdisjoint(foods):
             return _MIXTURE
