@@ -31,7 +31,7 @@ clean:  ## take away the environment and everything that was built
 $(INSTALLED): requirements.txt pyproject.toml
 	@echo "Making .venv with everything in requirements.txt; the first time this takes a minute."
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install $(PIP_QUIETLY) --no-compile --require-hashes -r requirements.txt
+	$(BIN)/python -m pip install $(PIP_QUIETLY) --require-hashes -r requirements.txt
 	$(BIN)/python -m pip install $(PIP_QUIETLY) --no-deps --no-build-isolation -e .
 	@touch $@
 

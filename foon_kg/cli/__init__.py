@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from typing import Annotated
 
 import typer
@@ -48,4 +49,5 @@ app.add_typer(server.app)
 
 def main() -> None:
     """Run ``foon`` (the entry point of the installed program)."""
+    gc.set_threshold(100_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
     app()
