@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Goal, KnownUnit, ObjectNode
+from foon_kg.restoration import restored
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.settings import PlanSettings
 from foon_kg.substitution import Candidate
@@ -83,6 +84,10 @@ class Workshop:
 
     def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
         try:
-            return retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
+            script = retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
         except NoTreeError:
             return None
+        return restored(script, self._makers, self.kitchen)
+
+    def _makers(self, node: ObjectNode) -> Iterator[KnownUnit]:
+        return (self.index.units[number] for number in self.index.producers[self.index.number_of[node]])
