@@ -2,20 +2,54 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from foon_kg.errors import UsageError
 from foon_kg.knowledge import Vocabulary
+from foon_kg.names import canonical
 from foon_kg.similarity import Similarity
+from foon_kg.substitution import FAIR
+
+_BESIDE_A_CHOICE = 1e-3
+"""How much of its lead over ``FAIR`` an equivalent keeps where a person chose another one."""
+
+
+@dataclass(frozen=True)
+class Substitute:
+    """A person's choice: ``food``, wherever a recipe asks for it, is handled like the known food ``like``."""
+
+    food: str
+    like: str
 
 
 class Likeness:
-    """How likely a cook is to accept one food for another, worked out in one product a food and kept."""
+    """How likely a cook is to accept one food for another, worked out in one product a food and kept.
 
-    def __init__(self, similarity: Similarity, vocabulary: Vocabulary) -> None:
+    Raises :class:`~foon_kg.errors.UsageError` for a substitute that the FOON does not know, or two for one food.
+    """
+
+    def __init__(self, similarity: Similarity, vocabulary: Vocabulary, substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
         self.labels = sorted({row.label for row in vocabulary.foods})
         self.rows: dict[str, dict[str, float]] = {}
+        self.chosen: dict[str, str] = {}
+        for substitute in substitutes:
+            self._choose(substitute)
 
     def __call__(self, required: str, known: str) -> float:
-        """Answer how likely a cook is to accept ``known`` for ``required`` (0..1)."""
+        """Answer :meth:`own`, but 1 for a substitute that a person chose; others are then barely fair at best."""
+        sure = self.own(required, known)
+        like = self.chosen.get(canonical(required)) if self.chosen else None
+        if like is None:
+            return sure
+        if canonical(known) == like:
+            return 1.0
+        return min(sure, FAIR + (sure - FAIR) * _BESIDE_A_CHOICE)
+
+    def own(self, required: str, known: str) -> float:
+        """Answer how likely a cook is to accept ``known`` for ``required`` (0..1), whatever was chosen."""
         if required == known:
             return 1.0
         if required not in self.rows:
@@ -25,3 +59,13 @@ class Likeness:
         if known not in row:
             row[known] = float(self.similarity.matrix([required], [known])[0, 0])
         return row[known]
+
+    def _choose(self, substitute: Substitute) -> None:
+        food, like = canonical(substitute.food), canonical(substitute.like)
+        if self.chosen.setdefault(food, like) != like:
+            raise UsageError(f"“{substitute.food}” has two substitutes", hint="Choose one of them.")
+        if like not in map(canonical, self.labels):
+            near = difflib.get_close_matches(substitute.like, self.labels, n=3)
+            near = near or [found.name for found in self.similarity.nearest(substitute.like, self.labels, limit=3)]
+            hint = f"Did you mean {' or '.join(near)}?" if near else "It knows no food at all."
+            raise UsageError(f"this FOON does not know “{substitute.like}”", hint=hint, code="unknown-substitute")

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
+from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
+from foon_kg.explanation import Explanation, explanations
 from foon_kg.goals import RankedGoal, rank_goals
-from foon_kg.integration import Integration
+from foon_kg.integration import FinalTree, Integration
 from foon_kg.kitchen import words
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Likeness
@@ -42,7 +45,8 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     """Answer the task tree that makes ``recipe``.
 
     Raises :class:`UsageError` for a recipe without ingredients or with an unknown dish type, and
-    :class:`NoTreeError` where the FOON has no way to make it; the code is ``no-goal``, ``no-way`` or ``left-out``.
+    :class:`NoTreeError` where the FOON has no way to make it; the code is ``no-goal``, ``no-way``, ``left-out`` or
+    ``avoided``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
 
@@ -58,12 +62,26 @@ class Planner:
         self.view = view
         self.settings = settings
         self.vocabulary = view.vocabulary()
-        self.likeness = Likeness(settings.similarity, self.vocabulary)
+        self.likeness = Likeness(settings.similarity, self.vocabulary, settings.substitutes)
         self.whole = None if units is None else Workshop(units, view.goals(), settings)
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
         return _Question(self, recipe).answer()
+
+    def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
+        """Answer the tree, and why every required food is made as it is; raises as :func:`plan` does."""
+        return _Question(self, recipe).explained()
+
+
+@dataclass(frozen=True)
+class _Attempt:
+    """A tree for one goal, what the judge says of it, and out of what it was made."""
+
+    result: PlanResult
+    report: Report
+    integration: Integration
+    tree: FinalTree
 
 
 class _Question:
@@ -71,34 +89,45 @@ class _Question:
 
     def __init__(self, planner: Planner, recipe: Recipe) -> None:
         self.planner = planner
-        self.recipe = recipe
         self.settings = planner.settings
-        self.wants = _wants(recipe)
-        self.kitchen = planner.settings.kitchen.with_foods(want.object for want in self.wants)
+        self.recipe, notes = without_avoided(recipe, self.settings.avoided)
+        self.wants = _wants(self.recipe, notes)
+        kitchen = kitchen_without(self.settings.kitchen, self.settings.avoided)
+        self.kitchen = kitchen.with_foods(want.object for want in self.wants)
         self.vocabulary = planner.vocabulary
         self._made_in: tuple[Workshop, Preparations] | None = None
-        self.equivalents = Equivalents(self.vocabulary, self.kitchen, planner.likeness, state_similarity)
+        self.equivalents = Equivalents(
+            self.vocabulary, self.kitchen, planner.likeness, state_similarity, planner.likeness.own
+        )
 
     def answer(self) -> PlanResult:
+        """Answer the best tree, with its progress lines."""
+        return with_progress(self._best().result, self.kitchen)
+
+    def explained(self) -> tuple[PlanResult, tuple[Explanation, ...]]:
+        """Answer the best tree, and why it is as it is."""
+        best = self._best()
+        return with_progress(best.result, self.kitchen), explanations(best.tree, best.integration)
+
+    def _best(self) -> _Attempt:
         """Try the goals, likeliest first, until one gives a tree with everything in it."""
-        found: list[tuple[tuple[int, ...], Report, PlanResult]] = []
+        found: list[tuple[tuple[int, ...], _Attempt]] = []
         trouble: NoTreeError | None = None
         for ranked, workshop in self._goals_to_try():
             try:
-                result = self._for_goal(ranked, workshop)
+                attempt = self._for_goal(ranked, workshop)
             except NoTreeError as error:
                 trouble = trouble or error
                 continue
-            report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
-            faults = self._faults(report, result, ranked)
-            found.append(((*faults, len(found)), report, result))
+            faults = self._faults(attempt, ranked)
+            found.append(((*faults, len(found)), attempt))
             if not any(faults) or len(found) == MOST_GOALS:
                 break
         if found:
-            _, report, result = min(found, key=lambda row: row[0])
-            if not report.sound:
-                raise self._refusal(report)
-            return with_progress(result, self.kitchen)
+            _, best = min(found, key=lambda row: row[0])
+            if not best.report.sound:
+                raise self._refusal(best.report)
+            return best
         raise trouble or NoTreeError(
             f"no way to make this {self.recipe.dish_type} was found", code="no-way", hint="Ask for another dish type."
         )
@@ -135,20 +164,24 @@ class _Question:
             raise NoTreeError(
                 f"this FOON has no {dish_type}", code="no-goal", hint=f"It has goals of these dish types: {there}."
             )
+        fitting = [goal for goal in goals if why_avoided(goal.node.label, self.settings.avoided) is None]
+        if not fitting:
+            raise self._avoided(goals[0].node.label, goals[0].node.label)
         return rank_goals(
-            goals,
+            fitting,
             self.wants,
             name_confidence=self.equivalents.name_confidence,
             known_foods=frozenset(" ".join(words(row.label)) for row in self.vocabulary.foods),
             dish_type=dish_type,
         )
 
-    def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> PlanResult:
+    def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> _Attempt:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
-        tree = Integration(
+        integration = Integration(
             reference.units, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
-        ).run()
+        )
+        tree = integration.run()
         if not tree.steps:
             raise NoTreeError(
                 f"nothing of {goal.label} is left for these ingredients",
@@ -156,8 +189,25 @@ class _Question:
                 hint="Ask for another dish type, or add an ingredient that such a dish has.",
             )
         summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
-        return plan_result(
+        result = plan_result(
             self.recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen
+        )
+        self._refuse_avoided(result)
+        report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
+        return _Attempt(result, report, integration, tree)
+
+    def _refuse_avoided(self, result: PlanResult) -> None:
+        """Raise :class:`NoTreeError` for a tree that names an avoided food, be it only as what a mixture is called."""
+        nodes = (node for unit in result.units for node in (*unit.input_nodes, *unit.output_nodes))
+        node = next((node for node in nodes if names_avoided(node, self.settings.avoided)), None)
+        if node is not None:
+            raise self._avoided(result.goal.label, node.label)
+
+    def _avoided(self, goal: str, food: str) -> NoTreeError:
+        return NoTreeError(
+            f"the {goal} of this FOON names {food}, which is to be avoided",
+            code="avoided",
+            hint="Ask for another dish type, or avoid less.",
         )
 
     def _preparations(self, workshop: Workshop) -> Preparations:
@@ -165,16 +215,17 @@ class _Question:
             self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive, workshop.make))
         return self._made_in[1]
 
-    def _faults(self, report: Report, result: PlanResult, ranked: RankedGoal) -> tuple[int, int]:
+    def _faults(self, attempt: _Attempt, ranked: RankedGoal) -> tuple[int, int]:
         """Answer how many rules of the contract and how many measures of sense are broken.
 
         The judge is asked only what the units behind the goal can answer, so that a plan from the whole FOON and one
         from just these units choose alike; whether the dish is truly named (S6) is known from the ranking, and how
-        much of the video is kept (S8) from the place of its last unit.
+        much of the video is kept (S8) from the place of its last unit. A person who chose an equivalent is not told
+        that it is too unlike (S5).
         """
-        broken = set(report.broken)
-        sense = broken & _ASKED_OF_THE_JUDGE
-        return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (_kept(result, ranked) < KEPT)
+        broken = set(attempt.report.broken)
+        sense = broken & _ASKED_OF_THE_JUDGE - ({"S5"} if self.settings.substitutes else set())
+        return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (_kept(attempt.result, ranked) < KEPT)
 
     def _wanted(self, ranked: RankedGoal) -> dict[str, int]:
         """Which ingredients of the goal may play which required food, by number: what counts as overlap."""
@@ -186,9 +237,13 @@ class _Question:
         return wanted
 
 
-def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
+def _wants(recipe: Recipe, left_out: Sequence[str]) -> tuple[RequiredIngredient, ...]:
     """Answer the distinct required foods in the order of the recipe: asked twice in one state is asked once."""
     wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
+    if not wants and left_out:
+        raise UsageError(
+            f"nothing is left of the recipe: {'; '.join(left_out)}", hint="Avoid less, or add other ingredients."
+        )
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
     return wants

@@ -29,15 +29,21 @@ Make = Callable[[ObjectNode], Sequence[KnownUnit] | None]
 class Preparation:
     """A required food made apart: its steps, the casting they are played with, and the node that is ready.
 
-    ``confidence`` is that of the equivalent. ``stale`` counts the steps that take what an earlier step took away.
+    ``candidate`` is the equivalent whose units these are. ``stale`` counts the steps that take what an earlier step
+    took away.
     """
 
     want: RequiredIngredient
     node: ObjectNode
     steps: tuple[Step, ...]
     casting: Casting
-    confidence: float
+    candidate: Candidate
     stale: int
+
+    @property
+    def confidence(self) -> float:
+        """How likely a cook would accept what the candidate stands for."""
+        return self.candidate.confidence
 
 
 @dataclass(frozen=True)
@@ -143,7 +149,7 @@ class Preparations:
             steps = tuple(needed(replayed.steps, item.node))
             odd = not steps or any(step.strained for step in steps)  # the food it leaned on was nobody's wish
             if not odd and item.node.label == want.object and state in item.node.states:
-                yield Preparation(want, item.node, steps, casting, candidate.confidence, stale(steps, self.kitchen))
+                yield Preparation(want, item.node, steps, casting, candidate, stale(steps, self.kitchen))
                 return
 
 

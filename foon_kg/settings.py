@@ -5,13 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from foon_kg.kitchen import Kitchen
+from foon_kg.likeness import Substitute
 from foon_kg.similarity import Similarity, food_similarity
 
 
 @dataclass(frozen=True)
 class PlanSettings:
-    """How to plan: what is at hand, how foods are compared, how long a search may take (seconds)."""
+    """How to plan: what is at hand, how foods are compared, how long a search may take (seconds).
+
+    A person's own wishes come before what the similarity says: ``substitutes`` are tried first however unlike they
+    are, and no tree has a food of ``avoided`` (names of foods or of kinds of food).
+    """
 
     kitchen: Kitchen = field(default_factory=Kitchen.default)
     similarity: Similarity = field(default_factory=food_similarity)
     time_limit: float | None = 20.0
+    substitutes: tuple[Substitute, ...] = ()
+    avoided: tuple[str, ...] = ()

@@ -43,12 +43,14 @@ class Equivalents:
     """What the words of one FOON may stand for, seen from one recipe.
 
     ``name_confidence`` maps (required object, FOON label) to a probability; ``state_similarity`` two states to 0..1.
+    ``own_confidence`` is what an answer says of the names, where a person's choice made ``name_confidence`` differ.
     """
 
     vocabulary: Vocabulary
     kitchen: Kitchen
     name_confidence: Callable[[str, str], float]
     state_similarity: Callable[[str, str], float]
+    own_confidence: Callable[[str, str], float] | None = None
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
         """Say how well the FOON's state ``known`` stands for ``required`` of ``food``; 0 where it must not."""
@@ -112,7 +114,8 @@ class Equivalents:
     def labels_like(self, food: str) -> tuple[tuple[str, float], ...]:
         """Answer the foods of FOON with their confidence as equivalents of ``food``, surest first."""
         labels = sorted({row.label for row in self.vocabulary.foods} - {food})
-        return tuple(sorted(((n, self.name_confidence(food, n)) for n in labels), key=lambda r: (-r[1], r[0])))
+        confidence = self.own_confidence or self.name_confidence
+        return tuple(sorted(((n, confidence(food, n)) for n in labels), key=lambda r: (-r[1], r[0])))
 
     def states_like(self, food: str, required: str, label: str) -> tuple[tuple[str, float], ...]:
         """Answer the states of the known food ``label`` that may stand for ``required`` of ``food``, surest first."""

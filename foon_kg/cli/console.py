@@ -6,9 +6,9 @@ Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree; the error itself knows w
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 from typer.core import TyperGroup
@@ -24,6 +24,8 @@ Files = Annotated[
     list[Path] | None,
     typer.Option("--files", metavar="DIR", help="Answer from these subgraph files or folders, without a database."),
 ]
+
+T = TypeVar("T")
 
 Say = Callable[[str], None]
 """Takes one line for the person at the terminal."""
@@ -79,7 +81,26 @@ def print_view(view: RenderableType) -> None:
 
 def print_json(value: object) -> None:
     """Print one JSON value on one line of stdout."""
-    typer.echo(json.dumps(value, ensure_ascii=False))
+    typer.echo(json_line(value))
+
+
+def json_line(value: object) -> str:
+    """Answer a JSON value as one line."""
+    return json.dumps(value, ensure_ascii=False)
+
+
+def progress_bar(items: Iterable[T], total: int, done: int) -> Iterator[T]:
+    """Pass ``items`` on, and show on stderr, where that is a terminal, how many of ``total`` are done by now."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    console = messages()
+    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    hidden = not console.is_terminal
+    with Progress(*columns, console=console, transient=True, redirect_stdout=False, disable=hidden) as progress:
+        task = progress.add_task("", total=total, completed=done)
+        for item in items:
+            yield item
+            progress.advance(task)
 
 
 def show_error(error: FoonError, about: str | None = None) -> None:

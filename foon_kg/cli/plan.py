@@ -2,27 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer, show_error
-from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
-from foon_kg.model import DISH_TYPES, Recipe
+from foon_kg.cli.console import (
+    Files,
+    Json,
+    Quiet,
+    Say,
+    examples,
+    json_line,
+    print_view,
+    progress_bar,
+    sayer,
+    show_error,
+)
+from foon_kg.errors import UsageError
+from foon_kg.model import DISH_TYPES
 
 if TYPE_CHECKING:
+    from foon_kg.batch import Answer, Question, Wishes
+    from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.knowledge import KnowledgeView
-    from foon_kg.recipes import IngredientWords, ReadRecipe
-    from foon_kg.result import PlanFailure, PlanResult
+    from foon_kg.likeness import Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
     "foon plan recipe.json --json",
-    "foon plan recipes/ --files subgraphs/ --json > plans.jsonl",
+    "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
+    "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
 )
 
 
@@ -45,6 +57,24 @@ def plan(
     ] = None,
     as_json: Json = False,
     foon: Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")] = False,
+    explain: Annotated[
+        bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")
+    ] = False,
+    substitute: Annotated[
+        list[str] | None,
+        typer.Option("--substitute", metavar="FOOD=KNOWN", help="Handle this food like one that FOON knows."),
+    ] = None,
+    avoid: Annotated[
+        list[str] | None,
+        typer.Option("--avoid", metavar="FOOD", help="Leave out this food, or all foods of this kind (nuts, dairy)."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Write JSON lines to this file, and go on where it ends."),
+    ] = None,
+    jobs: Annotated[
+        int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+    ] = None,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
@@ -55,89 +85,144 @@ def plan(
 
     A recipe file is {"id", "title", "type", "ingredients": [{"object", "state"}]}. With --json every recipe is one
     line, in order; one that has no tree is a line with an "error". With several recipes the exit code is the highest.
+    With --output a run that was stopped, started again with the same command, does only what is still missing.
+
+    A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
+    What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
+    --explain is for reading and has no JSON.
     """
-    from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.recipes import IngredientWords
+    from foon_kg.batch import Wishes
 
-    if as_json and foon:
-        raise UsageError("--json and --foon ask for two forms of one answer", hint="Choose one of them.")
-    questions = [_question_in_words(dish, wanted)] if dish is not None else _questions_in_files(wanted, one_only=foon)
+    _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
+    questions = _question_in_words(dish, wanted) if dish is not None else _questions_in_files(wanted, one_only=foon)
+    wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain)
     say = sayer(quiet=quiet)
-    with open_knowledge(files, say) as view:
-        words = IngredientWords(view.vocabulary(), Kitchen.default())
-        codes = [_show(answer, as_json, foon) for answer in _answers(questions, view, words, say)]
-    if any(codes):
-        raise typer.Exit(max(codes))
+    with _knowledge(files, len(questions), say) as view:
+        done = None if output is None else _answered_before(output, questions, view, wishes)
+        there = 0 if done is None else len(done.lines)
+        if there:
+            say(f"{output} has {there} of {len(questions)} answers already")
+        answers = _answers(questions[there:], view, wishes, jobs)
+        if not quiet and (output is not None or not _stdout_is_terminal()):
+            answers = progress_bar(answers, len(questions), there)
+        show = _shows_text if foon else _shows_line if as_json else _shows_view
+        with nullcontext(show) if done is None else _writes_to(done) as write:
+            codes = [_show(answer, write, say) for answer in answers]
+    code = max([*codes, 0 if done is None else done.exit_code])
+    if code:
+        raise typer.Exit(code)
 
 
-@dataclass(frozen=True)
-class _Question:
-    """A recipe still to be read; ``stand_in`` is what is known of one that turns out to be unreadable."""
-
-    stand_in: Recipe
-    read: Callable[[IngredientWords], ReadRecipe]
+def _one_form(asked: dict[str, bool]) -> None:
+    forms = [option for option, chosen in asked.items() if chosen]
+    if len(forms) > 1:
+        raise UsageError(f"{' and '.join(forms)} ask for two forms of one answer", hint="Choose one of them.")
 
 
-@dataclass(frozen=True)
-class _NoAnswer:
-    """Why a recipe has no tree; in a batch it takes the place of one."""
+def _substitute(text: str) -> Substitute:
+    from foon_kg.likeness import Substitute
 
-    failure: PlanFailure
-    error: FoonError
-
-
-def _question_in_words(dish_type: str, texts: Sequence[str]) -> _Question:
-    from foon_kg.recipes import recipe_of
-
-    return _Question(Recipe(dish_type, ()), lambda words: recipe_of(dish_type, texts, words))
+    food, equals, like = (part.strip() for part in text.partition("="))
+    if not (food and equals and like):
+        raise UsageError(f"“{text}” is no substitute", hint="Write the food and the known one: capers=olives.")
+    return Substitute(food, like)
 
 
-def _questions_in_files(names: Sequence[str], *, one_only: bool) -> list[_Question]:
-    from foon_kg.recipes import read_recipe, recipe_files
+def _question_in_words(dish_type: str, texts: Sequence[str]) -> list[Question]:
+    from foon_kg.batch import Question
+
+    return [Question(dish_type=dish_type, texts=tuple(texts))]
+
+
+def _questions_in_files(names: Sequence[str], *, one_only: bool) -> list[Question]:
+    from foon_kg.batch import Question
+    from foon_kg.recipes import recipe_files
 
     paths = list(recipe_files(Path(name) for name in names))
     if one_only and len(paths) > 1:
         raise UsageError(f"--foon prints one tree, and these are {len(paths)} recipes", hint="Ask for them one by one.")
-    return [_Question(Recipe("", (), id=path.stem), partial(read_recipe, path)) for path in paths]
+    return [Question(path) for path in paths]
 
 
-def _answers(
-    questions: Sequence[_Question], view: KnowledgeView, words: IngredientWords, say: Say
-) -> Iterator[PlanResult | _NoAnswer]:
-    from foon_kg.planner import Planner, PlanSettings
-    from foon_kg.result import PlanFailure
+@contextmanager
+def _knowledge(files: Sequence[Path] | None, count: int, say: Say) -> Iterator[KnowledgeView]:
+    """Open the FOON: for many recipes all of it at once, as it stands now."""
+    from foon_kg.batch import MANY
+    from foon_kg.cli.knowledge import open_knowledge, whole_foon
+
+    if count >= MANY:
+        yield whole_foon(files, say)
+        return
+    with open_knowledge(files, say) as view:
+        yield view
+
+
+def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes) -> AnswerFile:
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.model_json import recipe_to_json
+    from foon_kg.recipes import IngredientWords
+
+    done = AnswerFile.read(path)
+    if done.lines:
+        words = IngredientWords(view.vocabulary(), Kitchen.default())
+        first = questions[: len(done.lines)]
+        done.check([recipe_to_json(question.as_planned(words, wishes.avoided)) for question in first])
+    return done
+
+
+def _answers(questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None) -> Iterable[Answer]:
+    from foon_kg.batch import MANY, Cook, answers, cores
     from foon_kg.snapshot import Snapshot
 
-    whole = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
-    planner = Planner(view, PlanSettings(), whole)
-    for question in questions:
-        recipe = question.stand_in
-        try:
-            read = question.read(words)
-            recipe = read.recipe
-            for note in read.notes:
-                say(note)
-            yield planner.plan(recipe)
-        except (NoTreeError, ReadError, UsageError) as error:  # any other ends the batch: it is not about this recipe
-            yield _NoAnswer(PlanFailure.of(recipe, error), error)
+    units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
+    processes = cores() if jobs is None else jobs
+    if units is not None and len(questions) >= MANY and processes > 1:
+        return answers(questions, view, wishes, units, processes)
+    return map(Cook(view, wishes, units).answer, questions) if questions else ()
 
 
-def _show(answer: PlanResult | _NoAnswer, as_json: bool, foon: bool) -> int:
-    """Print one answer; return the exit code that it stands for."""
-    if isinstance(answer, _NoAnswer):
-        if as_json:
-            print_json(answer.failure.to_json())
-        show_error(answer.error, about=answer.failure.recipe.id)
-        return answer.error.exit_code
-    if as_json:
-        print_json(answer.to_json())
-    elif foon:
-        from foon_kg.loaders import write_text
+def _stdout_is_terminal() -> bool:
+    from foon_kg.cli.console import data
 
-        typer.echo(write_text(answer.to_subgraph()), nl=False)
-    else:
-        from foon_kg.views.tree import plan_view
+    return data().is_terminal
 
-        print_view(plan_view(answer))
-    return 0
+
+def _show(answer: Answer, write: Callable[[Answer], None], say: Say) -> int:
+    """Write one answer; return the exit code that it stands for."""
+    for note in answer.notes:
+        say(note)
+    write(answer)
+    if answer.error is None:
+        return 0
+    show_error(answer.error, about=answer.outcome.recipe.id)
+    return answer.error.exit_code
+
+
+@contextmanager
+def _writes_to(done: AnswerFile) -> Iterator[Callable[[Answer], None]]:
+    with done.going_on() as add:
+        yield lambda answer: add(json_line(answer.outcome.to_json()))
+
+
+def _shows_line(answer: Answer) -> None:
+    typer.echo(json_line(answer.outcome.to_json()))
+
+
+def _shows_text(answer: Answer) -> None:
+    from foon_kg.loaders import write_text
+    from foon_kg.result import PlanResult
+
+    if isinstance(answer.outcome, PlanResult):
+        typer.echo(write_text(answer.outcome.to_subgraph()), nl=False)
+
+
+def _shows_view(answer: Answer) -> None:
+    from foon_kg.result import PlanResult
+    from foon_kg.views.explanation import explanation_view
+    from foon_kg.views.tree import plan_view
+
+    if isinstance(answer.outcome, PlanResult):
+        print_view(plan_view(answer.outcome))
+        if answer.explanations:
+            print_view(explanation_view(answer.explanations))

@@ -37,6 +37,10 @@ class FoodTaxonomy:
             matrix[row, list(kinds)] = list(kinds.values())
         return matrix
 
+    def kinds(self, name: str) -> tuple[str, ...]:
+        """Answer the kinds that a canonical name, taken whole, may belong to, by name; none where it is no food."""
+        return tuple(sorted({self.names[kind] for one in self.meanings.get(name, ()) for kind in self.above[one]}))
+
     def shared(self, one: str, other: str) -> str | None:
         """Answer the name of the most telling kind that both canonical names belong to."""
         both = self._kinds(one).keys() & self._kinds(other).keys()

@@ -1,0 +1,161 @@
+"""Many recipes planned from one FOON, on several cores, answered one by one in the order in which they were asked."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from functools import cache
+from multiprocessing import get_context, parent_process
+from multiprocessing.connection import wait
+from pathlib import Path
+
+from foon_kg.avoidance import without_avoided
+from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.explanation import Explanation
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import KnowledgeView
+from foon_kg.likeness import Substitute
+from foon_kg.model import KnownUnit, Recipe
+from foon_kg.planner import Planner
+from foon_kg.recipes import IngredientWords, ReadRecipe, read_recipe, recipe_of
+from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.settings import PlanSettings
+
+MANY = 4
+"""From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
+
+_MOST_AT_ONCE = 8
+_ROUNDS = 4
+
+
+@dataclass(frozen=True)
+class Question:
+    """A recipe still to be read: its file, or a dish type and ingredients in words."""
+
+    path: Path | None = None
+    dish_type: str = ""
+    texts: tuple[str, ...] = ()
+
+    def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
+        """Answer the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
+        read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
+        recipe, notes = without_avoided(read.recipe, avoided)
+        return ReadRecipe(recipe, (*read.notes, *notes))
+
+    def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
+        """Answer the recipe that an answer to this question names."""
+        try:
+            return self.read(words, avoided).recipe
+        except (ReadError, UsageError):
+            return self.stand_in
+
+    @property
+    def stand_in(self) -> Recipe:
+        """Answer what is known of the recipe before it is read, or where it cannot be."""
+        return Recipe(self.dish_type, (), id=None if self.path is None else self.path.stem)
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """How all recipes are to be planned (see :class:`~foon_kg.settings.PlanSettings`), and whether to say why."""
+
+    substitutes: tuple[Substitute, ...] = ()
+    avoided: tuple[str, ...] = ()
+    explain: bool = False
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it."""
+
+    outcome: PlanResult | PlanFailure
+    notes: tuple[str, ...] = ()
+    explanations: tuple[Explanation, ...] = ()
+    error: FoonError | None = None
+
+
+class Cook:
+    """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
+
+    def __init__(self, view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit] | None = None) -> None:
+        settings = PlanSettings(substitutes=wishes.substitutes, avoided=wishes.avoided)
+        self.wishes = wishes
+        self.words = IngredientWords(view.vocabulary(), Kitchen.default())
+        self.planner = Planner(view, settings, units)
+
+    def answer(self, question: Question) -> Answer:
+        """Answer one question; what is raised is not about this recipe, and ends the batch."""
+        read = ReadRecipe(question.stand_in, ())
+        try:
+            read = question.read(self.words, self.wishes.avoided)
+            if self.wishes.explain:
+                result, explanations = self.planner.explain(read.recipe)
+                return Answer(result, read.notes, explanations)
+            return Answer(self.planner.plan(read.recipe), read.notes)
+        except (NoTreeError, ReadError, UsageError) as error:
+            return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
+
+
+def answers(
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit], jobs: int
+) -> Iterator[Answer]:
+    """Answer ``questions`` in their order, in ``jobs`` processes; the answers do not depend on how many these are.
+
+    Every process gets ``view`` and ``units``, all that the view knows, once. Raises
+    :class:`~foon_kg.errors.FoonError` where one of them was ended from outside.
+    """
+    workers = min(jobs, len(questions))
+    at_once = max(1, min(_MOST_AT_ONCE, len(questions) // (_ROUNDS * workers or 1)))
+    pool = ProcessPoolExecutor(
+        workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(view, wishes, units)
+    )
+    try:
+        yield from pool.map(_answer, questions, chunksize=at_once)
+    except BrokenProcessPool as error:
+        raise FoonError(
+            "a process that was planning was ended from outside, perhaps for want of memory",
+            hint="Try --jobs 1; with --output a run goes on where this one stopped.",
+        ) from error
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def cores() -> int:
+    """Answer how many cores this program may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+_given: tuple[KnowledgeView, Wishes, Sequence[KnownUnit]] | None = None
+"""What a working process was given to answer with; the one that asks has nothing."""
+
+
+def _begin(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> None:
+    global _given  # noqa: PLW0603 - the only way to keep something between the tasks of a working process
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that asks hears it, and ends this one
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    _given = view, wishes, units
+
+
+def _end_with_parent() -> None:
+    """End this process when the one that asks is killed: the queue between them would wait for ever."""
+    parent = parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
+
+
+@cache
+def _cook() -> Cook:
+    """Answer the cook of this process, made for its first question: what is wrong with the wishes is then told."""
+    if _given is None:
+        raise RuntimeError("a working process was asked before it had begun")
+    return Cook(*_given)
+
+
+def _answer(question: Question) -> Answer:
+    return _cook().answer(question)
