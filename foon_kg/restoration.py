@@ -43,11 +43,18 @@ def _fits(unit: FunctionalUnit, fresh: set[ObjectNode], later: set[ObjectNode]) 
 
 
 def _happened(unit: FunctionalUnit, fresh: set[ObjectNode], stale: set[ObjectNode], kitchen: Kitchen) -> None:
-    """Keep in mind what stands there now, and which foods and filled vessels are another node now."""
+    """Keep in mind what stands there now, and which foods and filled vessels are another node now.
+
+    An empty utensil that the outputs do not name stood by and is still there.
+    """
     left = {node.label for node in unit.output_nodes}
     for node in unit.input_nodes:
-        if node not in unit.output_nodes and node.label in left and (kitchen.is_food(node) or kitchen.foods_in(node)):
+        holds_food = kitchen.is_food(node) or bool(kitchen.foods_in(node))
+        if node not in unit.output_nodes and node.label in left:
             fresh.discard(node)
-            stale.add(node)
+            if holds_food:
+                stale.add(node)
+        elif not holds_food:
+            fresh.add(node)
     fresh.update(unit.output_nodes)
     stale.difference_update(unit.output_nodes)

@@ -40,6 +40,13 @@ def test_a_unit_that_needs_more_than_what_stands_there_is_not_put_in():
     assert restored(units, makers(*units, needy), KITCHEN) == units
 
 
+def test_a_tool_that_only_stood_by_is_still_there_to_make_it_anew():
+    lift = KnownUnit(unit("griddle(closed,on){bacon}; turner > open > griddle(on){bacon}"), (Sighting("other", 8),))
+    cook = "griddle(closed,on){bacon}; bacon(raw)@on griddle; turner > cook > bacon(fried)@on griddle"
+    units = script(*GRIDDLE[:2], cook, GRIDDLE[3])
+    assert motions(restored(units, makers(*units, lift), KITCHEN)) == [*motions(units[:3]), "open", "turn off"]
+
+
 def test_what_a_later_unit_takes_is_not_changed_back():
     units = script(*GRIDDLE[:2], GRIDDLE[3], GRIDDLE[2])
     assert restored(units, makers(*units, OPEN), KITCHEN) == units
