@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+from foon_kg.errors import UsageError
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.model import ObjectNode, Recipe
 from foon_kg.names import canonical
@@ -24,12 +25,19 @@ def why_avoided(food: str, avoided: Sequence[str]) -> str | None:
 
 
 def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tuple[str, ...]]:
-    """Answer ``recipe`` without the avoided foods, and a note for each of these."""
+    """Answer ``recipe`` without the avoided foods, and a note for each of these.
+
+    Raises :class:`~foon_kg.errors.UsageError` where nothing is left of it.
+    """
     if not avoided:
         return recipe, ()
     reasons = {wanted: why_avoided(wanted.object, avoided) for wanted in recipe.ingredients}
     kept = tuple(wanted for wanted in recipe.ingredients if reasons[wanted] is None)
     notes = tuple(f"“{wanted.object}” is left out: {reason}" for wanted, reason in reasons.items() if reason)
+    if notes and not kept:
+        raise UsageError(
+            f"nothing is left of the recipe: {'; '.join(notes)}", hint="Avoid less, or add other ingredients."
+        )
     return replace(recipe, ingredients=kept), notes
 
 

@@ -90,8 +90,8 @@ class _Question:
     def __init__(self, planner: Planner, recipe: Recipe) -> None:
         self.planner = planner
         self.settings = planner.settings
-        self.recipe, notes = without_avoided(recipe, self.settings.avoided)
-        self.wants = _wants(self.recipe, notes)
+        self.recipe, _ = without_avoided(recipe, self.settings.avoided)
+        self.wants = _wants(self.recipe)
         kitchen = kitchen_without(self.settings.kitchen, self.settings.avoided)
         self.kitchen = kitchen.with_foods(want.object for want in self.wants)
         self.vocabulary = planner.vocabulary
@@ -237,13 +237,9 @@ class _Question:
         return wanted
 
 
-def _wants(recipe: Recipe, left_out: Sequence[str]) -> tuple[RequiredIngredient, ...]:
+def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
     """Answer the distinct required foods in the order of the recipe: asked twice in one state is asked once."""
     wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
-    if not wants and left_out:
-        raise UsageError(
-            f"nothing is left of the recipe: {'; '.join(left_out)}", hint="Avoid less, or add other ingredients."
-        )
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
     return wants
