@@ -79,7 +79,7 @@ def _misnamed(
     """Answer the foods that the goal's label names and the recipe does not have; the dish type's word apart."""
     spoken = words(goal.node.label)
     apart = set(words(dish_type))
-    there = {word for name in objects for word in words(name)}
+    there = [set(words(name)) for name in objects]
     named = {
         " ".join(spoken[start:end])
         for start in range(len(spoken))
@@ -88,4 +88,4 @@ def _misnamed(
     }
     foods = {name for name in named if name in known_foods and not set(name.split()) & apart}
     foods.discard(" ".join(spoken))
-    return tuple(sorted(name for name in foods if not set(name.split()) & there))
+    return tuple(sorted(name for name in foods if not any(set(name.split()) <= food for food in there)))

@@ -7,7 +7,7 @@ from kitchen_stories import node
 from foon_kg.goals import rank_goals
 from foon_kg.model import Goal, RequiredIngredient
 
-FOODS = frozenset({"potato", "carrot", "egg", "onion", "orange", "salad"})
+FOODS = frozenset({"blood orange", "potato", "carrot", "egg", "onion", "orange", "salad"})
 
 
 def goal(text, dish_type="salad"):
@@ -44,6 +44,13 @@ def test_the_word_of_the_dish_type_and_plurals_are_no_other_foods():
     assert ranked([eggs], "egg", dish_type="omelette")[0].misnamed == ()
     assert ranked([eggs], "onion", dish_type="omelette")[0].misnamed == ("egg",)
     assert ranked([goal("carrot salad{onion}@bowl")], "carrot")[0].misnamed == ()
+
+
+def test_an_orange_is_no_blood_orange_and_a_blood_orange_is_an_orange():
+    blood = goal("blood orange salad{blood orange,onion}@bowl")
+    assert ranked([blood], "orange")[0].misnamed == ("blood orange",)
+    assert ranked([blood], "blood orange")[0].misnamed == ()
+    assert ranked([goal("orange salad{orange}@bowl")], "blood orange")[0].misnamed == ()
 
 
 def test_each_ingredient_of_the_goal_counts_once():
