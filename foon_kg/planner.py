@@ -92,8 +92,10 @@ class _Question:
         self.settings = planner.settings
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         self.wants = _wants(self.recipe)
-        kitchen = kitchen_without(self.settings.kitchen, self.settings.avoided)
-        self.kitchen = kitchen.with_foods(want.object for want in self.wants)
+        asked = [want.object for want in self.wants]
+        # water that is asked is taken once, for the dish, and not for washing beside it (sense, S4)
+        kitchen = kitchen_without(self.settings.kitchen, (*self.settings.avoided, *asked))
+        self.kitchen = kitchen.with_foods(asked)
         self.vocabulary = planner.vocabulary
         self._made_in: tuple[Workshop, Preparations] | None = None
         self.equivalents = Equivalents(

@@ -24,6 +24,13 @@ JUICE = (
         " > stir > glass{orange juice}; orange juice(mixed){orange,water}@glass"
     ),
 )
+WASHED = (
+    "faucet(off) > turn on > faucet(on)",
+    "faucet(on); water(liquid)@from faucet; lettuce(whole) > wash > lettuce(washed)",
+    "lettuce(washed); cutting board(empty); knife > chop > lettuce(chopped)@on cutting_board",
+    "lettuce(chopped)@on cutting_board; bowl(empty) > pour > bowl{lettuce}; lettuce(chopped)@bowl",
+    "bowl{lettuce}; lettuce(chopped)@bowl; spoon > mix* > bowl{salad}; salad(mixed){lettuce}@bowl",
+)
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD), subgraph("juice", "drinks", *JUICE)], KITCHEN)
 FOON = KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
 
@@ -96,6 +103,17 @@ def test_a_food_that_the_list_of_utensils_names_is_a_food_when_it_is_asked():
 def test_water_that_is_asked_is_in_the_dish_and_free_water_goes_with_what_it_served():
     assert "water" in planned("drinks", "orange whole", "water liquid").goal.ingredients
     assert "onion" in planned("salad", "onion chopped", "water liquid").goal.ingredients
+
+
+def test_water_that_is_asked_is_not_taken_again_for_washing():
+    washing = Snapshot.of([subgraph("washed", "salad", *WASHED)], KITCHEN)
+
+    def waters(*foods):
+        units = plan(washing, recipe("salad", *foods), SETTINGS).units
+        return [unit.motion_node for unit in units if any(node.label == "water" for node in unit.input_nodes)]
+
+    assert waters("lettuce chopped") == ["wash"]
+    assert len(waters("lettuce chopped", "water liquid")) == 1
 
 
 def test_an_ingredient_that_is_called_like_the_dish_is_an_ingredient():
