@@ -83,6 +83,9 @@ def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings
         yield neo4j_server
 
 
+MOST_ROUNDS = 20
+
+
 def erase(settings: ConnectionSettings) -> None:
     """Delete every node, relationship, constraint and index of the database."""
     with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
@@ -90,10 +93,17 @@ def erase(settings: ConnectionSettings) -> None:
         def run(query: str) -> list[neo4j.Record]:
             return driver.execute_query(neo4j.Query(query), database_=settings.database).records
 
-        for row in run("SHOW CONSTRAINTS YIELD name"):
-            run(f"DROP CONSTRAINT `{row['name']}`")
-        for row in run("SHOW INDEXES YIELD name, type WHERE type <> 'LOOKUP'"):
-            run(f"DROP INDEX `{row['name']}`")
+        # a program that was killed may still have a statement running: what it makes is dropped in the next round
+        for _ in range(MOST_ROUNDS):
+            constraints = run("SHOW CONSTRAINTS YIELD name")
+            own = "SHOW INDEXES YIELD name, type, owningConstraint WHERE type <> 'LOOKUP' AND owningConstraint IS NULL"
+            indexes = run(own)
+            if not constraints and not indexes:
+                break
+            for row in constraints:
+                run(f"DROP CONSTRAINT `{row['name']}` IF EXISTS")
+            for row in indexes:
+                run(f"DROP INDEX `{row['name']}` IF EXISTS")
         run("MATCH (n) DETACH DELETE n")
 
 

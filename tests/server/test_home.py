@@ -68,7 +68,9 @@ def test_whatever_stood_in_the_configuration_is_replaced(place):
 
 
 def test_a_process_counts_only_if_it_has_our_argument_file(place):
-    with subprocess.Popen([sys.executable, "-c", "input()", f"@{place.arguments}"], stdin=subprocess.PIPE) as ours:
+    command = [sys.executable, "-c", "print('there', flush=True); input()", f"@{place.arguments}"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as ours:
+        assert ours.stdout.readline() == b"there\n"
         assert find(place, Memory(pid=ours.pid)) == psutil.Process(ours.pid)
         assert find(place, None) == psutil.Process(ours.pid)
         assert find(place, Memory(pid=os.getpid())) is None
