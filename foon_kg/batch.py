@@ -8,9 +8,10 @@ import threading
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from multiprocessing import get_context, parent_process
+from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.connection import wait
 from pathlib import Path
 
@@ -101,28 +102,38 @@ class Cook:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
 
 
-def answers(
+@contextmanager
+def answering(
     questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit], jobs: int
-) -> Iterator[Answer]:
-    """Answer ``questions`` in their order, in ``jobs`` processes; the answers do not depend on how many these are.
+) -> Iterator[Iterator[Answer]]:
+    """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
-    Every process gets ``view`` and ``units``, all that the view knows, once. Raises
+    Every process gets ``view`` and ``units``, all that the view knows, once. The answers raise
     :class:`~foon_kg.errors.FoonError` where one of them was ended from outside.
     """
     workers = min(jobs, len(questions))
-    at_once = max(1, min(_MOST_AT_ONCE, len(questions) // (_ROUNDS * workers or 1)))
+    at_once = max(1, min(_MOST_AT_ONCE, len(questions) // (_ROUNDS * workers)))
     pool = ProcessPoolExecutor(
         workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(view, wishes, units)
     )
     try:
-        yield from pool.map(_answer, questions, chunksize=at_once)
+        yield _told(pool.map(_answer, questions, chunksize=at_once))
+    except KeyboardInterrupt:
+        for process in active_children():
+            process.terminate()  # else each would end its share first
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _told(found: Iterator[Answer]) -> Iterator[Answer]:
+    try:
+        yield from found
     except BrokenProcessPool as error:
         raise FoonError(
             "a process that was planning was ended from outside, perhaps for want of memory",
             hint="Try --jobs 1; with --output a run goes on where this one stopped.",
         ) from error
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 def cores() -> int:

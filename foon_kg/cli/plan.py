@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -102,12 +102,12 @@ def plan(
         there = 0 if done is None else len(done.lines)
         if there:
             say(f"{output} has {there} of {len(questions)} answers already")
-        answers = _answers(questions[there:], view, wishes, jobs)
-        if not quiet and (output is not None or not _stdout_is_terminal()):
-            answers = progress_bar(answers, len(questions), there)
         show = _shows_text if foon else _shows_line if as_json else _shows_view
-        with nullcontext(show) if done is None else _writes_to(done) as write:
-            codes = [_show(answer, write, say) for answer in answers]
+        writing = nullcontext(show) if done is None else _writes_to(done)
+        with _answering(questions[there:], view, wishes, jobs) as answers, writing as write:
+            beside_data = output is None and _stdout_is_terminal()
+            shown = answers if quiet or beside_data else progress_bar(answers, len(questions), there)
+            codes = [_show(answer, write, say) for answer in shown]
     code = max([*codes, 0 if done is None else done.exit_code])
     if code:
         raise typer.Exit(code)
@@ -171,15 +171,17 @@ def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeV
     return done
 
 
-def _answers(questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None) -> Iterable[Answer]:
-    from foon_kg.batch import MANY, Cook, answers, cores
+def _answering(
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None
+) -> AbstractContextManager[Iterable[Answer]]:
+    from foon_kg.batch import MANY, Cook, answering, cores
     from foon_kg.snapshot import Snapshot
 
     units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
     processes = cores() if jobs is None else jobs
     if units is not None and len(questions) >= MANY and processes > 1:
-        return answers(questions, view, wishes, units, processes)
-    return map(Cook(view, wishes, units).answer, questions) if questions else ()
+        return answering(questions, view, wishes, units, processes)
+    return nullcontext(map(Cook(view, wishes, units).answer, questions) if questions else ())
 
 
 def _stdout_is_terminal() -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 
@@ -65,7 +66,8 @@ def test_a_file_has_the_lines_that_would_be_printed(folder, lines, tmp_path):
     assert output.read_bytes() == lines.stdout_bytes
 
 
-def test_a_run_killed_in_the_middle_leaves_no_process_and_goes_on_to_the_same_file(folder, lines, tmp_path):
+@pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGINT])
+def test_a_run_ended_in_the_middle_leaves_no_process_and_goes_on_to_the_same_file(folder, lines, tmp_path, end):
     output = tmp_path / "plans.jsonl"
     command = [*FOON, "plan", str(folder), "--output", str(output), "--jobs", "2", *FILES]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
@@ -73,7 +75,8 @@ def test_a_run_killed_in_the_middle_leaves_no_process_and_goes_on_to_the_same_fi
         for _ in range(4):
             next(notes)  # said just before a line is written
         workers = psutil.Process(process.pid).children(recursive=True)
-        process.kill()
+        process.send_signal(end)
+        process.stderr.read()
     _, alive = psutil.wait_procs(workers, timeout=60)
     assert alive == []
     written = output.read_bytes()
