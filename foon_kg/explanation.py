@@ -11,10 +11,10 @@ from foon_kg.lines import FoodLine, food_lines
 from foon_kg.model import KnownUnit, RequiredIngredient
 from foon_kg.preparation import Preparation
 from foon_kg.script import Casting, Recast
-from foon_kg.substitution import Candidate
+from foon_kg.substitution import FAIR, Candidate
 
 MOST_UNLIKE = 2
-"""How many known foods are named for one that none of them is like enough."""
+"""How many of the nearest known foods are named where none of them has an equivalent."""
 
 How = Literal["played", "made", "sold", "assumed", "missing"]
 """A line of the reference plays the food; or it is made apart; or it joins as sold; or so assumed; or not at all."""
@@ -169,7 +169,8 @@ class _Reader:
                 yield self._passed(want, candidate, "its own steps do not make it so from this kitchen")
         if not candidates:
             for label, sure in self.equivalents.labels_like(want.object)[:MOST_UNLIKE]:
-                yield PassedOver(label, "", round(sure, 4), "too unlike, or never made in such a state")
+                why = "too unlike" if sure < FAIR else "FOON makes it in no such state"
+                yield PassedOver(label, "", round(sure, 4), why)
 
     def _passed(self, want: RequiredIngredient, candidate: Candidate, why: str) -> PassedOver:
         return PassedOver(candidate.label, candidate.state, round(self._confidence(want, candidate), 4), why)

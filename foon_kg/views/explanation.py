@@ -26,7 +26,9 @@ def _sentences(one: Explanation) -> Iterator[Text]:
     yield Text(_origin(one) + _renamed(one))
     if one.joins is not None:
         yield Text(_place(one.joins))
-    yield from (Text(_passed(other), ASIDE) for other in one.passed_over)
+    for why in dict.fromkeys(other.why for other in one.passed_over):
+        names = ", ".join(_name(other) for other in one.passed_over if other.why == why)
+        yield Text(f"not like {names}: {why}", ASIDE)
 
 
 def _origin(one: Explanation) -> str:
@@ -61,6 +63,5 @@ def _place(joins: Joining) -> str:
     return where
 
 
-def _passed(other: PassedOver) -> str:
-    name = f"{other.state} {other.label}".strip()
-    return f"not like {name} ({other.confidence:.2f}): {other.why}"
+def _name(other: PassedOver) -> str:
+    return f"{other.state} {other.label} ({other.confidence:.2f})".strip()

@@ -30,7 +30,7 @@ def printed(*explanations):
     console = Console(width=200, highlight=False)
     with console.capture() as capture:
         console.print(explanation_view(explanations))
-    return capture.get()
+    return "\n".join(line.rstrip() for line in capture.get().splitlines())
 
 
 @pytest.mark.parametrize("asked", RECIPES, ids=lambda recipe: recipe.id)
@@ -92,9 +92,15 @@ def test_an_assumed_food_names_the_known_foods_that_are_too_unlike():
     unicorn = told["unicorn"]
     assert unicorn.how == "assumed"
     assert unicorn.joins.step is not None
-    assert [(other.confidence, other.why) for other in unicorn.passed_over] == [
-        (0.1, "too unlike, or never made in such a state")
-    ] * 2
+    assert [(other.confidence, other.why) for other in unicorn.passed_over] == [(0.1, "too unlike")] * 2
+
+
+def test_a_food_whose_like_is_never_made_in_such_a_state_says_so():
+    _, told = explain(recipe(("kohlrabi", "burnt"), ("carrot", "chopped"), ("salt", "granulated")))
+    assert told["kohlrabi"].passed_over == (
+        PassedOver("carrot", "", 0.8, "FOON makes it in no such state"),
+        PassedOver("potato", "", 0.8, "FOON makes it in no such state"),
+    )
 
 
 @pytest.mark.parametrize(
@@ -126,9 +132,13 @@ def test_an_assumed_food_names_the_known_foods_that_are_too_unlike():
                 RequiredIngredient("leek", "sliced"),
                 "made",
                 "leek",
-                passed_over=(PassedOver("onion", "diced", 0.41, "less sure"),),
+                passed_over=(
+                    PassedOver("onion", "diced", 0.41, "less sure"),
+                    PassedOver("chive", "cut", 0.6, "takes more steps"),
+                    PassedOver("ramp", "", 0.4, "less sure"),
+                ),
             ),
-            "not like diced onion (0.41): less sure",
+            "not like diced onion (0.41), ramp (0.40): less sure\n    not like cut chive (0.60): takes more steps",
         ),
         (
             Explanation(RequiredIngredient("leek", "sliced"), "made", "bread", 0.02, chosen=True),
