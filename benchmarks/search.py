@@ -27,7 +27,7 @@ from foon_kg.search.forward import chain, cheapest_first
 from foon_kg.search.penalty import needy, reachable, within_least_penalty
 from foon_kg.search.reduction import value_of
 from foon_kg.snapshot import Snapshot
-from foon_kg.workshop import gap_cost
+from foon_kg.workshop import gap_cost, mixtures
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 ENUMERATED = 200
@@ -45,7 +45,8 @@ def main() -> int:
     kitchen = Kitchen.default()
     snapshot = Snapshot.of([result.subgraph for result in read_paths([options.folder])], kitchen)
     started = time.perf_counter()
-    index = UnitIndex.of(snapshot.units, at_hand=kitchen.has, gap_cost=gap_cost(kitchen, snapshot.units))
+    costs = gap_cost(kitchen, snapshot.units, mixtures(kitchen, snapshot.vocabulary()))
+    index = UnitIndex.of(snapshot.units, at_hand=kitchen.has, gap_cost=costs)
     print(f"{len(index.units)} units, {len(index.nodes)} nodes; numbered in {ms(started):.0f} ms")
     problems = recipe_problems(snapshot, index) if options.queries else goal_problems(snapshot, index)
     return compare(problems, options.time_limit, with_solver=not options.without_solver)

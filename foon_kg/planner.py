@@ -63,7 +63,7 @@ class Planner:
         self.settings = settings
         self.vocabulary = view.vocabulary()
         self.likeness = Likeness(settings.similarity, self.vocabulary, settings.substitutes)
-        self.whole = None if units is None else Workshop(units, view.goals(), settings)
+        self.whole = None if units is None else Workshop(units, view.goals(), settings, self.vocabulary)
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
@@ -151,7 +151,7 @@ class _Question:
         for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
             if chunk:
                 units = self.planner.view.behind([r.goal.node for r in chunk], foods)
-                workshop = Workshop(units, [r.goal for r in ranked], self.settings)
+                workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary)
                 yield from ((goal, workshop) for goal in chunk)
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.restoration import restored
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
@@ -24,10 +25,28 @@ _TURNED_ON_BY_A_UNIT = 200
 _MIXTURE = 1000
 
 
-def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNode], int | None]:
-    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most."""
+def mixtures(kitchen: Kitchen, vocabulary: Vocabulary) -> frozenset[str]:
+    """Answer the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes.
+
+    The words of the whole FOON tell, and not the units behind one goal: a part and the whole search alike (C9).
+    """
+    bought = {
+        row.label
+        for row in vocabulary.foods
+        if row.used > row.made and (not row.state or kitchen.is_start_state(row.label, row.state))
+    }
+    return frozenset(row.label for row in vocabulary.foods) - bought
+
+
+def gap_cost(
+    kitchen: Kitchen, units: Sequence[KnownUnit], mixtures: Collection[str] = ()
+) -> Callable[[ObjectNode], int | None]:
+    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most.
+
+    ``mixtures`` are the foods that count as made wherever they stand: see :func:`mixtures`.
+    """
     made = {node for known in units for node in known.unit.output_nodes}
-    mixtures = {node.label for node in made if kitchen.is_food(node) and kitchen.is_mixture(node)}
+    mixed = frozenset(mixtures)
 
     def cost(node: ObjectNode) -> int | None:
         if kitchen.is_food(node):
@@ -35,7 +54,7 @@ def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNo
                 return _MIXTURE
             return _PROCESSED * len(kitchen.processed_states(node)) or _ODD_PLACE
         foods = kitchen.foods_in(node)
-        if len(foods) > 1 or not mixtures.isdisjoint(foods):
+        if len(foods) > 1 or not mixed.isdisjoint(foods):
             return _MIXTURE
         if kitchen.is_running(node):
             return _TURNED_ON_BY_A_UNIT if node in made else _USED
@@ -49,10 +68,13 @@ def gap_cost(kitchen: Kitchen, units: Sequence[KnownUnit]) -> Callable[[ObjectNo
 class Workshop:
     """Numbered units, and what was found among them: reference trees and the makings of foods."""
 
-    def __init__(self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings) -> None:
+    def __init__(
+        self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings, vocabulary: Vocabulary
+    ) -> None:
         self.kitchen = settings.kitchen
         self.time_limit = settings.time_limit
-        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=gap_cost(self.kitchen, units))
+        cost = gap_cost(self.kitchen, units, mixtures(self.kitchen, vocabulary))
+        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=cost)
         self.foon = KnownFoon.of(units, goals)
         self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}

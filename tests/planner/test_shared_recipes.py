@@ -80,6 +80,13 @@ def test_a_tree_is_sound(answers, reports):
     assert [report.name for report in trees if not report.sound] == [], told(trees, {f"C{n}" for n in range(1, 9)})
 
 
+def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_the_whole_foon(snapshot, answers):
+    planner = Planner(snapshot, PlanSettings())
+    for answer in answers[::7]:
+        if isinstance(answer, PlanResult):
+            assert planner.plan(answer.recipe).to_json() == answer.to_json()
+
+
 def test_nearly_every_recipe_has_a_sound_tree_and_most_have_a_clean_one(reports):
     assert sum(report.sound for report in reports) >= SOUND * len(reports), told(reports, {"C2"})
     assert sum(report.clean for report in reports) >= CLEAN * len(reports), told(reports, {f"S{n}" for n in range(9)})
