@@ -7,13 +7,16 @@ import os
 import signal
 import subprocess
 import sys
+from concurrent.futures.process import BrokenProcessPool
 
 import psutil
 import pytest
 from typer.testing import CliRunner
 
+from foon_kg.batch import _told
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.errors import FoonError
 
 FOON = [sys.executable, "-c", "from foon_kg.cli import main; main()"]
 FILES = ["--files", str(demo_folder())]
@@ -150,6 +153,18 @@ def test_a_substitute_that_the_foon_does_not_know_ends_a_batch_whatever_its_proc
     answer = plan(folder, "--json", "--substitute", "salt=unicorn", "--jobs", jobs)
     assert (answer.exit_code, answer.stdout) == (2, "")
     assert "this FOON does not know “unicorn”" in answer.stderr
+
+
+def test_a_process_that_is_ended_from_outside_is_told_with_what_to_do():
+    def broken():
+        yield "an answer"
+        raise BrokenProcessPool
+
+    found = _told(broken())
+    assert next(found) == "an answer"
+    with pytest.raises(FoonError, match="ended from outside") as told:
+        next(found)
+    assert "--jobs 1" in told.value.hint
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a terminal is made with pty, which Windows has not")
