@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
 
-from foon_kg.model import ObjectNode
+from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.script import Casting, Step
 
 Played = tuple[Step, Casting]
@@ -80,3 +81,55 @@ def _soft(steps: Sequence[Played], before: Sequence[set[int]]) -> list[set[int]]
 
 def _empty(node: ObjectNode) -> bool:
     return "empty" in node.states  # an empty vessel is there again as often as it is needed
+
+
+def as_recorded(units: Sequence[KnownUnit], videos: Collection[str]) -> tuple[KnownUnit, ...]:
+    """Answer ``units``, executable in their order, as far as may be in the order of the goal's ``videos``.
+
+    A unit from elsewhere goes just before the first that takes what it makes. What uses a node up waits for the others
+    that take it, as :func:`foon_kg.search.schedule` has it; the last unit, which makes the goal, stays last.
+    """
+    if not units:
+        return ()
+    made = {node for known in units for node in known.unit.output_nodes}
+    have = {node for known in units for node in known.unit.input_nodes if _taken_before_made(node, units, made)}
+    places = _recorded_places(units, videos)
+    needed = Counter(node for known in units for node in known.unit.input_nodes)
+    waiting, done = list(units[:-1]), list[KnownUnit]()
+
+    def urgency(known: KnownUnit) -> tuple[int, float, int, str]:
+        used_up = set(known.unit.input_nodes) - set(known.unit.output_nodes)
+        others = sum(needed[node] - 1 for node in used_up if node in made)
+        return (others, *places[known.unit.key], known.unit.key)
+
+    while waiting:
+        ready = [known for known in waiting if have.issuperset(known.unit.input_nodes)]
+        chosen = min(ready, key=urgency)
+        waiting.remove(chosen)
+        done.append(chosen)
+        have.update(chosen.unit.output_nodes)
+        needed.subtract(chosen.unit.input_nodes)
+    return (*done, units[-1])
+
+
+def _taken_before_made(node: ObjectNode, units: Sequence[KnownUnit], made: set[ObjectNode]) -> bool:
+    """Say whether a node is a leaf: some unit takes it before any unit of ``units`` makes it."""
+    if node not in made:
+        return True
+    first = next(known for known in units if node in known.unit.input_nodes or node in known.unit.output_nodes)
+    return node in first.unit.input_nodes
+
+
+def _recorded_places(units: Sequence[KnownUnit], videos: Collection[str]) -> dict[str, tuple[float, int]]:
+    """Answer for each unit (by key) its place in the videos, or that of its first taker, and how far before it."""
+    takers: dict[ObjectNode, list[str]] = {}
+    for known in units:
+        for node in known.unit.input_nodes:
+            takers.setdefault(node, []).append(known.unit.key)
+    places: dict[str, tuple[float, int]] = {}
+    for known in reversed(units):
+        seen = [sighting.position for sighting in known.seen_in if sighting.video in videos]
+        later = (places[key] for node in known.unit.output_nodes for key in takers.get(node, ()) if key in places)
+        nearest = min(((place, distance - 1) for place, distance in later), default=(float(len(units)), 0))
+        places[known.unit.key] = (float(min(seen)), 0) if seen else nearest
+    return places

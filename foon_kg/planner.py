@@ -20,6 +20,7 @@ from foon_kg.kitchen import words
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, KnownUnit, Recipe, RequiredIngredient
+from foon_kg.ordering import as_recorded
 from foon_kg.outcome import plan_result, with_progress
 from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
@@ -180,8 +181,9 @@ class _Question:
     def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> _Attempt:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
+        script = as_recorded(reference.units, ranked.goal.videos)
         integration = Integration(
-            reference.units, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
+            script, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
         )
         tree = integration.run()
         if not tree.steps:

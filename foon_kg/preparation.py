@@ -148,9 +148,14 @@ class Preparations:
                 continue
             steps = tuple(needed(replayed.steps, item.node))
             odd = not steps or any(step.strained for step in steps)  # the food it leaned on was nobody's wish
+            odd = odd or not self._lies_in_a_utensil(item.node)
             if not odd and item.node.label == want.object and state in item.node.states:
                 yield Preparation(want, item.node, steps, casting, candidate, stale(steps, self.kitchen))
                 return
+
+    def _lies_in_a_utensil(self, node: ObjectNode) -> bool:
+        """Say whether a food is where it can be taken from: butter spread on bread needs the bread."""
+        return node.container is None or self.kitchen.is_utensil(node.container)
 
 
 def _rank(preparation: Preparation) -> tuple[object, ...]:
