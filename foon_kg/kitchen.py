@@ -17,7 +17,7 @@ from importlib import resources
 
 from foon_kg.model import ObjectNode
 
-_WORD = re.compile(r"[a-z]+")
+_WORD = re.compile(r"[^\W\d_]+")
 _IRREGULAR = {"halves": "half", "leaves": "leaf", "loaves": "loaf"}
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
