@@ -88,13 +88,11 @@ class Integration:
         offers.sort(key=lambda offer: offer[:3])
         played: dict[RequiredIngredient, tuple[str, Recast]] = {}
         taken: set[str] = set()
-        equivalent_of: dict[str, str] = {}
         for _, number, label, recast in offers:
             want = self.wants[number]
             if want in played or label in taken:
                 continue
             played[want] = (label, recast)
-            equivalent_of.setdefault(want.object, label)
             taken.add(label)
         return played
 
