@@ -83,7 +83,8 @@ def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings
         yield neo4j_server
 
 
-MOST_ROUNDS = 20
+MOST_ROUNDS = 100
+BECAME_A_CONSTRAINT = "Neo.DatabaseError.Schema.IndexDropFailed"
 
 
 def erase(settings: ConnectionSettings) -> None:
@@ -103,7 +104,11 @@ def erase(settings: ConnectionSettings) -> None:
             for row in constraints:
                 run(f"DROP CONSTRAINT `{row['name']}` IF EXISTS")
             for row in indexes:
-                run(f"DROP INDEX `{row['name']}` IF EXISTS")
+                try:
+                    run(f"DROP INDEX `{row['name']}` IF EXISTS")
+                except neo4j.exceptions.DatabaseError as error:
+                    if error.code != BECAME_A_CONSTRAINT:
+                        raise
         run("MATCH (n) DETACH DELETE n")
 
 
