@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heapq
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 
@@ -38,7 +37,7 @@ def fresh_order(steps: Sequence[Played]) -> tuple[Played, ...]:
         ready = [place for place in waiting if place not in done and waiting[place] <= done]
         if not ready:  # wishes that contradict each other: the first step that can be done gives up its own
             ready = [place for place in waiting if place not in done and before[place] <= done]
-        place = heapq.nsmallest(1, ready)[0]
+        place = min(ready)
         done.add(place)
         order.append(place)
     return tuple(steps[place] for place in order)
