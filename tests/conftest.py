@@ -75,6 +75,14 @@ def neo4j_server() -> ConnectionSettings:
     return ConnectionSettings(**json.loads(record.read_text()))
 
 
+@pytest.fixture(scope="module")
+def emptied_server(neo4j_server: ConnectionSettings) -> ConnectionSettings:
+    """The server, empty when the module begins: how Neo4j plans a query depends on what is left in the database."""
+    with FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock"):
+        erase(neo4j_server)
+    return neo4j_server
+
+
 @pytest.fixture
 def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
     """The server with nothing in its database, schema included, for this test alone."""
