@@ -1,9 +1,13 @@
-# Every target makes .venv by itself, from requirements.txt alone; PYTHON=… names another Python (3.11 or newer).
+# Every target makes .venv by itself: the demo from requirements.txt alone, the tests from requirements-dev.txt, which has the same
+# versions and more. PYTHON=… names another Python (3.11 or newer).
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 INSTALLED := .venv/installed
+INSTALLED_FOR_TESTS := .venv/installed-for-tests
 TYPED := build/typed
 PIP_QUIETLY := --quiet --disable-pip-version-check
+LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --upgrade --generate-hashes --no-annotate \
+	--no-header --quiet
 
 .PHONY: demo test check lock clean
 .DELETE_ON_ERROR:
@@ -11,19 +15,19 @@ PIP_QUIETLY := --quiet --disable-pip-version-check
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
 	@$(BIN)/foon demo
 
-test: $(INSTALLED)  ## every test, against a real Neo4j
+test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 	$(BIN)/python -m pytest -n auto
 
-check: $(INSTALLED) $(TYPED)  ## style, types and the direction of imports
+check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types and the direction of imports
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 
-lock: $(INSTALLED)  ## write requirements.txt anew from pyproject.toml, for every system
+lock: $(INSTALLED)  ## write both requirements files anew from pyproject.toml, for every system
 	$(BIN)/python -m pip install --quiet uv
-	$(BIN)/uv pip compile pyproject.toml --extra server --extra dev --universal --python-version 3.11 --upgrade \
-		--generate-hashes --no-annotate --no-header --quiet --output-file requirements.txt
+	$(LOCKED) --extra server --extra fast --group build --output-file requirements.txt
+	$(LOCKED) --extra dev --group build --constraint requirements.txt --output-file requirements-dev.txt
 
 clean:  ## take away the environment and everything that was built
 	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
@@ -33,6 +37,11 @@ $(INSTALLED): requirements.txt pyproject.toml
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install $(PIP_QUIETLY) --require-hashes -r requirements.txt
 	$(BIN)/python -m pip install $(PIP_QUIETLY) --no-deps --no-build-isolation -e .
+	@touch $@
+
+$(INSTALLED_FOR_TESTS): requirements-dev.txt $(INSTALLED)
+	@echo "Adding what the tests need, from requirements-dev.txt; the first time this takes some minutes."
+	$(BIN)/python -m pip install $(PIP_QUIETLY) --require-hashes -r requirements-dev.txt
 	@touch $@
 
 # mypy does not know that loaders/ and cypher/ are installed inside foon_kg: here they lie as they are installed
