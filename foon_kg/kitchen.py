@@ -42,6 +42,8 @@ class Kitchen:
 
     Labels and states compare without regard to case. ``sold_so`` maps a state to the words of the foods that are
     sold in it (``ground`` → pepper, beef, …). ``free_foods`` may be added to any dish unasked (C5).
+
+    This one has every utensil and whatever shops sell; :class:`~foon_kg.stock.StockedKitchen` has what a person named.
     """
 
     utensils: frozenset[str]
@@ -62,6 +64,18 @@ class Kitchen:
         """Answer the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
         foods = frozenset(map(_fold, names)) & self.utensils
         return replace(self, utensils=self.utensils - foods) if foods else self
+
+    def with_every_food(self) -> Kitchen:
+        """Answer the kitchen in which every food that shops sell is at hand."""
+        return self
+
+    def lacks(self, _: ObjectNode) -> bool:
+        """Whether a leaf is missing from what a person named as being at hand; never where nobody named anything."""
+        return False
+
+    def stands_ready(self, _food: str, _state: str) -> bool:
+        """Whether a person named a food as being at hand in a state that otherwise somebody would have to make."""
+        return False
 
     def is_utensil(self, label: str) -> bool:
         """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""

@@ -45,14 +45,18 @@ class IngredientWords:
         known food at the end with the words before it as its state. One food has one state: of several the
         last processed one counts. Raises :class:`~foon_kg.errors.UsageError` when nothing is asked for.
         """
+        return self._chosen(text, *self.parts(text))
+
+    def parts(self, text: str) -> tuple[str, list[str], list[str]]:
+        """Answer the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
         if not text.strip(" ,"):
             raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
         food, comma, state = (part.strip() for part in text.partition(","))
         if comma and food and state:
-            return self._chosen(text, self._label(food), *self._states_in(state.split()))
+            return self.label(food), *self._states_in(state.replace(",", " ").split())
         words = text.replace(",", " ").split()
         place = self._food_begins(words)
-        return self._chosen(text, self._label(" ".join(words[place:])), *self._states_in(words[:place]))
+        return self.label(" ".join(words[place:])), *self._states_in(words[:place])
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
         """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken."""
@@ -80,14 +84,14 @@ class IngredientWords:
         return min(both, default=max(after_state, default=min(known, default=0)))
 
     def _ends_with_state(self, words: Sequence[str]) -> bool:
-        return any(" ".join(words[place:]).lower() in self._states for place in range(len(words)))
+        return any(" ".join(words[place:]).lower() in self.states for place in range(len(words)))
 
     def _states_in(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
         """Answer the known states among ``words``, the longest first tried, and the words that belong to none."""
         states, rest, place = [], [], 0
         while place < len(words):
             ends = range(len(words), place, -1)
-            end = next((end for end in ends if " ".join(words[place:end]).lower() in self._states), None)
+            end = next((end for end in ends if " ".join(words[place:end]).lower() in self.states), None)
             if end is None:
                 rest.append(words[place])
             else:
@@ -95,7 +99,8 @@ class IngredientWords:
             place = end or place + 1
         return states, rest
 
-    def _label(self, food: str) -> str:
+    def label(self, food: str) -> str:
+        """Answer the name by which the FOON has ``food``; its own where it has it under none."""
         return self._labels.get(canonical(food), food)
 
     @cached_property
@@ -107,7 +112,8 @@ class IngredientWords:
         return labels
 
     @cached_property
-    def _states(self) -> frozenset[str]:
+    def states(self) -> frozenset[str]:
+        """The states that the FOON knows, in lower case."""
         return frozenset(row.state.lower() for row in self.vocabulary.foods if row.state)
 
     @cached_property
