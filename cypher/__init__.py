@@ -4,12 +4,15 @@ A file begins with a header of comments: what the query answers in plain words, 
 parameter, ``// column: name`` for each column in order, and ``// mode: read`` or ``write``. A read that has to look at
 a whole label says why with ``// scans: reason``. Everything after the header is one statement. Values reach a query
 as parameters only; no part of the program puts query text together.
+
+The queries in ``explore/`` are for people. They show with ``// example: name=value`` how they are asked; a parameter
+with a ``// default: name=value`` may be left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
 from importlib.resources.abc import Traversable
@@ -18,12 +21,15 @@ from typing import Literal, cast
 Mode = Literal["read", "write"]
 
 _MARK = "//"
-_FIELDS = ("param", "column", "mode", "scans")
+_FIELDS = ("param", "column", "mode", "scans", "example", "default")
 
 
 @dataclass(frozen=True)
 class NamedQuery:
-    """One query of the catalogue with what its header declares; ``parameters`` maps each name to its Cypher type."""
+    """One query of the catalogue with what its header declares; ``parameters`` maps each name to its Cypher type.
+
+    ``examples`` and ``defaults`` map names of parameters to values as a person writes them.
+    """
 
     name: str
     text: str
@@ -32,6 +38,8 @@ class NamedQuery:
     columns: tuple[str, ...]
     mode: Mode
     scans: str = ""
+    examples: dict[str, str] = field(default_factory=dict)
+    defaults: dict[str, str] = field(default_factory=dict)
 
 
 @cache
@@ -50,30 +58,45 @@ def catalogue() -> tuple[NamedQuery, ...]:
 @cache
 def schema_steps() -> tuple[NamedQuery, ...]:
     """Answer the numbered files of ``schema/`` in their order; the number of files is the version of the schema."""
-    folder = resources.files(__package__).joinpath("schema")
+    return _folder("schema")
+
+
+@cache
+def explore_queries() -> tuple[NamedQuery, ...]:
+    """Answer the queries for people, sorted by name; ``foon cypher --list`` shows them and ``--name`` asks one."""
+    return _folder("explore")
+
+
+def _folder(name: str) -> tuple[NamedQuery, ...]:
+    folder = resources.files(__package__).joinpath(name)
     files = ((name, folder.joinpath(f"{name}.cypher").read_text(encoding="utf-8")) for name in _names(folder))
     return tuple(read_query(name, text) for name, text in files)
 
 
 def read_query(name: str, text: str) -> NamedQuery:
     """Read the text of a ``.cypher`` file."""
-    fields: dict[str, list[str]] = {field: [] for field in _FIELDS}
+    fields: dict[str, list[str]] = {word: [] for word in _FIELDS}
     prose: list[str] = []
     for line in _header(text.splitlines()):
-        field, colon, value = line.partition(":")
-        (fields[field] if colon and field in fields else prose).append(value.strip() if field in fields else line)
+        word, colon, value = line.partition(":")
+        (fields[word] if colon and word in fields else prose).append(value.strip() if word in fields else line)
     if fields["mode"] not in (["read"], ["write"]):
         raise ValueError(f"{name}.cypher: the header must say “mode: read” or “mode: write” once")
-    parameters = {param: kind for param, _, kind in (line.partition(" ") for line in fields["param"])}
     return NamedQuery(
         name,
         text,
         " ".join(prose),
-        parameters,
+        _pairs(fields["param"], " "),
         tuple(fields["column"]),
         cast("Mode", fields["mode"][0]),
         " ".join(fields["scans"]),
+        _pairs(fields["example"], "="),
+        _pairs(fields["default"], "="),
     )
+
+
+def _pairs(lines: Iterable[str], mark: str) -> dict[str, str]:
+    return {name: value for name, _, value in (line.partition(mark) for line in lines)}
 
 
 def _header(lines: Iterable[str]) -> Iterable[str]:

@@ -18,12 +18,16 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
     'foon cypher "MATCH (o:Object {label: $x}) RETURN o.states" -P x=onion --json',
+    "foon cypher --list",
+    "foon cypher --name motion_on_food -P food=onion -P motion=chop",
 )
 
 
 def cypher(
-    query: Annotated[str, typer.Argument(help="The Cypher text; - reads it from standard input.")],
+    query: Annotated[str | None, typer.Argument(help="The Cypher text; - reads it from standard input.")] = None,
     *,
+    name: Annotated[str | None, typer.Option(help="Ask one of the queries that come with foon-kg instead.")] = None,
+    show_list: Annotated[bool, typer.Option("--list", help="Show those queries, and how to ask them.")] = False,
     write: Annotated[bool, typer.Option("--write", help="Let the query change the graph.")] = False,
     param: Annotated[
         list[str] | None,
@@ -47,8 +51,12 @@ def cypher(
 
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", hint="Leave one of them out.")
+    if [query is not None, name is not None, show_list].count(True) != 1:
+        raise UsageError("say what to ask: Cypher, --name or --list", hint='See "foon cypher --help".')
+    if show_list:
+        return _list_queries(as_json=as_json)
+    text, parameters = _question(query, name, dict(map(_parameter, param or ())))
     say = sayer(quiet=quiet)
-    text, parameters = sys.stdin.read() if query == "-" else query, dict(map(_parameter, param or ()))
     with Connection(connection_settings(say)) as connection:
         answer = ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
     _show(answer, as_json=as_json, as_csv=as_csv)
@@ -56,18 +64,51 @@ def cypher(
         say(f"There are more rows than {limit}: show more with --limit.")
     if answer.changes:
         say("Changed: " + ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in answer.changes.items()))
+    return None
 
 
-def _parameter(text: str) -> tuple[str, object]:
+def _question(query: str | None, name: str | None, given: dict[str, str]) -> tuple[str, dict[str, object]]:
+    """Answer the text to ask and its parameters: of a query of ours, or as the person typed them."""
+    from foon_kg.cli.explore import explore_query, values
+
+    if name is not None:
+        ours = explore_query(name)
+        return ours.text, values(ours, given)
+    text = sys.stdin.read() if query == "-" else str(query)
+    return text, {key: _as_json_or_text(value) for key, value in given.items()}
+
+
+def _list_queries(*, as_json: bool) -> None:
+    from foon_kg.cli.explore import command
+    from foon_kg.cypher import explore_queries
+
+    if as_json:
+        rows = (
+            {"name": ours.name, "answers": ours.answers, "parameters": ours.parameters, "example": command(ours)}
+            for ours in explore_queries()
+        )
+        return print_json(list(rows))
+    for ours in explore_queries():
+        data().print(ours.name, style="bold", markup=False)
+        data().print(f"  {ours.answers}", markup=False, highlight=False)
+        data().print(f"  $ {command(ours)}", style="green", markup=False, highlight=False, soft_wrap=True)
+    return None
+
+
+def _parameter(text: str) -> tuple[str, str]:
     from foon_kg.errors import UsageError
 
     name, equals, value = text.partition("=")
     if not equals or not name:
         raise UsageError(f"--param {text}: there is no name before a “=”", hint="Write --param food=onion.")
+    return name, value
+
+
+def _as_json_or_text(value: str) -> object:
     try:
-        return name, json.loads(value)
+        return json.loads(value)
     except json.JSONDecodeError:
-        return name, value
+        return value
 
 
 def _show(answer: Answer, *, as_json: bool, as_csv: bool) -> None:

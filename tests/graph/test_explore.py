@@ -1,0 +1,248 @@
+"""The queries for people: each gives what a plain walk over the demo FOON's files gives, and is on the page of docs."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter, deque
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.cli.explore import command, explore_query, values
+from foon_kg.cypher import catalogue, explore_queries
+from foon_kg.demo import demo_folder
+from foon_kg.errors import UsageError
+from foon_kg.graph import Connection, load
+from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.kitchen import Kitchen
+from foon_kg.loaders import read_paths
+from foon_kg.snapshot import Snapshot
+
+PAGE = Path(__file__).parents[2] / "docs" / "explore.md"
+every_query = pytest.mark.parametrize("query", explore_queries(), ids=lambda query: query.name)
+
+SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
+SNAPSHOT = Snapshot.of(SUBGRAPHS, Kitchen.default())
+UNITS = {a.unit for subgraph in SUBGRAPHS for a in subgraph.annotations}
+FOODS = {row.label for row in SNAPSHOT.vocabulary().foods}
+
+
+@pytest.fixture(scope="module")
+def connection(emptied_server):
+    with Connection(emptied_server) as connection:
+        load(connection, SUBGRAPHS)
+        yield connection
+
+
+def ask(connection, name, **given):
+    query = explore_query(name)
+    answer = ask_freely(connection, query.text, values(query, given))
+    assert answer.columns == query.columns
+    return [tuple(row) for row in answer.rows]
+
+
+def units_of(subgraph):
+    return [annotation.unit for annotation in subgraph.annotations]
+
+
+def labels(nodes):
+    return sorted({node.label for node in nodes})
+
+
+def seen():
+    return ((subgraph.name, step, unit) for subgraph in SUBGRAPHS for step, unit in enumerate(units_of(subgraph)))
+
+
+@pytest.mark.neo4j
+@every_query
+def test_its_example_has_an_answer_or_nothing_is_missing(connection, query):
+    rows = ask_freely(connection, query.text, values(query, query.examples)).rows
+    assert bool(rows) == (query.name != "made_by_nobody")
+
+
+@pytest.mark.neo4j
+def test_the_videos_that_chop_onion(connection):
+    expected = {
+        (name, step) for name, step, unit in seen() if unit.motion == "chop" and "onion" in labels(unit.input_nodes)
+    }
+    found = ask(connection, "motion_on_food", food="onion", motion="chop")
+    assert {(video, step) for video, step, _, _ in found} == expected
+    assert len(found) == len(expected)
+
+
+@pytest.mark.neo4j
+def test_the_motions_that_make_a_state_are_those_of_units_that_bring_it(connection):
+    def makes(unit):
+        before, after = ([n for n in nodes if n.label == "onion"] for nodes in (unit.input_nodes, unit.output_nodes))
+        return any("chopped" in n.states for n in after) and not any("chopped" in n.states for n in before)
+
+    found = ask(connection, "makers_of_state", food="onion", state="chopped")
+    assert {(motion, units) for motion, units, _ in found} == set(Counter(u.motion for u in UNITS if makes(u)).items())
+    assert {video for *_, videos in found for video in videos} == {name for name, _, unit in seen() if makes(unit)}
+
+
+@pytest.mark.neo4j
+def test_the_states_of_a_food_are_those_of_the_vocabulary(connection):
+    expected = {(row.state, row.made, row.used) for row in SNAPSHOT.vocabulary().foods if row.label == "onion"}
+    assert set(ask(connection, "states_of_food", food="onion")) == expected
+
+
+@pytest.mark.neo4j
+def test_dishes_with_two_foods_are_the_goals_that_have_both(connection):
+    foods = {"onion", "tomato"}
+    expected = {
+        (g.node.label, tuple(sorted(set(g.node.ingredients) - foods)))
+        for g in SNAPSHOT.goals()
+        if foods <= set(g.node.ingredients)
+    }
+    found = ask(connection, "dishes_with_foods", foods="onion, tomato")
+    assert {(dish, tuple(others)) for dish, _, others in found} == expected
+
+
+@pytest.mark.neo4j
+def test_what_can_be_made_needs_no_other_utensil(connection):
+    used = {s.name: {n.label for u in units_of(s) for n in u.input_nodes} - FOODS for s in SUBGRAPHS}
+    utensils = used["lemonade"] | used["iced_tea"]
+    found = ask(connection, "makeable_with_utensils", utensils=json.dumps(sorted(utensils)))
+    assert {video for _, _, video, _ in found} == {name for name, needs in used.items() if needs <= utensils}
+    assert all(set(shown) == used[video] for _, _, video, shown in found)
+
+
+@pytest.mark.neo4j
+def test_two_videos_meet_in_the_units_that_both_show(connection):
+    units = {s.name: units_of(s) for s in SUBGRAPHS}
+    first, second = units["garden_salad"], units["greek_salad"]
+    expected = {(i, j) for i, one in enumerate(first) for j, other in enumerate(second) if one == other}
+    found = ask(connection, "where_dishes_meet", first="garden_salad", second="greek_salad")
+    assert {(step, other) for step, *_, other in found} == expected
+
+
+@pytest.mark.neo4j
+def test_relatives_share_units(connection):
+    units = {s.name: set(units_of(s)) for s in SUBGRAPHS}
+    shared = {name: len(units["greek_salad"] & theirs) for name, theirs in units.items() if name != "greek_salad"}
+    expected = sorted((-count, name, len(units[name])) for name, count in shared.items() if count)
+    found = ask(connection, "relatives_of_dish", video="greek_salad", most="1000")
+    assert [(-count, name, size) for name, count, size in found] == expected
+
+
+@pytest.mark.neo4j
+def test_the_central_objects_take_part_in_the_most_units(connection):
+    units = Counter(label for unit in UNITS for label in labels(unit.input_nodes + unit.output_nodes))
+    expected = sorted((-count, label, "food" if label in FOODS else "utensil") for label, count in units.items())[:9]
+    assert [(-n, label, kind) for label, kind, n, _ in ask(connection, "central_objects", most="9")] == expected
+
+
+@pytest.mark.neo4j
+def test_the_steps_of_a_video_are_its_units_in_order(connection):
+    (video,) = (s for s in SUBGRAPHS if s.name == "greek_salad")
+    expected = [(i, labels(u.input_nodes), u.motion, labels(u.output_nodes)) for i, u in enumerate(units_of(video))]
+    found = ask(connection, "steps_of_video", video="greek_salad")
+    assert [(step, inputs, motion, outputs) for step, _, _, inputs, motion, outputs in found] == expected
+
+
+@pytest.mark.neo4j
+def test_the_way_to_a_dish_is_a_shortest_one(connection):
+    food, dish = "cucumber", "greek salad"
+    kitchen = Kitchen.default()
+
+    def carries(node):
+        return node.label == food or (food in node.ingredients and len(node.ingredients) > 1)
+
+    goals = {goal.node for goal in SNAPSHOT.goals() if goal.node.label == dish}
+    start = {n for unit in UNITS for n in unit.input_nodes if n.label == food and kitchen.has(n)}
+    waiting, steps = deque((node, 0) for node in start), dict.fromkeys(start, 0)
+    while waiting:
+        node, far = waiting.popleft()
+        for after in {n for u in UNITS if node in u.input_nodes for n in u.output_nodes if carries(n)} - steps.keys():
+            steps[after] = far + 1
+            waiting.append((after, far + 1))
+    [(motions, becomes)] = ask(connection, "way_to_dish", food=food, dish=dish)
+    assert len(motions) == len(becomes) == min(steps[goal] for goal in goals if goal in steps)
+    assert becomes[-1].startswith(dish)
+
+
+@pytest.mark.neo4j
+def test_foods_eaten_together_stand_in_one_list(connection):
+    goals = {goal.node for goal in SNAPSHOT.goals() if "tomato" in goal.node.ingredients}
+    together = Counter(food for goal in goals for food in goal.ingredients if food != "tomato")
+    assert dict(ask(connection, "eaten_together", food="tomato", most="1000")) == dict(together)
+
+
+@pytest.mark.neo4j
+def test_the_commonest_steps_are_seen_in_the_most_videos(connection):
+    videos = Counter(unit for subgraph in SUBGRAPHS for unit in set(units_of(subgraph)))
+    expected = sorted(videos.values(), reverse=True)[:7]
+    assert [count for *_, count in ask(connection, "commonest_steps", most="7")] == expected
+
+
+@every_query
+def test_it_only_looks_at_the_graph(query):
+    assert query.mode == "read"
+
+
+@every_query
+def test_every_parameter_has_an_example_or_a_default(query):
+    assert query.examples.keys() | query.defaults.keys() == query.parameters.keys()
+    assert not query.examples.keys() & query.defaults.keys()
+
+
+@every_query
+def test_the_page_of_the_docs_has_it_with_its_command(query):
+    page = PAGE.read_text(encoding="utf-8")
+    assert f"### {query.name}\n\n{query.answers}\n" in page
+    assert command(query) in page
+
+
+def test_no_name_is_also_one_of_the_catalogue():
+    assert not {query.name for query in explore_queries()} & {query.name for query in catalogue()}
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"food": "onion"}, "motion_on_food also asks for motion"),
+        ({"food": "onion", "motion": "chop", "video": "x"}, "motion_on_food has no parameter video"),
+    ],
+)
+def test_a_missing_and_an_unknown_parameter_are_named(given, says):
+    with pytest.raises(UsageError, match=says) as told:
+        values(explore_query("motion_on_food"), given)
+    assert "foon cypher --name motion_on_food -P food=onion -P motion=chop" in told.value.hint
+
+
+@pytest.mark.parametrize("text", ["x", "1.5", "true", "[1]", ""])
+def test_a_number_must_be_one(text):
+    with pytest.raises(UsageError, match="should be a whole number"):
+        values(explore_query("central_objects"), {"most": text})
+
+
+@pytest.mark.parametrize("text", ["onion, tomato", "onion,tomato", '["onion", "tomato"]'])
+def test_words_may_be_written_as_a_list_or_with_commas(text):
+    assert values(explore_query("dishes_with_foods"), {"foods": text}) == {"foods": ["onion", "tomato"]}
+
+
+def test_a_text_stays_text_even_if_it_looks_like_a_number():
+    assert values(explore_query("states_of_food"), {"food": "7"}) == {"food": "7"}
+
+
+def test_an_unknown_name_is_answered_with_the_nearest():
+    with pytest.raises(UsageError, match=r"no query is called central_object$") as told:
+        explore_query("central_object")
+    assert "central_objects" in told.value.hint
+
+
+@pytest.mark.parametrize("words", [[], ["RETURN 1", "--list"], ["RETURN 1", "--name", "central_objects"]])
+def test_one_question_at_a_time(words):
+    answer = CliRunner().invoke(app, ["cypher", *words])
+    assert answer.exit_code == 2
+    assert "--name or --list" in answer.stderr
+
+
+def test_the_list_has_every_query_as_json_too():
+    answer = CliRunner().invoke(app, ["cypher", "--list", "--json"])
+    assert [row["name"] for row in json.loads(answer.stdout)] == [query.name for query in explore_queries()]
+    shown = CliRunner().invoke(app, ["cypher", "--list"])
+    assert all(query.name in shown.stdout for query in explore_queries())
