@@ -1,6 +1,7 @@
-// Which schema and which kitchen the graph was written with; no row for a database without a FOON.
+// Which schema, kitchen and word lists the graph was written with; no row for a database without a FOON.
 // column: version
 // column: kitchen
+// column: words
 // mode: read
 MATCH (f:Foon {name: 'foon-kg'})
-RETURN f.version AS version, f.kitchen AS kitchen
+RETURN f.version AS version, f.kitchen AS kitchen, f.words AS words

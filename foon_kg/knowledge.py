@@ -5,7 +5,7 @@ One suite of contract tests (``tests/contract``) runs against every implementati
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Protocol
@@ -47,6 +47,19 @@ class Vocabulary:
     motions: tuple[MadeBy, ...]
     dish_types: tuple[str, ...]
 
+    @property
+    def labels(self) -> list[str]:
+        """Answer the known foods by name, sorted."""
+        return sorted({row.label for row in self.foods})
+
+
+@dataclass(frozen=True, order=True)
+class Neighbour:
+    """A known name, and how sure we are (0 to 1) that a cook would accept it for the name asked."""
+
+    name: str
+    confidence: float
+
 
 class KnowledgeView(Protocol):
     """A FOON as it stands at one moment. All answers of one view describe the same state of the graph."""
@@ -65,6 +78,14 @@ class KnowledgeView(Protocol):
         A food is (label, state): every node with that label which has that state. Answered are the units that
         output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
         in the default kitchen (``foon_kg.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
+        """
+        ...
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it.
+
+        They are those of the default similarity (``foon_kg.similarity``), best first, ties by name; fewer only where
+        the FOON knows fewer. A name need not be known.
         """
         ...
 

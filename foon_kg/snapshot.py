@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.errors import ReadError
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import KnowledgeView, Vocabulary
+from foon_kg.knowledge import KnowledgeView, Neighbour, Vocabulary
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
+from foon_kg.similarity import food_similarity
+from foon_kg.similarity.answers import nearest_of_each
 from foon_kg.vocabulary import FoodState, WordCounts, food_states
 
 
@@ -62,6 +64,10 @@ class Snapshot:
                         seen.add(node)
                         waiting.append(node)
         return tuple(found[key] for key in sorted(found))
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it."""
+        return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
 
     @cached_property
     def _vocabulary(self) -> Vocabulary:

@@ -12,7 +12,7 @@ from foon_kg.cli.console import Say
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.knowledge import KnowledgeView, Vocabulary
+    from foon_kg.knowledge import KnowledgeView, Neighbour, Vocabulary
     from foon_kg.model import Goal, KnownUnit, ObjectNode
     from foon_kg.snapshot import Snapshot
 
@@ -74,6 +74,10 @@ class RememberedWords:
     @cached_property
     def _vocabulary(self) -> Vocabulary:
         return self._view.vocabulary()
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it."""
+        return self._view.equivalents(names, limit=limit)
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Answer the goals of ``dish_type``."""

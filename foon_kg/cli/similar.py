@@ -38,18 +38,22 @@ def similar(
     same food. With --vectors it is the raw cosine of the paper, which is no probability.
     """
     from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.similarity.answers import nearest_of_each
 
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
     similarity = _similarity(vectors)
     with open_knowledge(files, sayer(quiet=quiet)) as view:
-        known = sorted({row.label for row in view.vocabulary().foods})
-    if not known:
+        if vectors is None:
+            nearest = view.equivalents(names, limit=limit)
+        else:
+            nearest = nearest_of_each(similarity, names, view.vocabulary().labels, limit)
+    if not any(nearest):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
-    for name, neighbours in zip(names, _nearest(similarity, names, known, limit), strict=True):
+    for name, neighbours in zip(names, nearest, strict=True):
         if as_json:
-            nearest = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
-            print_json({"name": name, "nearest": nearest})
+            known = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
+            print_json({"name": name, "nearest": known})
         else:
             _print_neighbours(similarity, name, neighbours)
 
@@ -58,14 +62,6 @@ def _similarity(vectors: str | None) -> Similarity:
     from foon_kg.similarity import food_similarity, spacy_similarity
 
     return food_similarity() if vectors is None else spacy_similarity(vectors)
-
-
-def _nearest(
-    similarity: Similarity, names: Sequence[str], known: Sequence[str], limit: int
-) -> list[tuple[Neighbour, ...]]:
-    from foon_kg.similarity.answers import best
-
-    return [best(known, row, limit) for row in similarity.matrix(names, known)]
 
 
 def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:

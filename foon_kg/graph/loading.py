@@ -14,6 +14,7 @@ from foon_kg.graph.statements import VIDEO_CONTENTS, ask
 from foon_kg.graph.writing import Writer
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Subgraph
+from foon_kg.similarity.points import word_lists_key
 from foon_kg.snapshot import distinct_by_name
 
 UNITS_PER_TRANSACTION = 5_000
@@ -88,8 +89,11 @@ def compare(transaction: neo4j.ManagedTransaction, wanted: Sequence[Subgraph]) -
 
 
 def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
-    if prepare_for_writing(session, kitchen).kitchen != kitchen_key(kitchen):
+    state = prepare_for_writing(session, kitchen)
+    if state.kitchen != kitchen_key(kitchen):
         session.execute_write(_write_anew, kitchen)
+    elif state.words != word_lists_key():
+        session.execute_write(_write_vectors, kitchen)
 
 
 def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
@@ -124,6 +128,10 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen
 
 def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
     Writer(transaction, kitchen).write_anew()
+
+
+def _write_vectors(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+    Writer(transaction, kitchen).finish()
 
 
 def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:

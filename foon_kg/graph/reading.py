@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from operator import itemgetter
 from typing import Self, TypeVar
@@ -11,6 +11,7 @@ from typing import Self, TypeVar
 import neo4j
 
 from foon_kg.graph.connection import Connection
+from foon_kg.graph.equivalents import find_equivalents
 from foon_kg.graph.rows import (
     SIDES,
     KnownUnitValue,
@@ -23,6 +24,7 @@ from foon_kg.graph.rows import (
 from foon_kg.graph.schema import check_readable
 from foon_kg.graph.statements import (
     BEHIND,
+    EQUIVALENTS,
     GOALS,
     SCHEMA_STATE,
     SUBGRAPHS,
@@ -32,9 +34,11 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
+from foon_kg.knowledge import MadeBy, Neighbour, SeenAs, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
 from foon_kg.server.settings import ConnectionSettings
+from foon_kg.similarity import food_similarity
+from foon_kg.similarity.answers import nearest_of_each
 from foon_kg.snapshot import Snapshot
 
 Row = TypeVar("Row")
@@ -73,6 +77,16 @@ class GraphView:
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
         return tuple(map(_known_unit, sorted(row.units, key=itemgetter(0))))
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
+
+        Where the graph was written with other word lists than this program's, its foods are compared in memory.
+        """
+        found = find_equivalents(lambda asked: self._ask(EQUIVALENTS, **asked), dict.fromkeys(names), limit)
+        if found is None:
+            return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
+        return tuple(found[name] for name in names)
 
     def video_names(self) -> tuple[str, ...]:
         """Answer the names of all videos, sorted."""

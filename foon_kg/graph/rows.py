@@ -32,10 +32,11 @@ class Nothing:
 
 @dataclass(frozen=True)
 class SchemaState:
-    """Which schema and which kitchen a graph was written with."""
+    """Which schema, kitchen and word lists a graph was written with; no ``words`` where it has no vectors yet."""
 
     version: int
     kitchen: str
+    words: str | None = None
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,7 @@ class KeyRow:
 
 @dataclass(frozen=True)
 class NameRow:
-    """The name of one video."""
+    """The name of one video or food."""
 
     name: str
 
@@ -94,6 +95,15 @@ class VocabularyRow:
     foods: list[tuple[str, str, int, int]]
     motions: list[tuple[str, str, int]]
     dish_types: list[str]
+
+
+@dataclass(frozen=True)
+class EquivalentsRow:
+    """The known foods named like the asked one, and those near it: name, whether it is a food at all, cosine."""
+
+    name: str
+    equal: list[str]
+    nearest: list[tuple[str, bool, float]]
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from neo4j import exceptions as driver_errors
 from foon_kg.cypher import schema_steps
 from foon_kg.errors import GraphError, SchemaError
 from foon_kg.graph.rows import SchemaState
-from foon_kg.graph.statements import SCHEMA_RECORD, SCHEMA_STATE, ask
+from foon_kg.graph.statements import AWAIT_INDEXES, SCHEMA_RECORD, SCHEMA_STATE, ask
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import content_key
 
@@ -68,7 +68,9 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     state = read_state(session)
     if state is None or state.version < schema_version():
         session.execute_write(_run_steps, state.version if state else 0)
-        state = SchemaState(schema_version(), state.kitchen if state else kitchen_key(kitchen))
+        session.execute_read(ask, AWAIT_INDEXES)
+        known = state or SchemaState(0, kitchen_key(kitchen))
+        state = dataclasses.replace(known, version=schema_version())
         session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen)
     _refuse_newer(state)
     return state

@@ -25,6 +25,7 @@ class Statement(Generic[Row]):
 
 
 SCHEMA_STATE = Statement("schema_state", rows.SchemaState)
+AWAIT_INDEXES = Statement("await_indexes", rows.Nothing)
 SCHEMA_RECORD = Statement("schema_record", rows.Nothing)
 WRITING_TURN = Statement("writing_turn", rows.SchemaState)
 
@@ -34,6 +35,7 @@ SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
 VOCABULARY = Statement("vocabulary", rows.VocabularyRow)
 GOALS = Statement("goals", rows.GoalRow)
 BEHIND = Statement("behind", rows.BehindRow)
+EQUIVALENTS = Statement("equivalents", rows.EquivalentsRow)
 
 LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
 LOAD_OBJECTS = Statement("load_objects", rows.Nothing)
@@ -42,10 +44,13 @@ LOAD_SIGHTINGS = Statement("load_sightings", rows.Nothing)
 LOAD_GOALS = Statement("load_goals", rows.Nothing)
 COUNT_FOODS = Statement("count_foods", rows.Nothing)
 COUNT_MOTIONS = Statement("count_motions", rows.Nothing)
+FOODS_WITHOUT_VECTOR = Statement("foods_without_vector", rows.NameRow)
+LOAD_VECTORS = Statement("load_vectors", rows.Nothing)
 
 FORGET_SIGHTINGS = Statement("forget_sightings", rows.KeyRow)
 FORGET_GOALS = Statement("forget_goals", rows.Nothing)
 FORGET_VIDEOS = Statement("forget_videos", rows.Nothing)
+FORGET_VECTORS = Statement("forget_vectors", rows.Nothing)
 UNSUPPORTED_UNITS = Statement("unsupported_units", rows.UnitRow)
 SWEEP_UNITS = Statement("sweep_units", rows.Nothing)
 SWEEP_WORDS = Statement("sweep_words", rows.Nothing)

@@ -18,6 +18,8 @@ from foon_kg.graph.schema import kitchen_key, schema_version
 from foon_kg.graph.statements import Row, Statement, ask
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.names import canonical
+from foon_kg.similarity.points import points, word_lists_key
 from foon_kg.snapshot import goals_of
 from foon_kg.vocabulary import WordCounts
 
@@ -74,6 +76,7 @@ class Writer:
             self._ask(cypher.COUNT_MOTIONS, rows=motions)
         if self._doubtful:
             self._ask(cypher.SWEEP_WORDS)
+        self._write_vectors()
 
     def write_anew(self) -> None:
         """Write the whole FOON again, for another kitchen than the one that the graph was written with."""
@@ -83,6 +86,19 @@ class Writer:
         self.add(subgraphs)
         self.finish()
         self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen_key(self._kitchen))
+
+    def _write_vectors(self) -> None:
+        """Give every food its point in the vector index; all of them anew where the word lists are others."""
+        words = word_lists_key()
+        if self.state is None or self.state.words != words:
+            self._ask(cypher.FORGET_VECTORS, words=words)
+        names = sorted(row.name for row in self._ask(cypher.FOODS_WITHOUT_VECTOR))
+        if names:
+            rows = zip(names, points(names), strict=True)
+            self._ask(
+                cypher.LOAD_VECTORS,
+                rows=[{"name": name, "canonical": canonical(name), "vector": vector} for name, vector in rows],
+            )
 
     def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         return ask(self._transaction, statement, **parameters)

@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
+
+from foon_kg.knowledge import Neighbour
 
 Confidences = npt.NDArray[np.float64]
 
 DECIMALS = 6
 """Confidences are rounded to this, so that the last bits of a matrix product, which depend on its shape, decide no
 tie (C9)."""
-
-
-@dataclass(frozen=True, order=True)
-class Neighbour:
-    """A known name, and how sure we are (0 to 1) that a cook would accept it for the name asked."""
-
-    name: str
-    confidence: float
 
 
 class Similarity(Protocol):
@@ -38,6 +31,13 @@ class Similarity(Protocol):
     def why(self, name: str, known: str) -> tuple[str, ...]:
         """Answer in a few words each what speaks for ``known`` standing for ``name``, the weightiest first."""
         ...
+
+
+def nearest_of_each(
+    similarity: Similarity, names: Sequence[str], known: Sequence[str], limit: int
+) -> tuple[tuple[Neighbour, ...], ...]:
+    """Answer :meth:`Similarity.nearest` of each of ``names``, in one product."""
+    return tuple(best(known, row, limit) for row in similarity.matrix(names, known))
 
 
 def best(known: Sequence[str], confidences: Confidences, limit: int) -> tuple[Neighbour, ...]:

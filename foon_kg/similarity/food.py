@@ -54,8 +54,14 @@ class FoodSimilarity:
 
     def __init__(self, evidence: Evidence, weights: Table, bias: float) -> None:
         self.evidence = evidence
-        self._weights, self._bias = weights, bias
+        self.bias = bias
+        self._weights = weights
         self._known = lru_cache(maxsize=4)(self._about_known)
+
+    @property
+    def weights(self) -> dict[str, float]:
+        """Answer what each kind of evidence weighs."""
+        return dict(zip(KINDS, self._weights.tolist(), strict=True))
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
@@ -97,9 +103,14 @@ class FoodSimilarity:
 
     def _confidences(self, wanted: Sequence[str], side: _Known) -> Confidences:
         evidence = self.evidence.between(self.evidence.about(wanted), side.about)
-        odds = np.tensordot(self._weights, evidence, axes=1) + self._bias
-        confidences = np.round(_MOST / (1 + np.exp(-odds)), DECIMALS)
+        confidences = np.round(confidence_of(np.tensordot(self._weights, evidence, axes=1) + self.bias), DECIMALS)
         return np.where(np.array(wanted)[:, None] == side.names[None, :], 1.0, confidences)
+
+
+def confidence_of(odds: Table) -> Confidences:
+    """Answer the confidences that log odds amount to; none reaches that of an equal name."""
+    confidences: Confidences = _MOST / (1 + np.exp(-odds))
+    return confidences
 
 
 @lru_cache(maxsize=1)

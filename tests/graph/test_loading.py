@@ -232,7 +232,7 @@ def test_a_graph_of_a_newer_program_is_never_written(connection):
 
 def test_an_older_schema_is_brought_up_to_date_by_loading(connection, graph):
     load(connection, [salad])
-    ask_freely(connection, "DROP CONSTRAINT label_name", write=True)
+    ask_freely(connection, "DROP INDEX ingredient_vector", write=True)
     ask_freely(connection, "MATCH (f:Foon) SET f.version = $version", {"version": schema_version() - 1}, write=True)
     load(connection, [salad])
     with graph.reading() as view:

@@ -1,0 +1,9 @@
+// Takes all points away, and records of which word lists the next ones are made.
+// param: words STRING
+// mode: write
+// scans: all points are made anew
+MATCH (f:Foon {name: 'foon-kg'})
+SET f.words = $words
+WITH f
+MATCH (i:Ingredient)
+REMOVE i.canonical, i.vector

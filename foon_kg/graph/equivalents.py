@@ -1,0 +1,55 @@
+"""The known foods that may stand for others, by Neo4j's vector index: as by comparing all, without reading all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+from foon_kg.graph.rows import EquivalentsRow
+from foon_kg.knowledge import Neighbour
+from foon_kg.similarity import food_similarity
+from foon_kg.similarity.points import Question, question, word_lists_key
+
+FIRST = 64
+"""So many points are asked for at first; of the public FOON, 20 hold the first five equivalents of any known food."""
+
+MORE = 8
+"""So many times as many are asked for next, where one further away may still be among the best."""
+
+Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
+
+
+def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:
+    """Answer the ``limit`` best known foods of each name; ``None`` where the points are of other word lists.
+
+    ``ask`` takes the parameters of ``cypher/equivalents.cypher``. One round trip where 64 points settle every name.
+    """
+    waiting = {name: question(name) for name in names}
+    found: dict[str, tuple[Neighbour, ...]] = {}
+    count = max(FIRST, 2 * limit)
+    while waiting:
+        rows = ask({"words": word_lists_key(), "asked": [_asked(*item) for item in waiting.items()], "count": count})
+        if not rows:
+            return None
+        for row in rows:
+            answer = _best(row, limit)
+            if len(row.nearest) < count or _is_settled(answer, row, waiting[row.name], limit):
+                found[row.name] = answer
+                del waiting[row.name]
+        count *= MORE
+    return found
+
+
+def _asked(name: str, about: Question) -> dict[str, Any]:
+    return {"name": name, "canonical": about.canonical_name, "point": about.point}
+
+
+def _best(row: EquivalentsRow, limit: int) -> tuple[Neighbour, ...]:
+    known = {*row.equal, *(name for name, is_food, _ in row.nearest if is_food)}
+    return food_similarity().nearest(row.name, sorted(known), limit=limit)
+
+
+def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
+    """Say whether nothing further away than the last point can be as good as the last of ``answer``."""
+    furthest = min(cosine for _, _, cosine in row.nearest)
+    return len(answer) == limit and answer[-1].confidence > about.most(furthest)

@@ -1,0 +1,126 @@
+"""Foods as points of a vector index, so that a database finds the known foods that may stand for a wanted one.
+
+An index knows one measure, the cosine of two points; the confidence weighs twelve kinds of evidence, and not all of
+them are products of what is known of either food. So the points hold what bounds it: the product of a question and the
+point of a known food is never less than the log odds that the food stands for the wanted one. Whoever takes the foods of
+the greatest product, works out their confidences and finds the last one wanted above :meth:`Question.most` of the last
+food taken, has the same answer as by comparing all foods (filter and refine; Faloutsos and others, 1994).
+
+A point depends on the name and the word lists alone, the weights are in the question: they can be fitted anew without
+writing the points anew. Points have length 1, so that the cosine ranks as the product does. The thousands of kinds and
+the groups share a few places each; as nothing in them is negative, sharing a place only makes the bound wider.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+
+from foon_kg.names import ALIASES_VARIABLE, alias_table, canonical
+from foon_kg.similarity.answers import DECIMALS
+from foon_kg.similarity.evidence import Names, Table
+from foon_kg.similarity.food import FoodSimilarity, confidence_of, food_similarity
+
+VECTOR, KIND, GROUP, SHELF = 35, 64, 64, 24
+"""How many places of a point are for the food vector, WordNet's kinds, the groups of uses, and their shelves."""
+
+POINT_LENGTH = VECTOR + KIND + GROUP + SHELF + 3
+"""The last three: is it a dish, does WordNet know it, and what makes every point equally long."""
+
+LONGEST = 4.0
+"""No food's evidence is longer; what is not used up goes into the last place."""
+
+_SLACK = 1e-3  # log odds; databases reckon with 32 bits
+_ROUNDED = 10.0**-DECIMALS
+_FORM = "1"  # of the points; a change of the code above changes it
+_WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """A wanted food as an index is asked for it: the direction in which the points lie that may stand for it."""
+
+    canonical_name: str
+    point: tuple[float, ...]
+    length: float
+    constant: float
+
+    def most(self, cosine: float) -> float:
+        """Answer a confidence that no food at ``cosine`` from the question exceeds, one of an equal name apart."""
+        odds = np.array([cosine * self.length + self.constant + _SLACK])
+        return float(confidence_of(odds)[0]) + _ROUNDED
+
+
+def points(names: Sequence[str]) -> list[list[float]]:
+    """Answer the point of each name, equal ones for equal names; ``POINT_LENGTH`` numbers, as far from 0 as 1."""
+    about = food_similarity().evidence.about([canonical(name) for name in names])
+    rows = np.c_[_shared(about), about.dish, about.kinds.any(axis=1)]
+    rest = np.sqrt(LONGEST**2 - (rows * rows).sum(axis=1))
+    numbers: list[list[float]] = np.round(np.c_[rows, rest] / LONGEST, DECIMALS).tolist()
+    return numbers
+
+
+def question(name: str) -> Question:
+    """Answer how an index of :func:`points` is asked for ``name``."""
+    return _question(canonical(name), food_similarity())
+
+
+@lru_cache(maxsize=1_024)
+def _question(name: str, similarity: FoodSimilarity) -> Question:
+    weights = similarity.weights
+    about = similarity.evidence.about([name])
+    known_kind = float(about.kinds.any())
+    group = max(weights["group"], weights["guessed group"], 0.0)
+    steps = (weights["vectors"], max(weights["kind"], 0.0), group, max(weights["shelf"], 0.0))
+    weighed = np.repeat(steps, (VECTOR, KIND, GROUP, SHELF)) * _shared(about)[0]
+    by_flags = weights["prepared dish"] * (1 - float(about.dish[0])), -weights["kind unknown"] * known_kind
+    point = np.array([*weighed, *by_flags, 0.0]) * LONGEST
+    length = float(np.linalg.norm(point)) or 1.0
+    constant = similarity.bias + weights["kind unknown"] + _by_names(weights)
+    return Question(name, tuple((point / length).tolist()), length, constant)
+
+
+def _by_names(weights: dict[str, float]) -> float:
+    """Answer the most that the last words and the words in common can add."""
+    same_head = weights["same head word"] + max(weights["more specific"], weights["more general"], 0.0)
+    return abs(weights["head vectors"]) + max(same_head, weights["shared word"], 0.0)
+
+
+def _shared(about: Names) -> Table:
+    """Answer one row for each name: vector, kinds, groups and shelves, in few places."""
+    parts = (about.vectors, *map(_folded, (about.kinds, about.groups, about.shelves), (KIND, GROUP, SHELF)))
+    return np.concatenate(parts, axis=1)
+
+
+def _folded(rows: Table, places: int) -> Table:
+    folded = np.zeros((len(rows), places))
+    for start in range(0, rows.shape[1], places):
+        part = rows[:, start : start + places]
+        folded[:, : part.shape[1]] += part
+    return folded
+
+
+def word_lists_key() -> str:
+    """Answer a hash of all that decides where a name's point is: of other word lists, or aliases, points differ.
+
+    Raises ``ReadError`` for an alias file that is broken or not there.
+    """
+    own_file = os.environ.get(ALIASES_VARIABLE, "")
+    alias_table(own_file)
+    return _word_lists_key(Path(own_file).read_bytes() if own_file else b"")
+
+
+@cache
+def _word_lists_key(own_aliases: bytes) -> str:
+    lists = (files("foon_kg.data").joinpath(name).read_bytes() for name in _WORD_LISTS)
+    digest = hashlib.blake2b(_FORM.encode(), digest_size=16)
+    for content in (*lists, own_aliases):
+        digest.update(hashlib.blake2b(content).digest())
+    return digest.hexdigest()
