@@ -30,6 +30,7 @@ _PLACED = re.compile(
 )
 _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
+_ALIKE = 0.3
 _FIELDS = ("foods", "utensils")
 _HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “utensils”, “foods” or both."
 
@@ -136,8 +137,9 @@ class ThingReader:
         known = sorted(self.words.kitchen.utensils | (set() if kind == "utensils" else self._labels))
         near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE)
         if not near and kind != "utensils":
-            near = [found.name for found in food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)]
-        yield f"“{thing.label}” is no {what} that is known here{_listed(near)}; it counts as a {what} at hand"
+            alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)
+            near = [found.name for found in alike if found.confidence >= _ALIKE]
+        yield f"this FOON knows no {what} “{thing.label}”{_listed(near)}; it counts as a {what} at hand"
 
     @cached_property
     def _utensils(self) -> dict[str, str]:

@@ -22,6 +22,7 @@ from foon_kg.model_json import (
     sighting_to_json,
 )
 from foon_kg.progress import ProgressLine
+from foon_kg.shortage import ShortageError, remedy
 
 Origin = Literal["reference", "foon", "substituted"]
 """Where a unit comes from: the reference tree, elsewhere in FOON, or a unit of FOON with something substituted."""
@@ -219,21 +220,28 @@ class PlanResult:
 
 @dataclass(frozen=True)
 class PlanFailure:
-    """There is no tree for ``recipe``: what :class:`~foon_kg.errors.FoonError` said, in the place of a result."""
+    """There is no tree for ``recipe``: what :class:`~foon_kg.errors.FoonError` said, in the place of a result.
+
+    ``missing`` are the leaves that are not at hand, nearest to the goal first, where that is why.
+    """
 
     recipe: Recipe
     code: str
     message: str
     hint: str = ""
+    missing: tuple[ObjectNode, ...] = ()
 
     @classmethod
     def of(cls, recipe: Recipe, error: FoonError) -> Self:
         """Keep what ``error`` says about ``recipe``."""
-        return cls(recipe, error.code, error.message, error.hint)
+        missing = error.missing if isinstance(error, ShortageError) else ()
+        return cls(recipe, error.code, error.message, error.hint, missing)
 
     def to_json(self) -> JsonObject:
         """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
-        error = {"code": self.code, "message": self.message, "hint": self.hint}
+        error: JsonObject = {"code": self.code, "message": self.message, "hint": self.hint}
+        if self.missing:
+            error["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in self.missing]
         return {"recipe": recipe_to_json(self.recipe), "error": error}
 
     @classmethod
@@ -242,4 +250,11 @@ class PlanFailure:
         fields = Fields(value, where)
         error = fields.nested("error")
         recipe = recipe_from_json(fields.nested("recipe"))
-        return cls(recipe, error.text("code"), error.text("message"), error.optional_text("hint") or "")
+        missing = error.nested_list("missing") if "missing" in error else []
+        return cls(
+            recipe,
+            error.text("code"),
+            error.text("message"),
+            error.optional_text("hint") or "",
+            tuple(node_from_json(entry.nested("node")) for entry in missing),
+        )

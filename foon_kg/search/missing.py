@@ -8,19 +8,17 @@ from foon_kg.model import ObjectNode
 from foon_kg.search.core import core_behind
 from foon_kg.search.forward import chain
 from foon_kg.search.problem import NoWayError, SearchProblem
-
-_NAMED = 5
+from foon_kg.shortage import MOST_NAMED, named, remedies
 
 
 def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
     """Explain why nothing makes any of ``targets`` (there is at least one)."""
     missing = tuple(dict.fromkeys(node for target in targets for node in missing_behind(problem, target)))
-    named = "; ".join(map(str, missing[:_NAMED])) + (f" and {len(missing) - _NAMED} more" if missing[_NAMED:] else "")
-    goal = " or ".join(map(str, targets[:_NAMED]))
+    goal = " or ".join(map(str, targets[:MOST_NAMED]))
     return NoWayError(
-        f"nothing makes {goal}: missing {named}",
+        f"nothing makes {goal}: missing {named(missing)}",
         missing=missing,
-        hint="Add what is missing to the kitchen, or allow it as a gap.",
+        hint=f"{remedies(missing)}; or add it to the kitchen (--kitchen FILE) where it is there.",
     )
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from foon_kg.errors import NoTreeError
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.search.unit_index import UnitIndex
+from foon_kg.shortage import ShortageError
 
 Objective = tuple[int, int, int]
 """(gap penalty, minus the overlap, units): the lesser the better."""
@@ -85,11 +85,7 @@ class ReferenceTree:
         return (*self.objective, keys, tuple(gap.sort_key for gap in self.gaps), self.goal.sort_key)
 
 
-class NoWayError(NoTreeError):
+class NoWayError(ShortageError):
     """Nothing makes the goal, not even with gaps. ``missing`` are the nodes that nobody has or makes, nearest first."""
 
     code = "no-way"
-
-    def __init__(self, message: str, *, missing: tuple[ObjectNode, ...], hint: str = "") -> None:
-        super().__init__(message, hint=hint)
-        self.missing = missing
