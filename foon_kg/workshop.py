@@ -65,16 +65,24 @@ def gap_cost(
     return cost
 
 
+_ABSENT = 100_000
+"""What a search pays for a utensil that is not among those a person named: it is left only where there is no way round."""
+
+
 class Workshop:
     """Numbered units, and what was found among them: reference trees and the makings of foods."""
 
     def __init__(
         self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings, vocabulary: Vocabulary
     ) -> None:
-        self.kitchen = settings.kitchen
+        self.kitchen = settings.kitchen.with_every_food()  # foods of a reference are exchanged: the final tree is asked
         self.time_limit = settings.time_limit
         cost = gap_cost(self.kitchen, units, mixtures(self.kitchen, vocabulary))
-        self.index = UnitIndex.of(units, at_hand=self.kitchen.has, gap_cost=cost)
+        self.index = UnitIndex.of(
+            units,
+            at_hand=self.kitchen.has,
+            gap_cost=lambda node: _ABSENT if self.kitchen.lacks(node) else cost(node),
+        )
         self.foon = KnownFoon.of(units, goals)
         self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
