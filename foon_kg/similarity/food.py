@@ -19,8 +19,9 @@ from importlib.resources import files
 import numpy as np
 import numpy.typing as npt
 
+from foon_kg.knowledge import Neighbour
 from foon_kg.names import canonical
-from foon_kg.similarity.answers import DECIMALS, Confidences, Neighbour, best
+from foon_kg.similarity.answers import DECIMALS, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names, Table
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy

@@ -2,9 +2,9 @@
 
 An index knows one measure, the cosine of two points; the confidence weighs twelve kinds of evidence, and not all of
 them are products of what is known of either food. So the points hold what bounds it: the product of a question and the
-point of a known food is never less than the log odds that the food stands for the wanted one. Whoever takes the foods of
-the greatest product, works out their confidences and finds the last one wanted above :meth:`Question.most` of the last
-food taken, has the same answer as by comparing all foods (filter and refine; Faloutsos and others, 1994).
+point of a known food is never less than the log odds that the food stands for the wanted one. Whoever takes the foods
+of the greatest product, works out their confidences and finds the last one wanted above :meth:`Question.most` of the
+last food taken, has the same answer as by comparing all foods (filter and refine; Faloutsos and others, 1994).
 
 A point depends on the name and the word lists alone, the weights are in the question: they can be fitted anew without
 writing the points anew. Points have length 1, so that the cosine ranks as the product does. The thousands of kinds and
