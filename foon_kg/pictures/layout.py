@@ -1,0 +1,146 @@
+"""Where the boxes of a picture stand: layers from top to bottom, few crossings, straight ways.
+
+Layers and the order within them are found by ``fast_sugiyama`` (network simplex; Gansner et al., 1993). Places
+within a layer are then found here, as that library knows of one width only: each layer is put as close to its
+neighbours as the order and the widths allow, which is isotonic regression (pool adjacent violators).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import fast_sugiyama
+
+Point = tuple[float, float]
+Size = tuple[float, float]
+
+GAP = 18.0
+"""Between two boxes of a layer."""
+LAYER_GAP = 30.0
+_WAY_GAP = 10.0
+_SWEEPS = 60
+_STRAIGHT = 6.0  # a long arrow is pulled straight more strongly than a box is pulled under another
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The middle of every box, the points through which each arrow goes (ends apart), and the whole size."""
+
+    middles: tuple[Point, ...]
+    ways: Mapping[tuple[int, int], tuple[Point, ...]]
+    size: Size
+
+
+def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]]) -> Layout:
+    """Place boxes of these ``sizes``; ``arrows`` lead from a box to one that stands in a lower layer.
+
+    Every box must be at an end of some arrow. Parts without connection stand side by side.
+    """
+    parts = fast_sugiyama.from_edges(list(arrows), dummy_vertices=True, vertex_spacing=1)
+    middles: dict[int, Point] = {}
+    ways: dict[tuple[int, int], tuple[Point, ...]] = {}
+    left, depth = 0.0, 0.0
+    for positions, _, _, links in sorted(parts, key=lambda part: min(number for number, _ in part[0])):
+        part = _Part.of(positions, links or (), sizes)
+        places, size = part.placed(left)
+        middles.update({number: place for number, place in places.items() if number < len(sizes)})
+        ways.update(part.ways(places))
+        left, depth = left + size[0] + 3 * GAP, max(depth, size[1])
+    return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (max(left - 3 * GAP, 0.0), depth))
+
+
+@dataclass(frozen=True)
+class _Part:
+    """One connected part: its layers from the top, each from left to right, with places on long arrows between."""
+
+    layers: tuple[tuple[int, ...], ...]
+    links: tuple[tuple[int, int], ...]
+    sizes: Mapping[int, Size]
+    boxes: int
+
+    @classmethod
+    def of(
+        cls, positions: Sequence[tuple[int, Point]], links: Sequence[tuple[int, int]], sizes: Sequence[Size]
+    ) -> _Part:
+        rows: dict[float, list[tuple[float, int]]] = {}
+        for number, (x, y) in positions:
+            rows.setdefault(y, []).append((x, number))
+        layers = tuple(tuple(number for _, number in sorted(rows[y])) for y in sorted(rows, reverse=True))
+        known = {n: sizes[n] if n < len(sizes) else (0.0, 0.0) for layer in layers for n in layer}
+        return cls(layers, tuple(sorted(links)), known, len(sizes))
+
+    def placed(self, left: float) -> tuple[dict[int, Point], Size]:
+        across = self._across()
+        start = min(across[n] - self.sizes[n][0] / 2 for n in across)
+        width = max(across[n] + self.sizes[n][0] / 2 for n in across) - start
+        places, top = {}, 0.0
+        for layer in self.layers:
+            height = max(self.sizes[n][1] for n in layer)
+            places.update({n: (across[n] - start + left, top + height / 2) for n in layer})
+            top += height + LAYER_GAP
+        return places, (width, top - LAYER_GAP)
+
+    def _across(self) -> dict[int, float]:
+        """Answer how far to the right every box stands: sweep down and up until the layers lie well."""
+        above: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
+        below: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
+        for upper, lower in self.links:
+            pull = _STRAIGHT ** ((upper >= self.boxes) + (lower >= self.boxes))
+            below[upper].append((lower, pull))
+            above[lower].append((upper, pull))
+        across = {}
+        for layer in self.layers:
+            across.update(zip(layer, _settle([0.0] * len(layer), [1.0] * len(layer), self._gaps(layer)), strict=True))
+        both = {n: above[n] + below[n] for n in self.sizes}
+        for sweep in range(_SWEEPS):
+            last = sweep >= _SWEEPS // 2
+            near, layers = (both if last else above, self.layers) if sweep % 2 == 0 else (
+                both if last else below, self.layers[::-1])  # fmt: skip
+            for layer in layers:
+                self._pull(layer, near, across)
+        return across
+
+    def _pull(self, layer: Sequence[int], near: Mapping[int, list[tuple[int, float]]], across: dict[int, float]) -> None:
+        weights = [sum(pull for _, pull in near[n]) or 0.01 for n in layer]
+        wishes = [
+            sum(across[other] * pull for other, pull in near[n]) / weight if near[n] else across[n]
+            for n, weight in zip(layer, weights, strict=True)
+        ]
+        across.update(zip(layer, _settle(wishes, weights, self._gaps(layer)), strict=True))
+
+    def _gaps(self, layer: Sequence[int]) -> list[float]:
+        def gap(one: int, other: int) -> float:
+            free = GAP if one < self.boxes and other < self.boxes else _WAY_GAP
+            return (self.sizes[one][0] + self.sizes[other][0]) / 2 + free
+
+        return [gap(one, other) for one, other in itertools.pairwise(layer)]
+
+    def ways(self, places: Mapping[int, Point]) -> dict[tuple[int, int], tuple[Point, ...]]:
+        """Answer the points of every arrow between its two boxes."""
+        following = {upper: lower for upper, lower in self.links if upper >= self.boxes}
+        ways = {}
+        for upper, lower in self.links:
+            if upper >= self.boxes:
+                continue
+            points, end = [], lower
+            while end >= self.boxes:
+                points.append(places[end])
+                end = following[end]
+            ways[upper, end] = tuple(points)
+        return ways
+
+
+def _settle(wishes: Sequence[float], weights: Sequence[float], gaps: Sequence[float]) -> list[float]:
+    """Answer the places closest to ``wishes`` (weighted squares) that keep the order and at least these ``gaps``."""
+    offsets = [0.0, *itertools.accumulate(gaps)]
+    blocks: list[list[float]] = []  # mean, weight, length
+    for wish, weight, offset in zip(wishes, weights, offsets, strict=True):
+        blocks.append([wish - offset, weight, 1])
+        while len(blocks) > 1 and blocks[-2][0] >= blocks[-1][0]:
+            mean, more, length = blocks.pop()
+            total = blocks[-1][1] + more
+            blocks[-1] = [(blocks[-1][0] * blocks[-1][1] + mean * more) / total, total, blocks[-1][2] + length]
+    means = itertools.chain.from_iterable(itertools.repeat(mean, int(length)) for mean, _, length in blocks)
+    return [mean + offset for mean, offset in zip(means, offsets, strict=True)]
