@@ -1,11 +1,12 @@
-// Every unit that may take part in making the asked nodes, or any node of the asked foods in the asked states: their
-// producers, the producers of what those take in, and so on. Where the kitchen has a node, nobody needs to make it.
+// The keys of every unit that may take part in making the asked nodes, or any node of the asked foods in the asked
+// states: their producers, the producers of what those take in, and so on. Where the kitchen has a node, nobody needs to
+// make it.
 // One search goes from the record of the FOON through the labels of what was asked, so that the work is linear in the
 // answer however many nodes are asked for: a search from each of them walks shared parts again and again. The hints keep
 // the plan what it is on a graph whose counts are young or odd: an index read whole would be no search any more.
 // param: nodes LIST<STRING>
 // param: foods LIST<MAP>
-// column: units
+// column: keys
 // mode: read
 CALL () {
   UNWIND $nodes AS key
@@ -31,12 +32,4 @@ WHERE all(r IN relationships(path) WHERE
   END)
 WITH DISTINCT m
 WHERE m:Motion
-RETURN collect([
-  m.key, m.verb, m.accepts_any,
-  [(o)-[:INPUT_OF]->(m) | [o.label, o.states, o.ingredients, o.relation, o.container]],
-  [(m)-[:OUTPUTS]->(o) | [o.label, o.states, o.ingredients, o.relation, o.container]],
-  [(m)-[s:SEEN_IN]->(v) | [
-    v.name, s.position, v.sources[0], s.start, s.end,
-    s.inputs, s.inputs_moving, s.inputs_dish, s.outputs, s.outputs_moving, s.outputs_dish
-  ]]
-]) AS units
+RETURN collect(m.key) AS keys

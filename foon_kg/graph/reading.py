@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
-from operator import itemgetter
 from typing import Self, TypeVar
 
 import neo4j
 
 from foon_kg.graph.connection import Connection
+from foon_kg.graph.edition import Edition
 from foon_kg.graph.equivalents import find_equivalents
+from foon_kg.graph.known_units import known_units
 from foon_kg.graph.rows import (
-    SIDES,
-    KnownUnitValue,
     SeenUnit,
     SubgraphRow,
     node_of,
@@ -26,6 +24,7 @@ from foon_kg.graph.statements import (
     BEHIND,
     EQUIVALENTS,
     GOALS,
+    KNOWN_UNITS,
     SCHEMA_STATE,
     SUBGRAPHS,
     VIDEO_NAMES,
@@ -35,7 +34,7 @@ from foon_kg.graph.statements import (
 )
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import MadeBy, Neighbour, SeenAs, Vocabulary
-from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
+from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.server.settings import ConnectionSettings
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
@@ -43,22 +42,28 @@ from foon_kg.snapshot import Snapshot
 
 Row = TypeVar("Row")
 
-_SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
-
 
 class GraphView:
     """One read transaction on the graph; implements :class:`~foon_kg.knowledge.KnowledgeView`.
 
-    ``round_trips`` counts the queries that were sent. Each method sends one. Neo4j reads what is committed when a query
-    starts: a load that ends between two questions shows in the second.
+    ``round_trips`` counts the queries that were sent: for the units behind something one that finds them and one that
+    fetches those which no view of this ``edition`` has fetched yet, else one a question, or none where it was asked
+    before. Neo4j reads what is committed when a query starts: a load that ends between two questions shows in the
+    second.
     """
 
-    def __init__(self, transaction: neo4j.Transaction) -> None:
+    def __init__(self, transaction: neo4j.Transaction, edition: Edition | None = None) -> None:
         self._transaction = transaction
+        self._edition = edition or Edition()
         self.round_trips = 0
 
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
+        if self._edition.vocabulary is None:
+            self._edition.vocabulary = self._read_vocabulary()
+        return self._edition.vocabulary
+
+    def _read_vocabulary(self) -> Vocabulary:
         (row,) = self._ask(VOCABULARY)
         foods = (SeenAs(*food) for food in row.foods)
         motions = (MadeBy(*motion) for motion in row.motions)
@@ -66,7 +71,13 @@ class GraphView:
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
-        asked = DISH_TYPES if dish_type is None else (dish_type,)
+        if dish_type is None:
+            return self._read_goals(DISH_TYPES)
+        if dish_type not in self._edition.goals:
+            self._edition.goals[dish_type] = self._read_goals((dish_type,))
+        return self._edition.goals[dish_type]
+
+    def _read_goals(self, asked: Sequence[str]) -> tuple[Goal, ...]:
         found = ((node_of(row.node), row) for row in self._ask(GOALS, dish_types=asked))
         goals = (Goal(node, row.dish_type, node.ingredients, tuple(sorted(row.videos))) for node, row in found)
         return tuple(sorted(goals, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
@@ -76,7 +87,14 @@ class GraphView:
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
-        return tuple(map(_known_unit, sorted(row.units, key=itemgetter(0))))
+        return self._units(sorted(row.keys))
+
+    def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:
+        units = self._edition.units
+        missing = [key for key in keys if key not in units]
+        for row in self._ask(KNOWN_UNITS, keys=missing) if missing else ():
+            units.update((known.unit.key, known) for known in known_units(row))
+        return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
         """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
@@ -97,9 +115,15 @@ class GraphView:
         rows = self._ask(SUBGRAPHS, names=sorted(set(names)))
         return tuple(sorted(map(subgraph_of, rows), key=lambda subgraph: subgraph.name))
 
-    def check(self, kitchen: Kitchen) -> None:
-        """Raise SchemaError or GraphError unless the graph is a FOON that this program can read."""
-        check_readable(next(iter(self._ask(SCHEMA_STATE)), None), kitchen)
+    def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
+        """Answer which edition this view reads: ``known``, or a new one.
+
+        Raises SchemaError or GraphError unless the graph is a FOON that this program can read.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None)
+        check_readable(state, kitchen)
+        self._edition = known.still(state.edition if state else None)
+        return self._edition
 
     def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         self.round_trips += 1
@@ -109,22 +133,21 @@ class GraphView:
 class Neo4jGraph:
     """A FOON kept in Neo4j; implements :class:`~foon_kg.knowledge.KnowledgeGraph`. Close it, or use it in ``with``.
 
-    The first view also checks the schema, which costs it one round trip more.
+    A view begins with one round trip that checks the schema and asks which edition of the FOON it is. What an earlier
+    view of the same edition read is not read again.
     """
 
     def __init__(self, settings: ConnectionSettings, kitchen: Kitchen | None = None) -> None:
         self._connection = Connection(settings)
         self._kitchen = kitchen or Kitchen.default()
-        self._checked = False
+        self._edition = Edition()
 
     @contextmanager
     def reading(self) -> Iterator[GraphView]:
         """Open a view. Raises GraphError where no FOON answers, SchemaError for one of another version."""
         with self._connection.session() as session, session.begin_transaction() as transaction:
             view = GraphView(transaction)
-            if not self._checked:
-                view.check(self._kitchen)
-                self._checked = True
+            self._edition = view.begin(self._kitchen, self._edition)
             yield view
 
     def snapshot(self) -> Snapshot:
@@ -151,12 +174,3 @@ def subgraph_of(row: SubgraphRow) -> Subgraph:
 def _annotation(unit: SeenUnit) -> Annotation:
     _, verb, accepts_any, inputs, outputs, seen = unit
     return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))
-
-
-def _known_unit(unit: KnownUnitValue) -> KnownUnit:
-    """Write the unit as its first sighting has it, as the snapshot does."""
-    _, verb, accepts_any, inputs, outputs, sightings = unit
-    sightings.sort(key=itemgetter(0, 1))
-    first = dict(zip(SIDES, sightings[0][_SIGHTING_FIELDS:], strict=True))
-    written = unit_of(verb, inputs, outputs, first, accepts_any=accepts_any)
-    return KnownUnit(written, tuple(Sighting(*sighting[:_SIGHTING_FIELDS]) for sighting in sightings))

@@ -18,11 +18,12 @@ Properties = dict[str, Any]
 SeenUnit = tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]
 """``[key, verb, accepts_any, inputs, outputs, properties]``: a unit as one video has it."""
 
-KnownUnitValue = tuple[str, str, bool, list[NodeRow], list[NodeRow], list[list[Any]]]
-"""The same with every sighting: the values of a ``Sighting``, then those of the properties in ``SIDES``."""
+KeyedNode = tuple[str, str, list[str], list[str], str | None, str | None]
+"""``[key, label, states, ingredients, relation, container]``."""
 
-SIDES = ("inputs", "inputs_moving", "inputs_dish", "outputs", "outputs_moving", "outputs_dish")
-"""The properties of a ``SEEN_IN`` edge that say how its video writes the unit."""
+KnownUnitValue = tuple[str, str, bool, list[str], list[str], list[list[Any]]]
+"""``[key, verb, accepts_any, inputs, outputs, sightings]``, the nodes by their keys. A sighting has the values of a
+``Sighting``, then those of ``inputs``, ``inputs_moving``, ``inputs_dish``, ``outputs``, … on its ``SEEN_IN`` edge."""
 
 
 @dataclass(frozen=True)
@@ -32,11 +33,15 @@ class Nothing:
 
 @dataclass(frozen=True)
 class SchemaState:
-    """Which schema, kitchen and word lists a graph was written with; no ``words`` where it has no vectors yet."""
+    """Which schema, kitchen and word lists a graph was written with; no ``words`` where it has no vectors yet.
+
+    Every write that may change an answer gives the FOON a new ``edition``, a name that no other state of any graph has.
+    """
 
     version: int
     kitchen: str
     words: str | None = None
+    edition: str | None = None
 
 
 @dataclass(frozen=True)
@@ -74,8 +79,16 @@ class UnitRow:
 
 @dataclass(frozen=True)
 class BehindRow:
-    """All units at once: one long row travels several times faster than many short ones."""
+    """The keys of all units at once: one long row travels several times faster than many short ones."""
 
+    keys: list[str]
+
+
+@dataclass(frozen=True)
+class KnownUnitsRow:
+    """Units, and each of their nodes once."""
+
+    nodes: list[KeyedNode]
     units: list[KnownUnitValue]
 
 
@@ -161,7 +174,7 @@ def properties_of(annotation: Annotation, position: int) -> Properties:
 
 
 def _side_as_properties(participants: Sequence[Participant], side: str) -> Properties:
-    distinct = sorted({p.node for p in participants}, key=lambda node: _order(row_of(node)))
+    distinct = sorted({p.node for p in participants}, key=lambda node: order(row_of(node)))
     ranks = {node: rank for rank, node in enumerate(distinct)}
     return {
         side: [ranks[p.node] for p in participants],
@@ -171,12 +184,12 @@ def _side_as_properties(participants: Sequence[Participant], side: str) -> Prope
 
 
 def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple[Participant, ...]:
-    nodes = [node_of(row) for row in sorted(rows, key=_order)]
+    nodes = [node_of(row) for row in sorted(rows, key=order)]
     columns = zip(seen[side], seen[f"{side}_moving"], seen[f"{side}_dish"], strict=True)
     return tuple(Participant(nodes[rank], moving, dish or None) for rank, moving, dish in columns)
 
 
-def _order(row: NodeRow) -> tuple[object, ...]:
+def order(row: NodeRow) -> tuple[object, ...]:
     """Answer the order that ranks count in; no two nodes are equal in it."""
     label, states, ingredients, relation, container = row
     return (label, states, ingredients, relation is not None, relation or "", container is not None, container or "")

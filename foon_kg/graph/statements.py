@@ -9,7 +9,7 @@ from typing import Generic, TypeVar
 from neo4j import ManagedTransaction, Transaction
 
 from foon_kg.cypher import named_query
-from foon_kg.graph import rows
+from foon_kg.graph import recipe_rows, rows
 
 _log = logging.getLogger(__name__)
 
@@ -35,6 +35,7 @@ SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
 VOCABULARY = Statement("vocabulary", rows.VocabularyRow)
 GOALS = Statement("goals", rows.GoalRow)
 BEHIND = Statement("behind", rows.BehindRow)
+KNOWN_UNITS = Statement("known_units", rows.KnownUnitsRow)
 EQUIVALENTS = Statement("equivalents", rows.EquivalentsRow)
 
 LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
@@ -55,6 +56,15 @@ UNSUPPORTED_UNITS = Statement("unsupported_units", rows.UnitRow)
 SWEEP_UNITS = Statement("sweep_units", rows.Nothing)
 SWEEP_WORDS = Statement("sweep_words", rows.Nothing)
 CLEAR = Statement("clear", rows.Nothing)
+
+LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
+LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
+RECIPE_CONTENTS = Statement("recipe_contents", recipe_rows.RecipeContentRow)
+RECIPE = Statement("recipe", recipe_rows.RecipeRow)
+RECIPE_CLASSES = Statement("recipe_classes", recipe_rows.RecipeClassRow)
+RECIPE_IDS = Statement("recipe_ids", recipe_rows.RecipeIdRow)
+COUNT_RECIPES = Statement("count_recipes", recipe_rows.RecipeCountRow)
+WANTED_FOODS = Statement("wanted_foods", recipe_rows.WantedFoodRow)
 
 
 def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:

@@ -41,13 +41,14 @@ def ask(connection, text, **parameters):
 
 
 def whole_graph(connection):
-    """Every node and edge with all its properties, the count of writes apart."""
+    """Every node and edge with all its properties, the count and the name of writes apart."""
     nodes = ask(connection, "MATCH (n) RETURN labels(n), properties(n)")
     edges = ask(connection, "MATCH (a)-[r]->(b) RETURN properties(a), type(r), properties(r), properties(b)")
     for row in (*nodes, *edges):
         for part in row:
             if isinstance(part, dict):
                 part.pop("writes", None)
+                part.pop("edition", None)
     return sorted(map(repr, nodes)), sorted(map(repr, edges))
 
 
@@ -237,14 +238,3 @@ def test_an_older_schema_is_brought_up_to_date_by_loading(connection, graph):
     load(connection, [salad])
     with graph.reading() as view:
         assert view.video_names() == ("salad",)
-
-
-def test_every_question_is_one_round_trip(connection, graph):
-    load(connection, [salad])
-    with graph.reading():
-        pass  # the first view also looks at the schema
-    with graph.reading() as view:
-        view.vocabulary()
-        goals = view.goals("salad")
-        view.behind([goal.node for goal in goals], [("onion", "chopped")])
-        assert view.round_trips == 3
