@@ -8,6 +8,7 @@ from typing import Any
 from foon_kg.graph.rows import EquivalentsRow
 from foon_kg.knowledge import Neighbour
 from foon_kg.similarity import food_similarity
+from foon_kg.similarity.answers import nearest_of_each
 from foon_kg.similarity.points import Question, question, word_lists_key
 
 FIRST = 64
@@ -31,8 +32,7 @@ def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tu
         rows = ask({"words": word_lists_key(), "asked": [_asked(*item) for item in waiting.items()], "count": count})
         if not rows:
             return None
-        for row in rows:
-            answer = _best(row, limit)
+        for row, answer in zip(rows, _best(rows, limit), strict=True):
             if len(row.nearest) < count or _is_settled(answer, row, waiting[row.name], limit):
                 found[row.name] = answer
                 del waiting[row.name]
@@ -44,9 +44,11 @@ def _asked(name: str, about: Question) -> dict[str, Any]:
     return {"name": name, "canonical": about.canonical_name, "point": about.point}
 
 
-def _best(row: EquivalentsRow, limit: int) -> tuple[Neighbour, ...]:
-    known = {*row.equal, *(name for name, is_food, _ in row.nearest if is_food)}
-    return food_similarity().nearest(row.name, sorted(known), limit=limit)
+def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, ...], ...]:
+    """Answer the best foods of each row, out of all that any of them names: one product for all."""
+    known = {name for row in rows for name in row.equal}
+    known.update(name for row in rows for name, is_food, _ in row.nearest if is_food)
+    return nearest_of_each(food_similarity(), [row.name for row in rows], sorted(known), limit)
 
 
 def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
