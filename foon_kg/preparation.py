@@ -57,7 +57,10 @@ class Preparations:
     _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
 
     def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
-        """Answer the ways to make ``want``, best first: fresh before stale, then surest, then shortest."""
+        """Answer the ways to make ``want``, best first.
+
+        That is: with the fewest utensils that nobody has; fresh before stale; surest; shortest.
+        """
         if want not in self._made:
             if not self.kitchen.is_start_state(want.object, want.state):
                 found = list(self._processed(want, self.leaves_stand)) or list(
@@ -67,7 +70,7 @@ class Preparations:
                 found = list(self._opened(want))
             else:
                 found = []
-            self._made[want] = tuple(sorted(found, key=_rank))
+            self._made[want] = tuple(sorted(found, key=lambda made: (self._lacking(made), *_rank(made))))
         return self._made[want]
 
     def forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
@@ -152,6 +155,11 @@ class Preparations:
             if not odd and item.node.label == want.object and state in item.node.states:
                 yield Preparation(want, item.node, steps, casting, candidate, stale(steps, self.kitchen))
                 return
+
+    def _lacking(self, made: Preparation) -> int:
+        """Count the utensils of a preparation that are not among those a person named."""
+        nodes = {node for step in made.steps for node in step.input_nodes if not self.kitchen.is_food(node)}
+        return sum(map(self.kitchen.lacks, nodes))
 
     def _lies_in_a_utensil(self, node: ObjectNode) -> bool:
         """Say whether a food is where it can be taken from: butter spread on bread needs the bread."""
