@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 from foon_kg.kitchen import words
 from foon_kg.model import Goal, RequiredIngredient
+
+NEAR = 0.05
+"""Goals whose scores differ by no more than this are a near tie: how sure a name is, is not known more exactly."""
 
 
 @dataclass(frozen=True)
@@ -29,20 +33,20 @@ def rank_goals(
     *,
     name_confidence: Callable[[str, str], float],
     known_foods: frozenset[str],
-    dish_type: str,
+    dish_type: str | None = None,
 ) -> tuple[RankedGoal, ...]:
-    """Answer ``goals`` from the most to the least like the recipe.
+    """Answer ``goals`` from the most to the least like the recipe; ``dish_type`` is ``None`` where none was asked.
 
-    The order is: truly named before misnamed, then score (in hundredths), then fewer ingredients that nobody
-    asked for, then the goal's node. The paper counts pairs above a threshold (``similarity.count_similar``); a matching
-    counts each food once.
+    The order is: truly named before misnamed, then score (in hundredths), then fewer ingredients that nobody asked
+    for, then the goal's node, then its dish type. The paper counts pairs above a threshold
+    (``similarity.count_similar``); a matching counts each food once.
     """
     objects = sorted({want.object for want in wants})
     ranked = [
         RankedGoal(
             goal,
             _match(objects, goal.ingredients, name_confidence),
-            _misnamed(goal, objects, known_foods, dish_type),
+            _misnamed(goal, objects, known_foods, dish_type or goal.dish_type),
         )
         for goal in goals
     ]
@@ -55,7 +59,20 @@ def _order(ranked: RankedGoal) -> tuple[object, ...]:
         -round(ranked.score, 2),
         len(ranked.goal.ingredients),
         ranked.goal.node.sort_key,
+        ranked.goal.dish_type,
     )
+
+
+def near_ties(ranked: Sequence[RankedGoal]) -> int:
+    """Answer how many goals at the head of ``ranked`` are so nearly alike that only their trees can tell them apart.
+
+    Those are the goals that are as truly named as the first one and have at most ``NEAR`` less of its score.
+    """
+    if not ranked:
+        return 0
+    first = ranked[0]
+    near = (len(goal.misnamed) == len(first.misnamed) and round(first.score - goal.score, 2) <= NEAR for goal in ranked)
+    return sum(takewhile(bool, near))
 
 
 def _match(objects: Sequence[str], ingredients: Sequence[str], confidence: Callable[[str, str], float]) -> float:

@@ -99,6 +99,8 @@ class Integration:
     def _cast(self, want: RequiredIngredient, line: FoodLine) -> tuple[Recast, float] | None:
         """How a line plays a food: a processed state must be there still where the food joins others (sense, S7)."""
         sold = self.kitchen.is_start_state(want.object, want.state)
+        if self.kitchen.stands_ready(want.object, want.state) and not _starts_so(line, want):
+            return None  # what is there already need not be made
         if sold and is_whole(want.state) and not line.opened and self._can_be_opened(want):
             return None
         return self.equivalents.recast(want, line.states if sold else line.at_join, line.made_by)
@@ -256,6 +258,11 @@ class Integration:
                 if node not in made and not self.kitchen.is_food(node) and self.kitchen.is_running(node):
                     yield from self.preparations.utensil(node)
             made.update(step.output_nodes)
+
+
+def _starts_so(line: FoodLine, want: RequiredIngredient) -> bool:
+    """Say whether every leaf of ``line`` is in the wanted state."""
+    return all(want.state in node.states for node in line.leaves)
 
 
 class _Party:

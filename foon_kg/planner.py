@@ -9,22 +9,23 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
-from foon_kg.goals import RankedGoal, rank_goals
+from foon_kg.goals import RankedGoal, near_ties, rank_goals
 from foon_kg.integration import FinalTree, Integration
 from foon_kg.kitchen import words
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Likeness
-from foon_kg.model import DISH_TYPES, KnownUnit, Recipe, RequiredIngredient
+from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.ordering import as_recorded
 from foon_kg.outcome import plan_result, with_progress
 from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.settings import PlanSettings
+from foon_kg.shortage import ShortageError, named, nearest_first, remedies
 from foon_kg.states import state_similarity
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import CONTRACT, Report, TaskTree, check
@@ -39,15 +40,15 @@ KEPT = 0.3
 _ASKED_OF_THE_JUDGE = frozenset({"S1", "S2", "S4", "S5", "S7"})
 
 FIRST_GOALS = 3
-"""How many of the likeliest goals are looked behind in the first question."""
+"""How many of the likeliest goals are looked behind in the first question, and are tried where they are near ties."""
 
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
     """Answer the task tree that makes ``recipe``.
 
-    Raises :class:`UsageError` for a recipe without ingredients or with an unknown dish type, and
-    :class:`NoTreeError` where the FOON has no way to make it; the code is ``no-goal``, ``no-way``, ``left-out`` or
-    ``avoided``.
+    A recipe without a dish type (``""``) may become a dish of any; the answer says which. Raises :class:`UsageError`
+    for a recipe without ingredients or with an unknown dish type, and :class:`NoTreeError` where the FOON has no way to
+    make it; the code is ``no-goal``, ``no-way``, ``left-out``, ``avoided`` or ``missing``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
 
@@ -77,12 +78,22 @@ class Planner:
 
 @dataclass(frozen=True)
 class _Attempt:
-    """A tree for one goal, what the judge says of it, and out of what it was made."""
+    """A tree for one goal, what the judge says of it, out of what it was made, and which leaves are not at hand."""
 
     result: PlanResult
     report: Report
     integration: Integration
     tree: FinalTree
+    missing: tuple[ObjectNode, ...]
+
+    @property
+    def worth(self) -> tuple[float, ...]:
+        """What decides between near ties, the lesser the better: overlap, then units, then confidence.
+
+        The last is how much confidence is lost by substitutions, all in all.
+        """
+        doubt = sum(1 - substitution.confidence for substitution in self.result.substitutions)
+        return -self.result.reference.overlap, len(self.result.units), round(doubt, 2)
 
 
 class _Question:
@@ -98,6 +109,7 @@ class _Question:
         kitchen = kitchen_without(self.settings.kitchen, (*self.settings.avoided, *asked))
         self.kitchen = kitchen.with_foods(asked)
         self.vocabulary = planner.vocabulary
+        self._near = 1
         self._made_in: tuple[Workshop, Preparations] | None = None
         self.equivalents = Equivalents(
             self.vocabulary, self.kitchen, planner.likeness, state_similarity, planner.likeness.own
@@ -113,38 +125,61 @@ class _Question:
         return with_progress(best.result, self.kitchen), explanations(best.tree, best.integration)
 
     def _best(self) -> _Attempt:
-        """Try the goals, likeliest first, until one gives a tree with everything in it."""
-        found: list[tuple[tuple[int, ...], _Attempt]] = []
+        """Try the goals, likeliest first, until one gives a tree without a fault; of near ties all (docs/ties.md)."""
+        found: list[tuple[tuple[float, ...], _Attempt]] = []
         trouble: NoTreeError | None = None
-        for ranked, workshop in self._goals_to_try():
+        for place, (ranked, workshop) in enumerate(self._goals_to_try()):
             try:
                 attempt = self._for_goal(ranked, workshop)
             except NoTreeError as error:
                 trouble = trouble or error
-                continue
-            faults = self._faults(attempt, ranked)
-            found.append(((*faults, len(found)), attempt))
-            if not any(faults) or len(found) == MOST_GOALS:
+            else:
+                near = (0, *attempt.worth) if place < self._near else (place,)
+                found.append(((len(attempt.missing), *self._faults(attempt, ranked), *near, place), attempt))
+            if found and place + 1 >= self._near and self._suffices(found):
                 break
         if found:
             _, best = min(found, key=lambda row: row[0])
+            if best.missing:
+                raise self._shortage(best)
             if not best.report.sound:
                 raise self._refusal(best.report)
             return best
         raise trouble or NoTreeError(
-            f"no way to make this {self.recipe.dish_type} was found", code="no-way", hint="Ask for another dish type."
+            f"no way to make {self._dish} was found", code="no-way", hint="Ask for another dish type."
+        )
+
+    @property
+    def _dish(self) -> str:
+        return f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
+
+    @staticmethod
+    def _suffices(found: Sequence[tuple[tuple[float, ...], _Attempt]]) -> bool:
+        """Whether no further goal need be tried: there is a tree without a fault, or many whose leaves are there."""
+        faults = [rank[:3] for rank, _ in found]
+        return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
+
+    def _shortage(self, attempt: _Attempt) -> ShortageError:
+        """Say which leaves of the tree that lacks the fewest are not in the kitchen that a person named."""
+        foods = [node for node in attempt.missing if self.kitchen.is_food(node)]
+        leave = f", or leave {foods[0].label} out" if foods else ""
+        return ShortageError(
+            f"the kitchen lacks {named(attempt.missing)} for {attempt.result.goal.label}",
+            missing=attempt.missing,
+            hint=f"{remedies(attempt.missing, self.kitchen)}{leave}; or name it in the kitchen file where it is there.",
         )
 
     def _refusal(self, report: Report) -> NoTreeError:
         """Say why even the best tree is none: no tree that breaks the contract is ever answered."""
         return NoTreeError(
-            f"no tree for this {self.recipe.dish_type} keeps the contract: {report.of(CONTRACT)[0]}",
+            f"no tree for {self._dish} keeps the contract: {report.of(CONTRACT)[0]}",
             code="no-way",
             hint="Leave this ingredient out or ask for it in another state, or ask for another dish type.",
         )
 
     def _goals_to_try(self) -> Iterator[tuple[RankedGoal, Workshop]]:
         ranked = self._ranked_goals()
+        self._near = min(near_ties(ranked), FIRST_GOALS)
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
@@ -157,15 +192,17 @@ class _Question:
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:
         dish_type = self.recipe.dish_type
-        if dish_type not in DISH_TYPES:
+        if dish_type and dish_type not in DISH_TYPES:
             close = difflib.get_close_matches(dish_type, DISH_TYPES, n=3)
             hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
             raise UsageError(f"“{dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
-        goals = self.planner.view.goals(dish_type)
+        goals = self.planner.view.goals(dish_type or None)
         if not goals:
             there = ", ".join(self.vocabulary.dish_types) or "none"
             raise NoTreeError(
-                f"this FOON has no {dish_type}", code="no-goal", hint=f"It has goals of these dish types: {there}."
+                f"this FOON has no {dish_type or 'dish'}",
+                code="no-goal",
+                hint=f"It has goals of these dish types: {there}.",
             )
         fitting = [goal for goal in goals if why_avoided(goal.node.label, self.settings.avoided) is None]
         if not fitting:
@@ -175,7 +212,7 @@ class _Question:
             self.wants,
             name_confidence=self.equivalents.name_confidence,
             known_foods=frozenset(" ".join(words(row.label)) for row in self.vocabulary.foods),
-            dish_type=dish_type,
+            dish_type=dish_type or None,
         )
 
     def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> _Attempt:
@@ -193,12 +230,17 @@ class _Question:
                 hint="Ask for another dish type, or add an ingredient that such a dish has.",
             )
         summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
-        result = plan_result(
-            self.recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen
-        )
+        recipe = replace(self.recipe, dish_type=self.recipe.dish_type or ranked.goal.dish_type)
+        result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)
         self._refuse_avoided(result)
         report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
-        return _Attempt(result, report, integration, tree)
+        return _Attempt(result, report, integration, tree, self._missing(result))
+
+    def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
+        """Answer the leaves that are not in the kitchen that a person named, nearest to the goal first."""
+        lacking = [node for node in result.kitchen if self.kitchen.lacks(node)]
+        units = [(unit.input_nodes, unit.output_nodes) for unit in result.units]
+        return nearest_first(lacking, units, result.goal) if lacking else ()
 
     def _refuse_avoided(self, result: PlanResult) -> None:
         """Raise :class:`NoTreeError` for a tree that names an avoided food, be it only as what a mixture is called."""
