@@ -65,8 +65,9 @@ def gap_cost(
     return cost
 
 
-_ABSENT = 100_000
-"""What a search pays for a utensil that is not among those a person named: it is left only where there is no way round."""
+_ABSENT = 3
+"""What a search pays for a utensil that is not among those a person named: not so much that it would rather assume that
+a food is processed already, for then it would be said that the food is missing, and not the utensil."""
 
 
 class Workshop:
