@@ -23,7 +23,7 @@ class ShortageError(NoTreeError):
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
-    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl (empty)``."""
+    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
         processed = kitchen.processed_states(node)
@@ -33,7 +33,7 @@ def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
     foods = kitchen.foods_in(node)
     if foods and kitchen.is_storage(node.label):
         return f"buy {' and '.join(foods)} ({node.label})"
-    return f"get {node}"
+    return f"get a {node.label}"
 
 
 def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> str:

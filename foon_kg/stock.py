@@ -4,7 +4,7 @@ Naming utensils says that there are no others; naming foods says that there are 
 named everything is there, as C6 of the contract has it. Each thing is an object node that others are held
 against: without a state it stands for a food in any state in which it is sold, or a utensil in any state; with
 states for these alone, be they processed ones. Without a place it may be anywhere, with a place it is there. Storage (a
-bottle, a shaker) comes with the food that it holds; free foods, and things like the sink or a hand, are always there.
+bottle, a shaker) comes with the food that it holds; free foods, and things like the faucet or a hand, are always there.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from typing import Self
 from foon_kg.kitchen import Kitchen, is_place, singular
 from foon_kg.model import ObjectNode
 
-ALWAYS_THERE = frozenset({"bin", "garbage", "hand", "item", "sink", "surface", "table", "trash bin"})
-"""What is there though nobody names it: places, and hands."""
+ALWAYS_THERE = frozenset({"bin", "faucet", "garbage", "hand", "item", "sink", "surface", "table", "trash bin"})
+"""What is there though nobody names it: places, running water, and hands."""
 
 
 @dataclass(frozen=True, eq=False)
