@@ -1,4 +1,4 @@
-"""The known foods that may stand for others: the vector index of Neo4j answers as a comparison with all of them does."""
+"""The known foods that may stand for others: Neo4j's vector index answers as a comparison with all of them does."""
 
 from __future__ import annotations
 
@@ -59,9 +59,8 @@ def keep(request):
 
 def garden(foods):
     """Answer a subgraph that knows these foods."""
-    harvests = (
-        tuple(Participant(node(food)) for food in foods[start : start + 50]) for start in range(0, len(foods), 50)
-    )
+    parts = (foods[start : start + 50] for start in range(0, len(foods), 50))
+    harvests = (tuple(Participant(node(food)) for food in part) for part in parts)
     seed = (Participant(node("bowl")),)
     return Subgraph("garden", tuple(Annotation(FunctionalUnit(seed, "grow", harvest)) for harvest in harvests))
 
@@ -102,17 +101,17 @@ def test_many_foods_are_answered_as_by_comparing_all_of_them(keep):
         assert view.equivalents(names, limit=5) == expected
 
 
+@pytest.mark.neo4j
 @pytest.mark.shared_data
 @pytest.mark.skipif(not SHARED.exists(), reason="the public FOON is not beside the checkout (../shared/data)")
-def test_the_public_foon_answers_as_by_comparing_all_of_its_foods(keep):
+def test_the_public_foon_answers_as_by_comparing_all_of_its_foods(connection, graph):
     read = list(read_paths([SHARED / "foon-111" / "TXT"]))
     subgraphs = [result.subgraph for result in read if result.subgraph is not None]
     snapshot = Snapshot.of(subgraphs, KITCHEN)
     names = [*snapshot.vocabulary().labels, *UNKNOWN, *STRANGE]
-    kept = keep(subgraphs)
-    for limit in (1, 5):
-        with kept.reading() as view:
-            assert view.equivalents(names, limit=limit) == by_comparing_all(names, snapshot, limit)
+    load(connection, subgraphs)
+    with graph.reading() as view:
+        assert view.equivalents(names, limit=5) == by_comparing_all(names, snapshot, 5)
 
 
 @pytest.mark.neo4j
