@@ -1,5 +1,11 @@
-// Takes the whole FOON away, its record apart.
+// Takes the whole FOON away, its record apart. What recipes call for stays.
 // mode: write
 // scans: everything goes
-MATCH (n:Object|Label|Motion|Video|DishType|Ingredient|State|Verb)
+MATCH (n:Object|Label|Motion|Plan|Video|State|Verb)
 DETACH DELETE n
+WITH count(n) AS gone
+CALL () {
+  MATCH (i:Ingredient) WHERE NOT EXISTS { (i)--() } DELETE i
+  UNION ALL
+  MATCH (d:DishType) WHERE NOT EXISTS { (d)--() } DELETE d
+}

@@ -61,8 +61,40 @@ class Neighbour:
     confidence: float
 
 
+@dataclass(frozen=True)
+class RetrievedTree:
+    """A reference tree that was retrieved and proven, as it is kept for who asks again.
+
+    ``question`` names what was asked, ``grounds`` all that the answer depends on: asked the same on the same grounds, a
+    search would find these ``units`` and ``gaps`` again. ``goal``, units and gaps are named by their keys.
+    """
+
+    question: str
+    grounds: str
+    goal: str
+    units: tuple[str, ...]
+    gaps: tuple[str, ...]
+
+
+class TreeMemory(Protocol):
+    """Where reference trees are kept once they were retrieved."""
+
+    def remembered(self, question: str) -> RetrievedTree | None:
+        """Answer the tree that is kept for ``question``, whatever its grounds are."""
+        ...
+
+    def remember(self, tree: RetrievedTree) -> None:
+        """Keep ``tree``, sooner or later or not at all: nothing may depend on it."""
+        ...
+
+
 class KnowledgeView(Protocol):
     """A FOON as it stands at one moment. All answers of one view describe the same state of the graph."""
+
+    @property
+    def memory(self) -> TreeMemory | None:
+        """Where the reference trees that are retrieved from this FOON are kept, if anywhere."""
+        ...
 
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""

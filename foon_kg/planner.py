@@ -183,11 +183,11 @@ class _Question:
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
-        foods = sorted({food for want in self.wants for food in self.equivalents.makings(want)})
+        view, foods = self.planner.view, sorted({f for want in self.wants for f in self.equivalents.makings(want)})
         for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
             if chunk:
-                units = self.planner.view.behind([r.goal.node for r in chunk], foods)
-                workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary)
+                units = view.behind([r.goal.node for r in chunk], foods)
+                workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary, memory=view.memory)
                 yield from ((goal, workshop) for goal in chunk)
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:

@@ -42,6 +42,11 @@ class Snapshot:
         """Open a view: the snapshot itself."""
         return nullcontext(self)
 
+    @property
+    def memory(self) -> None:
+        """A snapshot keeps no reference trees: it is gone with the program that has it."""
+        return
+
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
         return self._vocabulary

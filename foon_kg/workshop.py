@@ -6,10 +6,10 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import Vocabulary
+from foon_kg.knowledge import TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.restoration import restored
-from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
+from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.settings import PlanSettings
 from foon_kg.substitution import Candidate
 from foon_kg.validation import KnownFoon
@@ -74,8 +74,15 @@ class Workshop:
     """Numbered units, and what was found among them: reference trees and the makings of foods."""
 
     def __init__(
-        self, units: Sequence[KnownUnit], goals: Sequence[Goal], settings: PlanSettings, vocabulary: Vocabulary
+        self,
+        units: Sequence[KnownUnit],
+        goals: Sequence[Goal],
+        settings: PlanSettings,
+        vocabulary: Vocabulary,
+        *,
+        memory: TreeMemory | None = None,
     ) -> None:
+        self.memory = memory
         self.kitchen = settings.kitchen.with_every_food()  # foods of a reference are exchanged: the final tree is asked
         self.time_limit = settings.time_limit
         cost = gap_cost(self.kitchen, units, mixtures(self.kitchen, vocabulary))
@@ -94,7 +101,7 @@ class Workshop:
         key = (goal, tuple(sorted(wanted.items())))
         if key not in self.references:
             problem = SearchProblem(self.index, (goal,), wanted=wanted)
-            self.references[key] = retrieve(problem, time_limit=self.time_limit)
+            self.references[key] = retrieve_once(problem, self.memory, time_limit=self.time_limit)
         return self.references[key]
 
     def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:

@@ -73,7 +73,6 @@ def demo_subgraphs() -> list[Subgraph]:
 
 
 def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
-    from foon_kg.cli.knowledge import RememberedWords
     from foon_kg.demo import demo_recipes
     from foon_kg.graph import Neo4jGraph
     from foon_kg.kitchen import Kitchen
@@ -82,7 +81,6 @@ def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
 
     path = next(path for path in demo_recipes() if path.stem == RECIPE)
     with Neo4jGraph(settings) as graph, graph.reading() as view:
-        knowledge = RememberedWords(view)
-        read = read_recipe(path, IngredientWords(knowledge.vocabulary(), Kitchen.default()))
+        read = read_recipe(path, IngredientWords(view.vocabulary(), Kitchen.default()))
         say(f"Planning {read.recipe.title}, from {', '.join(i.object for i in read.recipe.ingredients)}.\n")
-        return plan(knowledge, read.recipe)
+        return plan(view, read.recipe)

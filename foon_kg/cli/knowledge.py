@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,8 +11,7 @@ from foon_kg.cli.console import Say
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.knowledge import KnowledgeView, Neighbour, Vocabulary
-    from foon_kg.model import Goal, KnownUnit, ObjectNode
+    from foon_kg.knowledge import KnowledgeView
     from foon_kg.snapshot import Snapshot
 
 
@@ -27,7 +25,7 @@ def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Knowledge
     from foon_kg.server import connection_settings
 
     with Neo4jGraph(connection_settings(say)) as graph, graph.reading() as view:
-        yield RememberedWords(view)
+        yield view
 
 
 def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
@@ -59,30 +57,3 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
         names = ", ".join(map(str, paths))
         raise UsageError(f"no subgraph in {names}", hint="--files names folders with FOON text or JSON files.")
     return Snapshot.of(subgraphs, Kitchen.default())
-
-
-class RememberedWords:
-    """A view that asks for its vocabulary once: reading the question and planning it both need the words."""
-
-    def __init__(self, view: KnowledgeView) -> None:
-        self._view = view
-
-    def vocabulary(self) -> Vocabulary:
-        """Answer the words that the FOON knows."""
-        return self._vocabulary
-
-    @cached_property
-    def _vocabulary(self) -> Vocabulary:
-        return self._view.vocabulary()
-
-    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it."""
-        return self._view.equivalents(names, limit=limit)
-
-    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
-        """Answer the goals of ``dish_type``."""
-        return self._view.goals(dish_type)
-
-    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
-        """Answer every unit that may take part in making ``nodes`` or ``foods``."""
-        return self._view.behind(nodes, foods)

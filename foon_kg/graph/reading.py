@@ -12,6 +12,7 @@ from foon_kg.graph.connection import Connection
 from foon_kg.graph.edition import Edition
 from foon_kg.graph.equivalents import find_equivalents
 from foon_kg.graph.known_units import known_units
+from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
     SeenUnit,
     SubgraphRow,
@@ -25,6 +26,7 @@ from foon_kg.graph.statements import (
     EQUIVALENTS,
     GOALS,
     KNOWN_UNITS,
+    REMEMBERED,
     SCHEMA_STATE,
     SUBGRAPHS,
     VIDEO_NAMES,
@@ -33,7 +35,7 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, Neighbour, SeenAs, Vocabulary
+from foon_kg.knowledge import MadeBy, Neighbour, RetrievedTree, SeenAs, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.server.settings import ConnectionSettings
 from foon_kg.similarity import food_similarity
@@ -56,6 +58,7 @@ class GraphView:
         self._transaction = transaction
         self._edition = edition or Edition()
         self.round_trips = 0
+        self.retrieved: list[RetrievedTree] = []
 
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
@@ -106,6 +109,21 @@ class GraphView:
             return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
         return tuple(found[name] for name in names)
 
+    @property
+    def memory(self) -> GraphView:
+        """The graph itself keeps reference trees."""
+        return self
+
+    def remembered(self, question: str) -> RetrievedTree | None:
+        """Answer the reference tree that is kept for ``question``."""
+        for row in self._ask(REMEMBERED, question=question):
+            return RetrievedTree(row.question, row.grounds, row.goal, tuple(row.units), tuple(row.gaps))
+        return None
+
+    def remember(self, tree: RetrievedTree) -> None:
+        """Have ``tree`` kept when the view is closed."""
+        self.retrieved.append(tree)
+
     def video_names(self) -> tuple[str, ...]:
         """Answer the names of all videos, sorted."""
         return tuple(sorted(row.name for row in self._ask(VIDEO_NAMES)))
@@ -141,6 +159,7 @@ class Neo4jGraph:
         self._connection = Connection(settings)
         self._kitchen = kitchen or Kitchen.default()
         self._edition = Edition()
+        self._keeps_trees = True
 
     @contextmanager
     def reading(self) -> Iterator[GraphView]:
@@ -149,6 +168,8 @@ class Neo4jGraph:
             view = GraphView(transaction)
             self._edition = view.begin(self._kitchen, self._edition)
             yield view
+        if view.retrieved and self._keeps_trees:
+            self._keeps_trees = keep_trees(self._connection, view.retrieved)
 
     def snapshot(self) -> Snapshot:
         """Answer the whole FOON in memory."""

@@ -111,6 +111,17 @@ class VocabularyRow:
 
 
 @dataclass(frozen=True)
+class PlanRow:
+    """A reference tree that was retrieved before: the fields of a ``RetrievedTree``."""
+
+    question: str
+    grounds: str
+    goal: str
+    units: list[str]
+    gaps: list[str]
+
+
+@dataclass(frozen=True)
 class EquivalentsRow:
     """The known foods named like the asked one, and those near it: name, whether it is a food at all, cosine."""
 

@@ -51,6 +51,7 @@ class Writer:
         new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
         self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
+        self._throw_out_trees(units[row.key] for row in new)
         self._counts.count(units[row.key] for row in new)
 
     def forget(self, names: Sequence[str]) -> None:
@@ -68,6 +69,7 @@ class Writer:
         gone = self._ask(cypher.UNSUPPORTED_UNITS, keys=sorted(self._doubtful)) if self._doubtful else []
         self._counts.count((bare_unit_of(row) for row in gone), weight=-1)
         if gone:
+            self._throw_out_trees(map(bare_unit_of, gone))
             self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in gone])
         foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
         motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
@@ -86,6 +88,11 @@ class Writer:
         self.add(subgraphs)
         self.finish()
         self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen_key(self._kitchen))
+
+    def _throw_out_trees(self, changed: Iterable[FunctionalUnit]) -> None:
+        """Throw out the reference trees that the ``changed`` units, new or about to go, are behind the goals of."""
+        if keys := sorted({node.key for unit in changed for node in unit.output_nodes}):
+            self._ask(cypher.FORGET_PLANS, keys=keys)
 
     def _write_vectors(self) -> None:
         """Give every food its point in the vector index; all of them anew where the word lists are others."""

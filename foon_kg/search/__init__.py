@@ -5,6 +5,7 @@
 
 from foon_kg.search.enumeration import Enumeration, enumerate_paths
 from foon_kg.search.problem import Bound, NoWayError, ReferenceTree, SearchProblem
+from foon_kg.search.recall import retrieve_once
 from foon_kg.search.retrieve import retrieve
 from foon_kg.search.schedule import schedule
 from foon_kg.search.unit_index import UnitIndex
@@ -18,5 +19,6 @@ __all__ = [
     "UnitIndex",
     "enumerate_paths",
     "retrieve",
+    "retrieve_once",
     "schedule",
 ]

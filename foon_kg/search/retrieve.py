@@ -58,7 +58,7 @@ def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: Deadline) -> 
     part, steps, bound = _best_steps(Reduced.of(core, least.penalty, least.steps), deadline)
     if least.at_least < least.penalty:  # nothing is proven but that
         bound = Bound(least.at_least, len(set(problem.wanted.values())), units=1)
-    return _as_tree(problem, part, steps, bound)
+    return as_tree(problem, part, steps, bound)
 
 
 def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound | None]:
@@ -79,7 +79,8 @@ def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound 
             search = UnitSearch.from_tree(search.reduced, search.best, deadline)
 
 
-def _as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
+def as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
+    """Answer the set ``steps`` of ``core`` as a tree in an order in which it can be executed."""
     index, gap_count = problem.index, len(core.gap_nodes)
     goal = index.nodes[core.nodes[core.goal]]
     gaps = [index.nodes[core.gap_nodes[step]] for step in bits_of(steps) if step < gap_count]
