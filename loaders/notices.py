@@ -60,6 +60,12 @@ class NoticeKind(StrEnum):
     UNKNOWN_FIELD = "unknown-field"  # JSON: a field that no node or unit has
     BAD_FIELD = "bad-field"  # JSON: a field that is missing or of the wrong type
 
+    SAME_RECIPE = "same-recipe"  # a second recipe with the id of another
+    TOO_MANY_INGREDIENTS = "too-many-ingredients"  # more than any cook uses
+    NO_INGREDIENTS = "no-ingredients"  # a recipe that asks for nothing
+    TITLE_WITHOUT_WORDS = "title-without-words"  # nothing in it tells what the dish is
+    LISTS_DIFFER = "lists-differ"  # two files of one collection list another number of ingredients
+
 
 @dataclass(frozen=True)
 class Notice:

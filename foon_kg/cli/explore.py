@@ -32,7 +32,7 @@ def values(query: NamedQuery, given: Mapping[str, str]) -> dict[str, object]:
     """
     if unknown := sorted(given.keys() - query.parameters.keys()):
         raise UsageError(f"{query.name} has no parameter {', '.join(unknown)}", hint=_asked_like(query))
-    texts = query.defaults | given
+    texts = {**query.defaults, **given}
     if missing := [name for name in query.parameters if name not in texts]:
         raise UsageError(f"{query.name} also asks for {', '.join(missing)}", hint=_asked_like(query))
     return {name: _typed(query, name, kind, texts[name]) for name, kind in query.parameters.items()}

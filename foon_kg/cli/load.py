@@ -1,4 +1,4 @@
-"""``foon load``: bring FOONs into the graph."""
+"""``foon load``: bring FOONs and collections of recipes into the graph."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import load_recipes
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, print_json, sayer
 
 if TYPE_CHECKING:
@@ -20,13 +21,16 @@ app = typer.Typer(
     name="load",
     no_args_is_help=True,
     rich_markup_mode=None,
-    help="Load FOONs into Neo4j.",
+    help="Load FOONs and collections of recipes into Neo4j.",
 )
 
 
 @app.callback()
 def load() -> None:
-    """Load FOONs into Neo4j."""
+    """Load FOONs and collections of recipes into Neo4j."""
+
+
+app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
 
 
 @app.command(

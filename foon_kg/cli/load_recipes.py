@@ -1,0 +1,200 @@
+"""``foon load recipes``: bring collections of recipes into the graph."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TextIO
+
+import typer
+
+from foon_kg.cli.console import Json, Quiet, Say, examples, messages, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.collected import UnderstoodRecipe
+    from foon_kg.graph.recipes import RecipesStored
+    from foon_kg.loaders.notices import Notice
+    from foon_kg.loaders.recipe_collections import RecipeCollections
+
+EXAMPLES = examples(
+    "foon load recipes recipe1m/                          # layer1.json, with det_ingrs.json if it lies beside",
+    "foon load recipes recipes.csv --report notices.jsonl",
+    "foon load recipes recipe1m/ --parse full",
+)
+_SHOWN = 10
+"""So many rejected recipes are told one by one; a report has them all."""
+
+
+class Parse(StrEnum):
+    """How the lines of ingredients are read."""
+
+    QUICK = "quick"
+    FULL = "full"
+
+
+def recipes(
+    paths: Annotated[
+        list[Path],
+        typer.Argument(metavar="PATH...", help="Folders with a layer1.json, or .json, .jsonl, .csv, .parquet files."),
+    ],
+    *,
+    parse: Annotated[
+        Parse, typer.Option(help="quick: the full parser only where the collection names no food itself.")
+    ] = Parse.QUICK,
+    report: Annotated[
+        Path | None,
+        typer.Option("--report", metavar="FILE", help="Write all that was not understood here, as JSON Lines."),
+    ] = None,
+    bad_tolerance: Annotated[
+        int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N recipes are unusable.")
+    ] = 0,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load collections of recipes: Recipe1M+, our own recipe files, CSV or Parquet.
+
+    Every file is read to its end first: one that is broken loads nothing. Then the recipes come in many transactions of
+    whole recipes each; a load that was stopped goes on where it was when it is started again, and what is there already
+    changes nothing. Recipes of one id are there once.
+    """
+    from foon_kg.loaders.recipe_collections import RecipeCollections
+
+    say = sayer(quiet=quiet)
+    with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
+        usable = _check(collections, quiet=quiet)
+        journal.tell(say)
+        _refuse_too_many(journal.rejected, bad_tolerance)
+        counts = {"recipes": usable, "rejected_recipes": journal.rejected}
+        if not dry_run:
+            stored = _load(collections, usable, journal.note_left_over, say, full=parse is Parse.FULL, quiet=quiet)
+            counts = _counts(stored) | counts
+        if journal.left_over:
+            where = f"see {report}" if report else "--report FILE lists them"
+            say(f"{journal.left_over} lines name no food that could be read ({where})")
+    if as_json:
+        print_json(counts)
+    else:
+        typer.echo(", ".join(f"{count} {what.replace('_', ' ')}" for what, count in counts.items()))
+
+
+class Journal:
+    """Counts what is odd about a collection, and writes all of it to ``report`` at once: a million may be odd."""
+
+    def __init__(self, report: TextIO | None) -> None:
+        self._report = report
+        self._shown: list[str] = []
+        self._counts: Counter[str] = Counter()
+        self.rejected = 0
+        self.left_over = 0
+
+    def note(self, notice: Notice) -> None:
+        """Take one notice down."""
+        from foon_kg.loaders import Severity
+
+        self._write(notice.to_json())
+        self._counts[f"{notice.severity}: {notice.kind}"] += 1
+        if notice.severity is Severity.REJECTED:
+            self.rejected += 1
+            if len(self._shown) < _SHOWN:
+                self._shown.append(str(notice))
+
+    def note_left_over(self, understood: UnderstoodRecipe) -> None:
+        """Take down the lines of a recipe in which no food was found."""
+        place = understood.recipe.place
+        for line in understood.left_over:
+            self.left_over += 1
+            self._write({"file": place, "kind": "no-food", "message": line, "action": "kept as left over"})
+
+    def tell(self, say: Say) -> None:
+        """Say what is odd: the first rejected recipes one by one, the rest in numbers."""
+        for text in self._shown:
+            say(text)
+        if self._counts:
+            say("; ".join(f"{kind} {count}" for kind, count in sorted(self._counts.items())))
+
+    def _write(self, entry: dict[str, object]) -> None:
+        if self._report:
+            self._report.write(json.dumps(entry, ensure_ascii=True) + "\n")
+
+
+@contextmanager
+def _journal(report: Path | None) -> Iterator[Journal]:
+    from foon_kg.errors import UsageError
+
+    with ExitStack() as stack:
+        try:
+            stream = stack.enter_context(report.open("w", encoding="utf-8")) if report else None
+        except OSError as error:
+            hint = "Name a file that can be written after --report."
+            raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
+        yield Journal(stream)
+
+
+def _check(collections: RecipeCollections, *, quiet: bool) -> int:
+    """Read all files to their end; how many recipes there are is not known before."""
+    from rich.progress import Progress, SpinnerColumn, TextColumn
+
+    console = messages(quiet=quiet)
+    shown = TextColumn("Reading, {task.completed:,.0f} recipes")
+    with Progress(SpinnerColumn(), shown, console=console, disable=not console.is_terminal, transient=True) as progress:
+        task = progress.add_task("", total=None)
+        return collections.check(lambda: progress.advance(task))
+
+
+def _refuse_too_many(rejected: int, tolerance: int) -> None:
+    from foon_kg.errors import ToleranceError
+
+    if rejected > tolerance:
+        recipes_are = "1 recipe is" if rejected == 1 else f"{rejected} recipes are"
+        raise ToleranceError(
+            f"{recipes_are} unusable; nothing was loaded",
+            hint=f"Mend what is named above, or load all the rest with --bad-tolerance {rejected}.",
+        )
+
+
+def _load(
+    collections: RecipeCollections,
+    total: int,
+    left_over: Callable[[UnderstoodRecipe], None],
+    say: Say,
+    *,
+    full: bool,
+    quiet: bool,
+) -> RecipesStored:
+    from rich.progress import Progress
+
+    from foon_kg.collection import CollectionReader, labels_of
+    from foon_kg.graph import Connection, Neo4jGraph
+    from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+    from foon_kg.server import connection_settings
+
+    settings = connection_settings(say)
+    console = messages(quiet=quiet)
+    with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
+        prepare_for_recipes(connection)
+        with Neo4jGraph(settings) as graph, graph.reading() as view:
+            reader = CollectionReader(labels_of(view.vocabulary()), full=full)
+        task = progress.add_task("Loading", total=total)
+        return load_recipes(
+            connection,
+            collections,
+            reader.understand,
+            stored=lambda report: progress.advance(task, len(report)),
+            left_over=left_over,
+            version=reader.version,
+        )
+
+
+def _counts(stored: RecipesStored) -> dict[str, int]:
+    return {
+        "inserted": stored.inserted,
+        "unchanged": stored.unchanged,
+        "replaced": stored.replaced,
+        "foods": stored.foods,
+        "left_over": stored.left_over,
+    }

@@ -1,0 +1,140 @@
+"""``foon recipes``: what the collections in the graph hold, and what they ask for that no video shows."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.graph import Connection
+    from foon_kg.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
+    from foon_kg.graph.recipes import StoredRecipe
+
+EXAMPLES = examples(
+    "foon recipes                                        # how many a dish type, and how much of them is unseen",
+    "foon recipes --unseen 20                            # what to annotate next",
+    "foon recipes --sample 5 --dish salad --seed 7",
+    "foon recipes --id 000018c8a5",
+)
+
+
+def recipes(
+    *,
+    sample: Annotated[int, typer.Option(min=0, metavar="N", help="Show N recipes drawn at random.")] = 0,
+    dish: Annotated[str | None, typer.Option(metavar="TYPE", help="Draw them from this dish type.")] = None,
+    partition: Annotated[str, typer.Option(help="Draw them from this part of it: train, val or test.")] = "",
+    seed: Annotated[int, typer.Option(help="The same seed draws the same recipes.")] = 0,
+    unseen: Annotated[
+        int, typer.Option(min=0, metavar="N", help="Show the N foods that most recipes want and no video shows.")
+    ] = 0,
+    recipe_id: Annotated[str | None, typer.Option("--id", metavar="ID", help="Show this recipe.")] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Count the recipes that were loaded: how many a dish type, how many ingredients, how many of them unseen.
+
+    An ingredient is unseen where no unit of the FOON has that food. Only the sure dish type of a recipe counts.
+    """
+    from foon_kg.errors import UsageError
+    from foon_kg.graph import Connection
+    from foon_kg.graph.recipes import class_counts, recipe_count, stored_recipe, wanted_foods
+    from foon_kg.server import connection_settings
+
+    if [bool(sample), bool(unseen), recipe_id is not None].count(True) > 1:
+        raise UsageError("--sample, --unseen and --id exclude each other", hint="Ask for one of them.")
+    if dish is not None and not sample:
+        raise UsageError("--dish says from what to draw", hint="Add --sample N.")
+    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
+        if sample:
+            ids = _drawn(connection, dish, partition, sample, seed)
+            _show_recipes([stored_recipe(connection, one) for one in ids], as_json=as_json)
+        elif recipe_id is not None:
+            _show_recipes([stored_recipe(connection, recipe_id)], as_json=as_json)
+        elif unseen:
+            _show_wanted(wanted_foods(connection, unseen), as_json=as_json)
+        else:
+            _show_counts(recipe_count(connection), class_counts(connection), as_json=as_json)
+
+
+def _drawn(connection: Connection, dish: str | None, partition: str, count: int, seed: int) -> list[str]:
+    from foon_kg.errors import UsageError
+    from foon_kg.graph.recipes import recipe_ids
+    from foon_kg.model import DISH_TYPES
+
+    if dish is not None and dish not in DISH_TYPES:
+        raise UsageError(f"there is no dish type {dish}", hint=f"One of: {', '.join(DISH_TYPES)}.")
+    ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in recipe_ids(connection, name, partition)})
+    if not ids:
+        raise UsageError(f"the graph has no recipe of {dish or 'any dish type'}", hint="foon load recipes PATH")
+    return sorted(random.Random(seed).sample(ids, min(count, len(ids))))  # noqa: S311 - a draw, no secret
+
+
+def _show_recipes(shown: list[StoredRecipe], *, as_json: bool) -> None:
+    if as_json:
+        return print_json([_recipe_json(recipe) for recipe in shown])
+    for recipe in shown:
+        kinds = ", ".join(f"{dish.name}{'' if dish.sure else '?'}" for dish in recipe.dish_classes) or "no dish type"
+        data().print(f"{recipe.title or '(no title)'}  [{recipe.id}]  {kinds}", style="bold", markup=False)
+        for called in recipe.ingredients:
+            amount = " ".join(filter(None, (called.quantity, called.unit)))
+            what = f"{called.object}, {called.state}" if called.state else called.object
+            data().print(f"  {what}{f'  ({amount})' if amount else ''}", markup=False, highlight=False)
+    return None
+
+
+def _recipe_json(recipe: StoredRecipe) -> dict[str, object]:
+    return {
+        "id": recipe.id,
+        "title": recipe.title,
+        "dish_types": [{"name": dish.name, "sure": dish.sure} for dish in recipe.dish_classes],
+        "ingredients": [
+            {"object": c.object, "state": c.state, "text": c.text, "quantity": c.quantity, "unit": c.unit}
+            for c in recipe.ingredients
+        ],
+    }
+
+
+def _show_wanted(rows: list[WantedFoodRow], *, as_json: bool) -> None:
+    if as_json:
+        return print_json([{"food": row.food, "recipes": row.recipes, "states": row.states} for row in rows])
+    return _print_table(
+        "Wanted by recipes, shown in no video",
+        ("food", "recipes", "most often"),
+        [(row.food, f"{row.recipes:,}", ", ".join(row.states)) for row in rows],
+    )
+
+
+def _show_counts(count: RecipeCountRow, rows: list[RecipeClassRow], *, as_json: bool) -> None:
+    if as_json:
+        classes = [
+            {"dish_type": r.dish_type, "recipes": r.recipes, "ingredients": r.ingredients, "unseen": r.unseen}
+            for r in rows
+        ]
+        return print_json({"recipes": count.recipes, "sure": count.sure, "foods": count.foods, "dish_types": classes})
+    title = f"{count.recipes:,} recipes, {count.sure:,} of them with a sure dish type; they name {count.foods:,} foods"
+    return _print_table(
+        title,
+        ("dish type", "recipes", "ingredients a recipe", "unseen a recipe"),
+        [
+            (r.dish_type, f"{r.recipes:,}", f"{r.ingredients / r.recipes:.1f}", f"{r.unseen / r.recipes:.1f}")
+            for r in rows
+        ],
+    )
+
+
+def _print_table(title: str, columns: tuple[str, ...], rows: list[tuple[str, ...]]) -> None:
+    from rich.table import Table
+
+    if not rows:
+        typer.echo(f"{title}: none")
+        return
+    table = Table(title=title, title_justify="left", box=None)
+    for place, column in enumerate(columns):
+        table.add_column(column, justify="right" if 0 < place < len(columns) - ("most often" in columns) else "left")
+    for row in rows:
+        table.add_row(*row)
+    data().print(table)

@@ -1,0 +1,122 @@
+"""Recipes of a collection understood: which dish, which foods in which states.
+
+A collection that names the food of a line itself is believed, and only the state is read from the line, with the words
+of the state classes. The parser of recipe lines reads what that leaves, or everything.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
+from foon_kg.dish_classes import DishClass, dish_classes
+from foon_kg.knowledge import Vocabulary
+from foon_kg.model import DISH_TYPES
+from foon_kg.names import canonical
+from foon_kg.recipe_lines import read_recipe_lines
+from foon_kg.states import state_in
+
+READING = 1
+"""Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
+
+_REMEMBERED = 200_000
+_IN_BRACKETS = re.compile(r"\([^()]*\)")
+_PHRASE = re.compile(r",|;|\band\b|\bthen\b")
+_NEGLIGIBLE = frozenset({"", "s", "es", "ies"})
+
+
+@dataclass
+class CollectionReader:
+    """Understands recipes for a FOON whose foods go by ``labels`` (see :func:`labels_of`), many lines at a time.
+
+    With ``full`` every line goes through the parser. Lines come again and again in a collection; the last
+    200,000 different ones are remembered.
+    """
+
+    labels: Mapping[str, str]
+    full: bool = False
+    _known: dict[CollectedLine, CalledFor | None] = field(default_factory=dict)
+
+    @property
+    def version(self) -> str:
+        """Names this way of understanding: with another one, what was understood before counts no more."""
+        return f"{READING}-{'full' if self.full else 'quick'}"
+
+    def understand(self, recipes: Sequence[CollectedRecipe]) -> tuple[UnderstoodRecipe, ...]:
+        """Answer what each of ``recipes`` asks for, in their order."""
+        self._read(dict.fromkeys(line for recipe in recipes for line in recipe.lines))
+        return tuple(map(self._understood, recipes))
+
+    def _understood(self, recipe: CollectedRecipe) -> UnderstoodRecipe:
+        read = [(line, self._known[line]) for line in recipe.lines]
+        return UnderstoodRecipe(
+            recipe,
+            classes_of(recipe),
+            tuple(called for _, called in read if called is not None),
+            tuple(line.text for line, called in read if called is None),
+        )
+
+    def _read(self, lines: Mapping[CollectedLine, None]) -> None:
+        """Bring ``_known`` to have ``lines``: first what the collection says itself, then all others at one go."""
+        if len(self._known) + len(lines) > _REMEMBERED:
+            self._known = {line: self._known[line] for line in lines if line in self._known}
+        new = [line for line in lines if line not in self._known]
+        left = []
+        for line in new:
+            called = None if self.full and line.text and not line.state else self._as_told(line)
+            if called is None:
+                left.append(line)
+            else:
+                self._known[line] = called
+        for line, read in zip(left, read_recipe_lines(line.text for line in left), strict=True):
+            amount = (line.quantity or read.quantity, line.unit or read.unit)
+            food = self._label(read.object) if read.object else None
+            self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
+
+    def _as_told(self, line: CollectedLine) -> CalledFor | None:
+        """Answer the food that the collection names with the state that the line says; ``None`` where it names none."""
+        if not line.detected:
+            return None
+        food = line.detected.strip()
+        state = line.state or state_beside(food, line.text)
+        if not food or state is None:
+            return None
+        return CalledFor(self._label(food), state, line.text, line.quantity, line.unit)
+
+    def _label(self, food: str) -> str:
+        name = canonical(food)
+        return self.labels.get(name, name or food)
+
+
+def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
+    """Answer the label of each food of a FOON by its canonical name; of several the first in their order."""
+    labels: dict[str, str] = {}
+    for row in vocabulary.foods:
+        labels.setdefault(canonical(row.label), row.label)
+    return labels
+
+
+def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
+    """Answer the dish classes of a recipe: the one that its collection gives is sure; else those of its title."""
+    named = dish_classes(recipe.title)
+    if recipe.dish_type not in DISH_TYPES:
+        return named
+    return (DishClass(recipe.dish_type, sure=True), *(c for c in named if c.name != recipe.dish_type))
+
+
+def state_beside(food: str, text: str) -> str | None:
+    """Answer the last state that ``text`` says around ``food``, ``""`` for none; ``None`` where the food is not in it.
+
+    >>> state_beside("onion", "2 cups finely chopped onions, sauteed")
+    'sauteed'
+    """
+    line = _IN_BRACKETS.sub(" ", text.lower())
+    place = line.find(food.lower())
+    if place < 0:
+        return None
+    before, after = line[:place], line[place + len(food) :]
+    phrases = [before, *_PHRASE.split(after)]
+    states = [state for phrase in phrases if phrase.strip() not in _NEGLIGIBLE and (state := state_in(phrase))]
+    return states[-1] if states else ""

@@ -1,0 +1,81 @@
+"""Collections of recipes, whatever their files are: first read to their end, then answered one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, ExitStack
+from pathlib import Path
+from typing import Self
+
+from foon_kg.collected import CollectedRecipe
+from foon_kg.errors import UsageError
+from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.loaders.recipe1m import LAYER_1, Recipe1M, Tell
+from foon_kg.loaders.recipe_tables import KNOWN_ENDINGS, read_rows
+
+
+class RecipeCollections(AbstractContextManager["RecipeCollections"]):
+    """The recipes that ``paths`` name: files, and folders with a ``layer1.json`` or with files of known endings.
+
+    Use it in a ``with`` statement; :meth:`check` it before anything is written, then go through it. Of two recipes with
+    one id the first counts. ``tell`` receives whatever is odd.
+    """
+
+    def __init__(self, paths: Iterable[Path], tell: Tell) -> None:
+        self._paths = [file for path in paths for file in _files(path)]
+        self._tell = tell
+        self._open = ExitStack()
+        self._recipe1m: dict[Path, Recipe1M] = {}
+
+    def check(self, progress: Callable[[], None] = lambda: None) -> int:
+        """Read every file to its end, tell whatever is odd, and answer how many recipes can be used.
+
+        Raises ReadError where a file ends too early or is not what its name says, before anything has been written.
+        """
+        for collection in self._recipe1m.values():
+            collection.read_beside(self._tell)
+        count = 0
+        for _ in self._recipes(self._tell):
+            count += 1
+            progress()
+        return count
+
+    def __iter__(self) -> Iterator[CollectedRecipe]:
+        """Answer the recipes in the order of ``paths``."""
+        return self._recipes(lambda _: None)
+
+    def _recipes(self, tell: Tell) -> Iterator[CollectedRecipe]:
+        seen: set[str] = set()
+        for path in self._paths:
+            found = self._recipe1m[path].recipes(tell) if path in self._recipe1m else read_rows(path, tell)
+            for recipe in found:
+                if recipe.id in seen:
+                    message = f"a second recipe with the id “{recipe.id}”"
+                    kind, action = NoticeKind.SAME_RECIPE, "recipe rejected"
+                    tell(Notice(recipe.place, None, kind, message, action, Severity.REJECTED))
+                    continue
+                seen.add(recipe.id)
+                yield recipe
+
+    def __enter__(self) -> Self:
+        for path in self._paths:
+            if path.name == LAYER_1:
+                self._recipe1m[path] = self._open.enter_context(Recipe1M(path))
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._open.close()
+
+
+def _files(path: Path) -> list[Path]:
+    if not path.exists():
+        raise UsageError(f"{path}: no such file or folder", hint="Check the path.")
+    if not path.is_dir():
+        return [path]
+    if (path / LAYER_1).exists():
+        return [path / LAYER_1]
+    found = sorted(file for file in path.rglob("*") if file.suffix.lower() in KNOWN_ENDINGS and file.is_file())
+    if not found:
+        endings = ", ".join(KNOWN_ENDINGS)
+        raise UsageError(f"{path} has no recipes", hint=f"Looked for {LAYER_1} and for files ending in {endings}.")
+    return found

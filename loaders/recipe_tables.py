@@ -1,0 +1,186 @@
+"""Recipes from tables and small JSON files: our own query JSON, JSON Lines, CSV and Parquet.
+
+A table has a column ``id``, ``title``, ``type`` (or ``dish_type``), ``ingredients``, ``partition``, ``url``; all but
+``ingredients`` may be missing. A cell of ingredients is a JSON list (of texts, or of ``{object, state}``), or texts
+with line ends, ``|`` or ``;`` between them.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from types import ModuleType
+
+from foon_kg.collected import CollectedLine, CollectedRecipe
+from foon_kg.errors import ReadError, UsageError
+from foon_kg.loaders.json_stream import stream_list
+from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.loaders.recipe1m import Tell, count_problem
+
+_ROWS = 5_000
+_BETWEEN = re.compile(r"[\n|;]")
+
+
+def read_rows(path: Path, tell: Tell) -> Iterator[CollectedRecipe]:
+    """Answer the recipes of one file in their order; what is no recipe is told and left out.
+
+    Raises ReadError where the file cannot be read as what its ending says, UsageError for an unknown ending or where
+    the extra ``recipes`` is not installed.
+    """
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        hint = f"Known endings: {', '.join(KNOWN_ENDINGS)}."
+        raise UsageError(f"{path}: no collection of recipes", hint=hint)
+    for number, row in reader(path):
+        place = f"{path}: recipe {number}"
+        recipe = _recipe(path, number, place, row, tell)
+        if isinstance(recipe, CollectedRecipe):
+            yield recipe
+        else:
+            kind, message = recipe
+            tell(Notice(place, None, kind, message, "recipe rejected", Severity.REJECTED))
+
+
+def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> CollectedRecipe | tuple[NoticeKind, str]:
+    if not isinstance(row, Mapping):
+        return NoticeKind.BAD_FIELD, "no object with fields"
+    if "ingredients" not in row:
+        return NoticeKind.BAD_FIELD, "it has no “ingredients”"
+    lines = _lines(row["ingredients"], place, tell)
+    if lines is None:
+        return NoticeKind.BAD_FIELD, "“ingredients” is no list of texts or of {object, state}"
+    if problem := count_problem(len(lines)):
+        return problem
+    alone = path.stem if path.suffix.lower() == ".json" and number == 1 else f"{path.stem}-{number}"
+    return CollectedRecipe(
+        _text(row, "id") or alone,
+        _text(row, "title") or "",
+        lines,
+        place,
+        dish_type=_text(row, "type") or _text(row, "dish_type"),
+        partition=_text(row, "partition"),
+        url=_text(row, "url"),
+    )
+
+
+def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | None:
+    """Answer the ingredients that a cell lists, ``None`` where it lists something else; one without a name is told."""
+    if isinstance(cell, str):
+        if not cell.lstrip().startswith("["):
+            return tuple(CollectedLine(part.strip()) for part in _BETWEEN.split(cell) if part.strip())
+        try:
+            cell = json.loads(cell)
+        except json.JSONDecodeError:
+            return None
+    if not isinstance(cell, list) or not all(isinstance(entry, str | Mapping) for entry in cell):
+        return None
+    lines = [(position, _line(entry)) for position, entry in enumerate(cell)]
+    for position, line in lines:
+        if line is None:
+            message = f"ingredients[{position}] names nothing"
+            tell(Notice(place, None, NoticeKind.MISSING_NAME, message, "the ingredient is left out"))
+    return tuple(line for _, line in lines if line is not None)
+
+
+def _line(entry: str | Mapping[str, object]) -> CollectedLine | None:
+    if isinstance(entry, str):
+        return CollectedLine(entry.strip()) if entry.strip() else None
+    food, state, text = (_text(entry, name) or "" for name in ("object", "state", "text"))
+    if not food and not text:
+        return None
+    quantity, unit = (_text(entry, name) or "" for name in ("quantity", "unit"))
+    return CollectedLine(text or f"{state} {food}".strip(), food or None, state, quantity, unit)
+
+
+def _text(fields: Mapping[str, object], name: str) -> str | None:
+    value = fields.get(name)
+    if isinstance(value, int | float) and not isinstance(value, bool) and value == value:  # noqa: PLR0124 - not NaN
+        return str(value)
+    return value.strip() or None if isinstance(value, str) else None
+
+
+def _json(path: Path) -> Iterator[tuple[int, object]]:
+    """One recipe, or a list of them."""
+    try:
+        with path.open("rb") as stream:
+            alone = stream.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
+        if not alone:
+            yield from stream_list(path)
+            return
+        yield 1, json.loads(path.read_text(encoding="utf-8-sig"))
+    except json.JSONDecodeError as error:
+        raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
+    except (UnicodeDecodeError, RecursionError) as error:
+        raise ReadError(f"{path}: not UTF-8 JSON that can be read: {error}", hint="Save it as UTF-8.") from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+
+
+def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
+    line = 0
+    try:
+        with path.open(encoding="utf-8-sig") as stream:
+            for line, text in enumerate(stream, start=1):
+                if text.strip():
+                    yield line, json.loads(text)
+    except json.JSONDecodeError as error:
+        raise ReadError(f"{path}:{line}: not JSON: {error.msg}", hint="Correct this line.") from error
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}:{line + 1}: not UTF-8 text", hint="Save it as UTF-8.") from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+
+
+def _csv(path: Path) -> Iterator[tuple[int, object]]:
+    pandas = _pandas()
+    number = 0
+    try:
+        with pandas.read_csv(
+            path, dtype=str, keep_default_na=False, chunksize=_ROWS, encoding="utf-8-sig", on_bad_lines="error"
+        ) as chunks:
+            for chunk in chunks:
+                for row in chunk.to_dict("records"):
+                    number += 1
+                    yield number, row
+    except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
+        hint = "Save it as UTF-8, with one header line and quotes around cells with commas."
+        raise ReadError(f"{path}: after recipe {number}: no CSV table: {error}", hint=hint) from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+
+
+def _parquet(path: Path) -> Iterator[tuple[int, object]]:
+    _pandas()
+    import pyarrow as pa  # noqa: PLC0415 - an extra
+    from pyarrow import parquet  # noqa: PLC0415 - an extra
+
+    number = 0
+    try:
+        with parquet.ParquetFile(path) as table:
+            for batch in table.iter_batches(batch_size=_ROWS):
+                for row in batch.to_pylist():
+                    number += 1
+                    yield number, row
+    except (pa.ArrowException, OSError) as error:
+        raise ReadError(f"{path}: after recipe {number}: no Parquet table: {error}", hint="Write it anew.") from error
+
+
+def _pandas() -> ModuleType:
+    try:
+        import pandas as pd  # noqa: PLC0415 - an extra
+    except ImportError as error:
+        hint = "pip install 'foon-kg[recipes]'"
+        raise UsageError("pandas is not installed.", hint=hint, code="recipes") from error
+    return pd
+
+
+_READERS: Mapping[str, Callable[[Path], Iterator[tuple[int, object]]]] = {
+    ".json": _json,
+    ".jsonl": _json_lines,
+    ".csv": _csv,
+    ".parquet": _parquet,
+}
+
+KNOWN_ENDINGS = tuple(_READERS)
