@@ -94,6 +94,7 @@ def test_stats_count_each_distinct_thing_once(tmp_path):
     figures = json.loads(foon("stats", "--files", tmp_path, "--json").stdout)
     assert (figures["videos"], figures["units"], figures["goals"]) == (2, len(SALAD), {"salad": 1})
     assert next(iter(figures["most_used_motions"].items())) == ("pick-and-place", 2)
+    assert figures["most_made_states"]["chopped"] == "chop, 1 of 1 units"
 
 
 def test_stats_are_readable(tmp_path):

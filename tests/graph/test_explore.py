@@ -90,6 +90,19 @@ def test_the_states_of_a_food_are_those_of_the_vocabulary(connection):
 
 
 @pytest.mark.neo4j
+def test_the_motion_of_each_state_is_the_one_that_most_units_make_it_with(connection):
+    counts = {}
+    for row in SNAPSHOT.vocabulary().motions:
+        counts.setdefault(row.state, {})[row.motion] = row.count
+    found = {state: row for state, *row in ask(connection, "motions_of_states")}
+    assert found.keys() == counts.keys()
+    for state, (motion, units, of) in found.items():
+        assert (units, of) == (max(counts[state].values()), sum(counts[state].values()))
+        assert motion == min(name for name, count in counts[state].items() if count == units)
+    assert (found["sliced"][0], found["chopped"][0]) == ("slice", "chop")
+
+
+@pytest.mark.neo4j
 def test_dishes_with_two_foods_are_the_goals_that_have_both(connection):
     foods = {"onion", "tomato"}
     expected = {
