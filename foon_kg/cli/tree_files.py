@@ -31,17 +31,18 @@ def read_trees(file: Path, recipe: Recipe | None = None) -> Iterator[TreeDocumen
 
     What begins with ``{`` is JSON, everything else FOON text. Raises ReadError where it is neither.
     """
-    text = _text_of(file)
+    text = text_of(file)
     if not text.lstrip().startswith("{"):
         yield _from_text(file, text, recipe)
         return
-    for line, value in _json_values(file, text):
+    for line, value in json_values(file, text):
         where = f"{file}:{line}"
         tree = TaskTree.from_json(value, where)
         yield TreeDocument(where, replace(tree, recipe=recipe or tree.recipe), value)
 
 
-def _text_of(file: Path) -> str:
+def text_of(file: Path) -> str:
+    """Answer the text of ``file`` (``-`` for standard input); raises ReadError where it is no text."""
     try:
         return sys.stdin.read() if str(file) == STANDARD_INPUT else file.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
@@ -55,7 +56,7 @@ def _from_text(file: Path, text: str, recipe: Recipe | None) -> TreeDocument:
     return TreeDocument(str(file), TaskTree.from_subgraph(result.subgraph, recipe), notices=result.notices)
 
 
-def _json_values(file: Path, text: str) -> Iterator[tuple[int, object]]:
+def json_values(file: Path, text: str) -> Iterator[tuple[int, object]]:
     """Answer each JSON value of a text with the line where it begins, whether one a line or spread over many."""
     decoder = json.JSONDecoder()
     place, line, counted = _after_space(text, 0), 1, 0

@@ -10,11 +10,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import fast_sugiyama
 
 Point = tuple[float, float]
 Size = tuple[float, float]
+_Drawn = tuple[Sequence[tuple[int, Point]], float, float, Sequence[tuple[int, int]] | None]
+"""A part as the library answers it: where each box and each bend of an arrow stands, and all links between those."""
 
 GAP = 18.0
 """Between two boxes of a layer."""
@@ -26,7 +29,10 @@ _STRAIGHT = 6.0  # a long arrow is pulled straight more strongly than a box is p
 
 @dataclass(frozen=True)
 class Layout:
-    """The middle of every box, the points through which each arrow goes (ends apart), and the whole size."""
+    """The middle of every box, the points through which each arrow goes between its boxes, and the whole size.
+
+    An arrow is to run straight down to its first point, and turn only between one pair of points and the next.
+    """
 
     middles: tuple[Point, ...]
     ways: Mapping[tuple[int, int], tuple[Point, ...]]
@@ -38,15 +44,15 @@ def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]]) -> Layout:
 
     Every box must be at an end of some arrow. Parts without connection stand side by side.
     """
-    parts = fast_sugiyama.from_edges(list(arrows), dummy_vertices=True, vertex_spacing=1)
+    parts = cast("list[_Drawn]", fast_sugiyama.from_edges(list(arrows), dummy_vertices=True, vertex_spacing=1))
     middles: dict[int, Point] = {}
     ways: dict[tuple[int, int], tuple[Point, ...]] = {}
     left, depth = 0.0, 0.0
     for positions, _, _, links in sorted(parts, key=lambda part: min(number for number, _ in part[0])):
         part = _Part.of(positions, links or (), sizes)
-        places, size = part.placed(left)
+        places, reach, size = part.placed(left)
         middles.update({number: place for number, place in places.items() if number < len(sizes)})
-        ways.update(part.ways(places))
+        ways.update(part.ways(places, reach))
         left, depth = left + size[0] + 3 * GAP, max(depth, size[1])
     return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (max(left - 3 * GAP, 0.0), depth))
 
@@ -71,16 +77,18 @@ class _Part:
         known = {n: sizes[n] if n < len(sizes) else (0.0, 0.0) for layer in layers for n in layer}
         return cls(layers, tuple(sorted(links)), known, len(sizes))
 
-    def placed(self, left: float) -> tuple[dict[int, Point], Size]:
+    def placed(self, left: float) -> tuple[dict[int, Point], dict[int, Point], Size]:
+        """Answer the middle of each box, from where to where down its layer reaches, and the size of the part."""
         across = self._across()
         start = min(across[n] - self.sizes[n][0] / 2 for n in across)
         width = max(across[n] + self.sizes[n][0] / 2 for n in across) - start
-        places, top = {}, 0.0
+        places, reach, top = {}, {}, 0.0
         for layer in self.layers:
             height = max(self.sizes[n][1] for n in layer)
             places.update({n: (across[n] - start + left, top + height / 2) for n in layer})
+            reach.update(dict.fromkeys(layer, (top, top + height)))
             top += height + LAYER_GAP
-        return places, (width, top - LAYER_GAP)
+        return places, reach, (width, top - LAYER_GAP)
 
     def _across(self) -> dict[int, float]:
         """Answer how far to the right every box stands: sweep down and up until the layers lie well."""
@@ -90,7 +98,7 @@ class _Part:
             pull = _STRAIGHT ** ((upper >= self.boxes) + (lower >= self.boxes))
             below[upper].append((lower, pull))
             above[lower].append((upper, pull))
-        across = {}
+        across: dict[int, float] = {}
         for layer in self.layers:
             across.update(zip(layer, _settle([0.0] * len(layer), [1.0] * len(layer), self._gaps(layer)), strict=True))
         both = {n: above[n] + below[n] for n in self.sizes}
@@ -102,7 +110,9 @@ class _Part:
                 self._pull(layer, near, across)
         return across
 
-    def _pull(self, layer: Sequence[int], near: Mapping[int, list[tuple[int, float]]], across: dict[int, float]) -> None:
+    def _pull(
+        self, layer: Sequence[int], near: Mapping[int, list[tuple[int, float]]], across: dict[int, float]
+    ) -> None:
         weights = [sum(pull for _, pull in near[n]) or 0.01 for n in layer]
         wishes = [
             sum(across[other] * pull for other, pull in near[n]) / weight if near[n] else across[n]
@@ -117,18 +127,18 @@ class _Part:
 
         return [gap(one, other) for one, other in itertools.pairwise(layer)]
 
-    def ways(self, places: Mapping[int, Point]) -> dict[tuple[int, int], tuple[Point, ...]]:
-        """Answer the points of every arrow between its two boxes."""
+    def ways(self, places: Mapping[int, Point], reach: Mapping[int, Point]) -> dict[tuple[int, int], tuple[Point, ...]]:
+        """Answer the points of every arrow: where it leaves its layer, enters and leaves each other, and arrives."""
         following = {upper: lower for upper, lower in self.links if upper >= self.boxes}
         ways = {}
         for upper, lower in self.links:
             if upper >= self.boxes:
                 continue
-            points, end = [], lower
+            points, end = [(places[upper][0], reach[upper][1])], lower
             while end >= self.boxes:
-                points.append(places[end])
+                points += [(places[end][0], edge) for edge in reach[end]]
                 end = following[end]
-            ways[upper, end] = tuple(points)
+            ways[upper, end] = (*points, (places[end][0], reach[end][0]))
         return ways
 
 

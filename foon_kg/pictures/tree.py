@@ -10,7 +10,18 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.pictures.layout import Layout, Point, layered
 from foon_kg.pictures.scene import MotionBox, ObjectBox, Scene, scene_of
-from foon_kg.pictures.svg import Line, as_text, element, height_of, picture, text_width, wrapped, write_line, writable
+from foon_kg.pictures.svg import (
+    Line,
+    as_text,
+    element,
+    height_of,
+    number,
+    picture,
+    text_width,
+    wrapped,
+    writable,
+    write_line,
+)
 from foon_kg.result import Substitution
 from foon_kg.views.shown_tree import ShownTree
 from foon_kg.views.words import UNSEEN_SIGN
@@ -21,6 +32,7 @@ _HEAD = 74.0
 _ROUND = {"kitchen": 6.0, "made": 12.0, "goal": 12.0}
 _PAINT = {"kitchen": "kitchen", "made": "object", "goal": "goal"}
 _DASHED = "5 3"
+_NOTHING = 0.5  # pixels
 _LEGEND = (
     ("kitchen", "from the kitchen"),
     ("object", "made on the way"),
@@ -68,7 +80,7 @@ class _Picture:
 
     def _draw_arrow(self, stage: ET.Element, arrow: tuple[int, int]) -> None:
         (x, y), (to_x, to_y) = (self.layout.middles[place] for place in arrow)
-        start, end = (x, y + self.sizes[arrow[0]][1] / 2), (to_x, to_y - self.sizes[arrow[1]][1] / 2 - 2)
+        start, end = (x, y + self.sizes[arrow[0]][1] / 2), (to_x, to_y - self.sizes[arrow[1]][1] / 2)
         path = _curve([start, *self.layout.ways[arrow], end])
         element(stage, "path", {"d": path, "stroke-width": 1.3, "marker-end": "url(#way-end)"}, "way")
 
@@ -163,18 +175,24 @@ def _manner(box: ObjectBox | MotionBox, unseen: Mapping[str, Substitution]) -> d
 
 def _curve(points: Sequence[Point]) -> str:
     """Answer a path that leaves and enters every point straight down."""
-    path = [f"M{points[0][0]:.1f} {points[0][1]:.1f}"]
-    for (x, y), (to_x, to_y) in zip(points, points[1:], strict=False):
-        middle = (y + to_y) / 2
-        path.append(
-            f"V{to_y:.1f}" if abs(x - to_x) < 0.5 else f"C{x:.1f} {middle:.1f} {to_x:.1f} {middle:.1f} {to_x:.1f} {to_y:.1f}"
-        )
+    path, (x, y) = [f"M{number(points[0][0])} {number(points[0][1])}"], points[0]
+    for to_x, to_y in points[1:]:
+        if to_y - y < _NOTHING:
+            continue  # an arrow head would point nowhere
+        if abs(to_x - x) < _NOTHING:
+            path.append(f"V{number(to_y)}")
+        else:
+            middle, end = number((y + to_y) / 2), number(to_x)
+            path.append(f"C{number(x)} {middle} {end} {middle} {end} {number(to_y)}")
+        x, y = to_x, to_y
     return "".join(path)
 
 
 def _arrow_head(root: ET.Element) -> None:
-    size = {"id": "way-end", "viewBox": "0 0 8 8", "refX": "7", "refY": "4"}
-    marker = ET.SubElement(ET.SubElement(root, "defs"), "marker", size, markerWidth="7", markerHeight="7", orient="auto")
+    size = {"id": "way-end", "viewBox": "0 0 8 8", "refX": "8", "refY": "4"}
+    marker = ET.SubElement(
+        ET.SubElement(root, "defs"), "marker", size, markerWidth="7", markerHeight="7", orient="auto"
+    )
     element(marker, "path", {"d": "M0 0.5L8 4L0 7.5Z"}, "way-end")
 
 

@@ -1,10 +1,11 @@
-"""A plan result as lines of a terminal, at any width from about 60 columns."""
+"""A task tree as lines of a terminal, at any width from 40 columns on."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from rich.console import Group, RenderableType
+from rich.console import Console, ConsoleOptions, Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
@@ -12,6 +13,7 @@ from rich.text import Text
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.progress import ProgressLine
 from foon_kg.result import PlannedUnit, PlanResult, Substitution
+from foon_kg.views.shown_tree import ShownTree
 from foon_kg.views.words import (
     ASIDE,
     MOTION,
@@ -27,19 +29,50 @@ from foon_kg.views.words import (
     stage_words,
 )
 
+WIDE = 140
+"""From so many columns on, what belongs to the steps stands beside them."""
+
 
 def plan_view(result: PlanResult) -> RenderableType:
     """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
-    unseen = frozenset(s.object for s in result.substitutions if s.kind == "object")
-    parts = [_header(result, unseen), _section("Steps", _steps(result, unseen))]
-    parts.append(_section("Kitchen", in_a_row((node_words(n, unseen) for n in result.kitchen), " · ")))
-    if result.substitutions:
-        parts.append(_section("Substitutions", _substitutions(result.substitutions)))
-    if result.assumptions:
-        parts.append(_section("Assumptions", _assumptions(result)))
-    if result.progress_lines:
-        parts.append(_section("Progress of each ingredient", _progress(result.progress_lines, unseen)))
-    return Group(*parts)
+    return tree_view(ShownTree.of_result(result))
+
+
+def tree_view(tree: ShownTree) -> RenderableType:
+    """Answer the same of any tree, as far as it is known."""
+    unseen = frozenset(tree.unseen)
+    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in tree.kitchen), " · "))]
+    if tree.substitutions:
+        rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
+    if tree.result and tree.result.assumptions:
+        rest.append(_section("Assumptions", _assumptions(tree.result)))
+    if tree.lines:
+        rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
+    header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
+    return Group(header, _Beside(_section("Steps", _steps(tree.units, unseen)), Group(*rest)))
+
+
+def progress_view(tree: ShownTree) -> RenderableType:
+    """Answer the progress line of every ingredient."""
+    return _progress(tree.lines, frozenset(tree.unseen))
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """Two things side by side where there is room for it, else one under the other."""
+
+    left: RenderableType
+    right: RenderableType
+
+    def __rich_console__(self, _console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+        if options.max_width < WIDE:
+            yield from (self.left, self.right)
+            return
+        table = Table.grid(expand=True, padding=(0, 4, 0, 0))
+        table.add_column(ratio=3)
+        table.add_column(ratio=2)
+        table.add_row(self.left, self.right)
+        yield table
 
 
 def dish_name(recipe: Recipe) -> str:
@@ -75,11 +108,18 @@ def _reference(result: PlanResult) -> Text:
     return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
 
 
-def _steps(result: PlanResult, unseen: frozenset[str]) -> Table:
+def _plain_header(tree: ShownTree) -> RenderableType:
+    table = Table.grid(padding=(0, 1))
+    table.add_row(Text("tree", ASIDE), Text(tree.title, "bold"))
+    table.add_row(Text("makes", ASIDE), node_words(tree.goal))
+    return table
+
+
+def _steps(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     told: set[tuple[str, tuple[str, ...]]] = set()
-    for number, unit in enumerate(result.units, start=1):
+    for number, unit in enumerate(units, start=1):
         table.add_row(str(number), _step(unit, unseen, told))
     return table
 

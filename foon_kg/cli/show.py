@@ -1,0 +1,198 @@
+"""``foon show``: a task tree to look at, in the terminal or as a picture."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Files, Quiet, examples, print_view, sayer
+from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.schedule import Schedule
+    from foon_kg.views.shown_tree import ShownTree
+
+EXAMPLES = examples(
+    "foon plan recipe.json --json | foon show -",
+    "foon show plan.json --svg --output tree.svg",
+    "foon show plans.jsonl --line 3 --html -o tree.html",
+    "foon show plan.json --schedule --hands 2 --svg -o schedule.svg",
+    "foon show plan.json --shopping",
+)
+
+
+def show(
+    result: Annotated[
+        Path, typer.Argument(metavar="RESULT", help="A plan result (JSON) or FOON text; - is standard input.")
+    ],
+    *,
+    svg: Annotated[bool, typer.Option("--svg", help="Draw the task tree as SVG.")] = False,
+    png: Annotated[bool, typer.Option("--png", help="Draw the task tree as PNG.")] = False,
+    html: Annotated[bool, typer.Option("--html", help="Make a page that stands on its own.")] = False,
+    progress: Annotated[bool, typer.Option("--progress", help="Draw the progress lines instead of the tree.")] = False,
+    timetable: Annotated[
+        bool, typer.Option("--schedule", help="Who does what when, by the times of the FOON's videos.")
+    ] = False,
+    hands: Annotated[int, typer.Option("--hands", metavar="N", min=1, help="Pairs of hands for --schedule.")] = 1,
+    shopping: Annotated[bool, typer.Option("--shopping", help="What to buy: the kitchen without utensils.")] = False,
+    unfold: Annotated[bool, typer.Option("--unfold", help="Draw every utensil and leftover as a node.")] = False,
+    line: Annotated[
+        int, typer.Option("--line", metavar="N", min=1, help="Which result of a file with many, from 1.")
+    ] = 1,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write to this file, not to stdout.")
+    ] = None,
+    files: Files = None,
+    quiet: Quiet = False,
+) -> None:
+    """Show a task tree.
+
+    Without an option the steps are printed in the terminal: objects plain, states green, motions red, ingredients that
+    the FOON has never seen blue. --svg, --png and --html make a picture that needs nothing else.
+
+    Only --schedule asks a FOON (of --files, or the database): for the times at which videos show each motion.
+    """
+    forms = [name for name, asked in (("svg", svg), ("png", png), ("html", html)) if asked]
+    _at_most_one("forms", [f"--{form}" for form in forms])
+    matters = {"--progress": progress, "--schedule": timetable, "--shopping": shopping}
+    _at_most_one("matters", [option for option, asked in matters.items() if asked])
+    tree = shown_tree(result, line)
+    plan = _schedule(tree, hands, files, quiet=quiet) if timetable else None
+    if not forms:
+        _print(tree, plan, shopping=shopping, progress=progress)
+        return
+    if shopping or (html and (progress or timetable)):
+        raise UsageError(f"--{forms[0]} does not show that", hint="A page has the lists; ask for --svg or --png.")
+    if html:
+        _write(_page(tree, folded=not unfold).encode(), output)
+        return
+    drawn = _drawn(tree, plan, progress=progress, folded=not unfold)
+    _write(_pixels(drawn) if png else drawn.encode(), output)
+
+
+def _at_most_one(what: str, asked: Sequence[str]) -> None:
+    if len(asked) > 1:
+        raise UsageError(f"{' and '.join(asked)} ask for two {what} at once", hint="Choose one of them.")
+
+
+def shown_tree(path: Path, line: int = 1) -> ShownTree:
+    """Read the tree to look at: the result at ``line`` of a file (``-``: standard input) of JSON, or FOON text.
+
+    Raises ReadError where there is none, and the error of a recipe that has no tree.
+    """
+    from foon_kg.cli.tree_files import json_values, text_of
+
+    text = text_of(path)
+    if not text.lstrip().startswith("{"):
+        return _of_text(text, path)
+    values = list(json_values(path, text))
+    if line > len(values):
+        raise UsageError(f"{path} has {len(values)} results, and --line asks for {line}", hint="Count from 1.")
+    place, value = values[line - 1]
+    return _of_json(value, f"{path}:{place}")
+
+
+def _of_text(text: str, path: Path) -> ShownTree:
+    from foon_kg.loaders import read_text
+    from foon_kg.views.shown_tree import ShownTree
+
+    subgraph = read_text(text, path.stem, str(path)).subgraph
+    if subgraph is None or not subgraph.annotations:
+        raise ReadError(f"{path}: no task tree in it", hint="Give a plan result (JSON) or FOON text.")
+    return ShownTree.of_subgraph(subgraph)
+
+
+def _of_json(value: object, where: str) -> ShownTree:
+    from foon_kg.result import PlanFailure, PlanResult
+    from foon_kg.views.shown_tree import ShownTree
+
+    if isinstance(value, dict) and "error" in value:
+        failure = PlanFailure.from_json(value, where)
+        raise NoTreeError(f"{where}: {failure.message}", hint=failure.hint, code=failure.code)
+    result = PlanResult.from_json(value, where)
+    if not result.units:
+        raise ReadError(f"{where}: a result without units is no task tree", hint="Plan the recipe again.")
+    return ShownTree.of_result(result)
+
+
+def _schedule(tree: ShownTree, hands: int, files: Sequence[Path] | None, *, quiet: bool) -> Schedule:
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.durations import Durations
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.schedule import schedule
+
+    foon = whole_foon(files, sayer(quiet=quiet))
+    seen = [(known.unit.motion, sighting) for known in foon.units for sighting in known.seen_in]
+    own = [(unit.motion_node, sighting) for unit in tree.units for sighting in unit.seen_in]
+    return schedule(tree.units, tree.kitchen, Durations.of([*own, *seen]), Kitchen.default(), hands)
+
+
+def _print(tree: ShownTree, plan: Schedule | None, *, shopping: bool, progress: bool) -> None:
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.shopping import shopping_list
+    from foon_kg.views.schedule import schedule_view, shopping_view
+    from foon_kg.views.tree import progress_view, tree_view
+
+    if plan is not None:
+        print_view(schedule_view(tree, plan))
+    elif shopping:
+        print_view(shopping_view(shopping_list(tree.kitchen, Kitchen.default()), tuple(tree.unseen)))
+    else:
+        print_view(progress_view(tree) if progress else tree_view(tree))
+
+
+def _drawn(tree: ShownTree, plan: Schedule | None, *, progress: bool, folded: bool) -> str:
+    with pictures_extra():
+        if plan is not None:
+            from foon_kg.pictures.gantt import schedule_svg
+
+            return schedule_svg(tree, plan)
+        from foon_kg.kitchen import Kitchen
+        from foon_kg.pictures.progress import progress_svg
+        from foon_kg.pictures.tree import tree_svg
+
+        return progress_svg(tree) if progress else tree_svg(tree, Kitchen.default(), folded=folded)
+
+
+def _page(tree: ShownTree, *, folded: bool) -> str:
+    with pictures_extra():
+        from foon_kg.kitchen import Kitchen
+        from foon_kg.pictures.page import page_of
+
+        return page_of(tree, Kitchen.default(), folded=folded)
+
+
+def _pixels(drawn: str) -> bytes:
+    with pictures_extra():
+        from foon_kg.pictures.png import png_of
+
+        return png_of(drawn)
+
+
+@contextmanager
+def pictures_extra() -> Iterator[None]:
+    """Say which extra is missing where a package for pictures is not there."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if error.name not in {"altair", "fast_sugiyama", "vl_convert"}:
+            raise
+        message = f"pictures need the package {error.name}"
+        raise UsageError(message, hint='Install it with: pip install "foon-kg[pictures]"') from error
+
+
+def _write(content: bytes, output: Path | None) -> None:
+    if output is None:
+        if sys.stdout.isatty():
+            raise UsageError("a picture is nothing to print on a terminal", hint="Name a file with --output.")
+        sys.stdout.buffer.write(content)
+        return
+    try:
+        output.write_bytes(content)
+    except OSError as error:
+        raise FoonError(f"{output}: cannot be written: {error.strerror}", hint="Name another file.") from error

@@ -1,0 +1,57 @@
+"""How long motions take, from the times at which videos show them.
+
+What is seen is what the cook in the video shows: chopping is shown as long as it takes, simmering is mostly cut. That
+is why a motion nobody has timed has no duration here, rather than a guess.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Self
+
+from foon_kg.model import Sighting
+
+_AT_LEAST = 1.0  # annotators write whole seconds: an action that begins and ends in one second takes about one
+
+
+@dataclass(frozen=True)
+class Duration:
+    """Seconds that a motion takes: the median of its ``sightings``, and the quartiles around it."""
+
+    median: float
+    low: float
+    high: float
+    sightings: int
+
+
+@dataclass(frozen=True)
+class Durations:
+    """What a FOON says of how long each motion takes; ``overall`` is of all its timed sightings together."""
+
+    by_motion: Mapping[str, Duration]
+    overall: Duration | None
+
+    @classmethod
+    def of(cls, sightings: Iterable[tuple[str, Sighting]]) -> Self:
+        """Measure motions by their sightings. A sighting (a place in a video) counts once, however often it is named.
+
+        Those without a start and an end do not count, nor do those that end before they start.
+        """
+        seen: dict[str, dict[tuple[str, int], float]] = {}
+        for motion, sighting in sightings:
+            if sighting.start is not None and sighting.end is not None and sighting.end >= sighting.start:
+                seconds = max(sighting.end - sighting.start, _AT_LEAST)
+                seen.setdefault(motion, {})[sighting.video, sighting.position] = seconds
+        every = [seconds for timed in seen.values() for seconds in timed.values()]
+        by_motion = {motion: _duration(timed.values()) for motion, timed in sorted(seen.items())}
+        return cls(by_motion, _duration(every) if every else None)
+
+
+def _duration(seconds: Iterable[float]) -> Duration:
+    every = sorted(seconds)
+    if len(every) == 1:
+        return Duration(every[0], every[0], every[0], 1)
+    low, median, high = statistics.quantiles(every, n=4, method="inclusive")
+    return Duration(median, low, high, len(every))

@@ -1,0 +1,75 @@
+"""A schedule and a shopping list as lines of a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from foon_kg.durations import Duration
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import ObjectNode
+from foon_kg.result import PlannedUnit
+from foon_kg.schedule import Schedule, ScheduledStep
+from foon_kg.views.shown_tree import ShownTree
+from foon_kg.views.words import ASIDE, motion_words, node_words, shown_inputs
+
+HANDS = ("cyan", "yellow", "magenta", "blue")
+
+
+def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
+    """Answer a table of the steps by their start: when, whose hands, what, and how sure the time is."""
+    table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
+    for title, justify in (("from", "right"), ("to", "right"), ("hands", "left"), ("step", "left"), ("seen", "left")):
+        table.add_column(title, justify=justify)  # type: ignore[arg-type]
+    for step in plan.steps:
+        table.add_row(clock(step.start), clock(step.end), _hands(step), _step(tree, step), _seen(step.duration))
+    return Group(Text(tree.title, "bold"), table, Text(), Text(summary(plan)), Text(CAUTION, ASIDE))
+
+
+CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself; ? was never timed."
+
+
+def summary(plan: Schedule) -> str:
+    """Answer in a sentence how long the schedule is, and how good."""
+    pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
+    proven = "proven the shortest" if plan.shortest else "the shortest found"
+    return f"{clock(plan.length)} with {pairs} ({proven}); {clock(plan.alone)} one step after the other."
+
+
+def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
+    """Answer what to buy, one food a line."""
+    return Group(*(node_words(food, unseen) for food in foods))
+
+
+def clock(seconds: float) -> str:
+    """Answer a time as minutes and seconds: 1:05."""
+    return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
+
+
+def handled(unit: PlannedUnit) -> str:
+    """Answer what a step is about: the foods it takes, or, where it takes none, all that it takes."""
+    kitchen = Kitchen.default()
+    nodes = shown_inputs(unit.input_nodes)
+    foods = [node for node in nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
+    return ", ".join(dict.fromkeys(node.label for node in foods or nodes))
+
+
+def _hands(step: ScheduledStep) -> Text:
+    if step.hands is None:
+        return Text("itself", ASIDE)
+    return Text(f"{step.hands + 1}", HANDS[step.hands % len(HANDS)])
+
+
+def _step(tree: ShownTree, step: ScheduledStep) -> Text:
+    unit = tree.units[step.place]
+    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit))
+
+
+def _seen(duration: Duration | None) -> Text:
+    if duration is None:
+        return Text("?", ASIDE)
+    times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
+    return Text(f"{times}, {duration.low:.0f} to {duration.high:.0f} s", ASIDE)
