@@ -31,4 +31,5 @@ def _ask_everything(view: GraphView) -> None:
     words = view.vocabulary()
     goals = [goal for dish_type in words.dish_types[:1] for goal in view.goals(dish_type)] or list(view.goals())
     foods = [(food.label, food.state) for food in words.foods[:GOALS]]
+    view.remembered("")
     view.behind([goal.node for goal in goals[:GOALS]], foods)

@@ -1,0 +1,211 @@
+"""Reference trees that are kept in the graph: taken again for the same question, thrown out by what touches them."""
+
+from __future__ import annotations
+
+import json
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+from kitchen_stories import CHOP_ONION, SALAD, subgraph
+
+from foon_kg import workshop
+from foon_kg.errors import UsageError
+from foon_kg.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planner import plan
+from foon_kg.search import recall
+from foon_kg.snapshot import Snapshot
+
+pytestmark = pytest.mark.neo4j
+
+BEAT = (
+    "mixing bowl(empty); egg(whole) > crack > mixing bowl{egg}; egg(raw)@mixing_bowl",
+    "mixing bowl{egg}; egg(raw)@mixing_bowl; whisk > beat > mixing bowl{egg}; egg(beaten)@mixing_bowl",
+)
+FRY = (
+    "mixing bowl{egg}; egg(beaten)@mixing_bowl; frying pan(empty)"
+    " > pour* > frying pan{omelette}; omelette{egg}@frying_pan; mixing bowl(empty)"
+)
+SHORT_WAY = "onion(whole); cutting board(empty); knife > slice > onion(chopped)@on cutting_board; cutting board{onion}"
+
+salad = subgraph("salad", "salad", *SALAD)
+omelette = subgraph("omelette", "omelette", *BEAT, FRY)
+with_a_fork = subgraph("with a fork", "omelette", BEAT[0], BEAT[1].replace("whisk", "fork"), FRY)
+chopping = subgraph("chopping", "salad", *CHOP_ONION)
+short_way = subgraph("short way", "salad", SHORT_WAY)
+
+WANTS = {
+    "salad": Recipe("salad", (RequiredIngredient("tomato", "diced"), RequiredIngredient("onion", "chopped"))),
+    "omelette": Recipe("omelette", (RequiredIngredient("egg", "beaten"),)),
+}
+
+
+@pytest.fixture
+def connection(empty_graph):
+    with Connection(empty_graph) as connection:
+        yield connection
+
+
+@pytest.fixture
+def graph(empty_graph):
+    with Neo4jGraph(empty_graph) as graph:
+        yield graph
+
+
+@pytest.fixture
+def searches(monkeypatch):
+    """The goals for which a reference tree was searched, not remembered."""
+    searched = []
+
+    def noted(problem, **limits):
+        searched.append(problem.targets[0].label)
+        return retrieve(problem, **limits)
+
+    retrieve = recall.retrieve
+    monkeypatch.setattr(recall, "retrieve", noted)
+    assert workshop.retrieve_once is recall.retrieve_once
+    return searched
+
+
+def planned(graph, dish):
+    with graph.reading() as view:
+        return json.dumps(plan(view, WANTS[dish]).to_json())
+
+
+def in_memory(dish, *subgraphs):
+    return json.dumps(plan(Snapshot.of(subgraphs, Kitchen.default()), WANTS[dish]).to_json())
+
+
+def kept(connection):
+    """The labels of the goals whose trees are kept."""
+    text = "MATCH (p:Plan)-[:ANSWERS]->(o) RETURN o.label ORDER BY o.label"
+    return [label for (label,) in ask_freely(connection, text).rows]
+
+
+def test_the_same_question_is_searched_once_and_answered_alike(connection, graph, searches):
+    load(connection, [salad, omelette])
+    first = planned(graph, "salad")
+    assert (kept(connection), searches) == (["salad"], ["salad"])
+    assert planned(graph, "salad") == first == in_memory("salad", salad, omelette)
+    assert searches.count("salad") == 2  # the one in memory is the second
+
+
+def test_another_program_takes_what_this_one_kept(connection, graph, empty_graph, searches):
+    load(connection, [salad])
+    planned(graph, "salad")
+    with Neo4jGraph(empty_graph) as another:
+        planned(another, "salad")
+    assert searches == ["salad"]
+
+
+def test_a_load_that_touches_another_dish_keeps_the_tree(connection, graph, searches):
+    load(connection, [salad, omelette])
+    planned(graph, "salad")
+    planned(graph, "omelette")
+    load(connection, [with_a_fork])
+    assert kept(connection) == ["salad"]
+    planned(graph, "salad")
+    assert searches == ["salad", "omelette"]
+    assert planned(graph, "omelette") == in_memory("omelette", salad, omelette, with_a_fork)
+
+
+def test_a_new_unit_far_behind_the_goal_throws_the_tree_out_though_no_old_one_changed(connection, graph):
+    load(connection, [salad, omelette])
+    before = planned(graph, "salad")
+    planned(graph, "omelette")
+    load(connection, [short_way])
+    assert kept(connection) == ["omelette"]
+    after = planned(graph, "salad")
+    assert after == in_memory("salad", salad, omelette, short_way)
+    assert after != before
+
+
+def test_removing_a_unit_behind_the_goal_throws_the_tree_out(connection, graph):
+    load(connection, [salad, omelette, short_way])
+    planned(graph, "salad")
+    planned(graph, "omelette")
+    remove(connection, ["short way"])
+    assert kept(connection) == ["omelette"]
+    assert planned(graph, "salad") == in_memory("salad", salad, omelette)
+
+
+def test_replacing_the_video_of_a_dish_throws_its_tree_out_and_nothing_dangles(connection, graph):
+    load(connection, [salad, omelette])
+    planned(graph, "salad")
+    load(connection, [subgraph("salad", "salad", *SALAD[:3])])
+    assert kept(connection) == []
+    assert ask_freely(connection, "MATCH (p) WHERE p:Plan OR p:Change RETURN count(*)").rows == ((0,),)
+
+
+def test_a_video_that_shows_only_known_units_keeps_every_tree(connection, graph):
+    load(connection, [salad])
+    planned(graph, "salad")
+    load(connection, [subgraph("the same again", "salad", *SALAD)])
+    assert kept(connection) == ["salad"]
+    again = subgraph("the same again", "salad", *SALAD)
+    assert planned(graph, "salad") == in_memory("salad", salad, again)
+
+
+def test_a_kept_tree_that_the_graph_has_outgrown_is_not_taken(connection, graph, searches):
+    """As after a race: a plan read before a load and kept after it."""
+    load(connection, [salad])
+    with graph.reading() as view:
+        plan(view, WANTS["salad"])
+        load(connection, [short_way])
+    assert kept(connection) == ["salad"]
+    assert planned(graph, "salad") == in_memory("salad", salad, short_way)
+    assert searches.count("salad") == 3  # searched anew, and once in memory
+    planned(graph, "salad")
+    assert searches.count("salad") == 3
+
+
+def test_plans_and_loads_at_once_never_give_a_tree_of_another_state(connection, empty_graph):
+    load(connection, [salad, omelette])
+    right = {in_memory("salad", salad, omelette), in_memory("salad", salad, omelette, short_way)}
+
+    def cook(_):
+        with Neo4jGraph(empty_graph) as own:
+            return {planned(own, "salad") for _ in range(4)}
+
+    def change(_):
+        with Connection(empty_graph) as own:
+            for _ in range(3):
+                load(own, [short_way])
+                remove(own, ["short way"])
+        return set()
+
+    with ThreadPoolExecutor(4) as programs:
+        jobs = [programs.submit(work, n) for n, work in enumerate((cook, change, cook, cook))]
+    assert set().union(*(job.result() for job in jobs)) <= right
+    with Neo4jGraph(empty_graph) as own:
+        assert planned(own, "salad") == in_memory("salad", salad, omelette)
+
+
+class ReadOnly(Connection):
+    """What a user without the right to write has."""
+
+    def session(self, *, writing=False):
+        return super().session(writing=False)
+
+
+def test_whoever_may_only_read_gets_the_same_answer_and_keeps_nothing(connection, graph, empty_graph, searches):
+    load(connection, [salad])
+    reader = Neo4jGraph(empty_graph)
+    reader._connection = ReadOnly(empty_graph)
+    with reader:
+        assert planned(reader, "salad") == in_memory("salad", salad)
+        assert kept(connection) == []
+        planned(graph, "salad")
+        before = len(searches)
+        planned(reader, "salad")
+        assert len(searches) == before
+
+
+def test_a_plan_that_failed_keeps_nothing(connection, graph):
+    load(connection, [salad])
+    unknown = Recipe("brunch", WANTS["salad"].ingredients)
+    with pytest.raises(UsageError), graph.reading() as view:
+        assert plan(view, WANTS["salad"]).units != plan(view, unknown).units
+    assert kept(connection) == []
