@@ -12,6 +12,7 @@ from foon_kg.errors import ReadError
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView, Neighbour, Vocabulary
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
+from foon_kg.motion_costs import MotionCosts
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
 from foon_kg.vocabulary import FoodState, WordCounts, food_states
@@ -73,6 +74,23 @@ class Snapshot:
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
         """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it."""
         return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
+
+    def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
+        """Answer every object node with one of ``labels``, sorted."""
+        found = (node for label in set(labels) for node in self._nodes_by_label.get(label, ()))
+        return tuple(sorted(found, key=lambda node: node.sort_key))
+
+    def motion_costs(self) -> MotionCosts:
+        """Answer no weights of motions: FOON files have none."""
+        return MotionCosts()
+
+    @cached_property
+    def _nodes_by_label(self) -> Mapping[str, set[ObjectNode]]:
+        nodes: defaultdict[str, set[ObjectNode]] = defaultdict(set)
+        for known in self.units:
+            for node in (*known.unit.input_nodes, *known.unit.output_nodes):
+                nodes[node.label].add(node)
+        return dict(nodes)
 
     @cached_property
     def _vocabulary(self) -> Vocabulary:

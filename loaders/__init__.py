@@ -19,6 +19,7 @@ from foon_kg.loaders.paths import read_path, read_paths
 from foon_kg.loaders.report import count_by_kind, summary, write_report
 from foon_kg.loaders.text_reader import read_text
 from foon_kg.loaders.text_writer import write_text
+from foon_kg.loaders.weights import read_weights
 
 __all__ = [
     "Notice",
@@ -30,6 +31,7 @@ __all__ = [
     "read_path",
     "read_paths",
     "read_text",
+    "read_weights",
     "summary",
     "write_json",
     "write_report",

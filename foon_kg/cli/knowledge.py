@@ -11,12 +11,12 @@ from foon_kg.cli.console import Say
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.knowledge import KnowledgeView
+    from foon_kg.graph import GraphView
     from foon_kg.snapshot import Snapshot
 
 
 @contextmanager
-def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[KnowledgeView]:
+def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Snapshot | GraphView]:
     """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down)."""
     if files:
         yield snapshot_of(files, say)

@@ -3,5 +3,6 @@
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.loading import LoadReport, load, remove
 from foon_kg.graph.reading import GraphView, Neo4jGraph
+from foon_kg.graph.weights import WeightsReport, load_weights
 
-__all__ = ["Connection", "GraphView", "LoadReport", "Neo4jGraph", "load", "remove"]
+__all__ = ["Connection", "GraphView", "LoadReport", "Neo4jGraph", "WeightsReport", "load", "load_weights", "remove"]

@@ -26,6 +26,8 @@ from foon_kg.graph.statements import (
     EQUIVALENTS,
     GOALS,
     KNOWN_UNITS,
+    MOTION_COSTS,
+    NODES_CALLED,
     REMEMBERED,
     SCHEMA_STATE,
     SUBGRAPHS,
@@ -37,6 +39,7 @@ from foon_kg.graph.statements import (
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import MadeBy, Neighbour, RetrievedTree, SeenAs, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.motion_costs import MotionCosts
 from foon_kg.server.settings import ConnectionSettings
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
@@ -108,6 +111,16 @@ class GraphView:
         if found is None:
             return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
         return tuple(found[name] for name in names)
+
+    def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
+        """Answer every object node with one of ``labels``, sorted."""
+        (row,) = self._ask(NODES_CALLED, labels=sorted(set(labels)))
+        return tuple(sorted(map(node_of, row.nodes), key=lambda node: node.sort_key))
+
+    def motion_costs(self) -> MotionCosts:
+        """Answer the weights of motions that were loaded, none where there are none."""
+        (row,) = self._ask(MOTION_COSTS)
+        return MotionCosts(dict(zip(row.motions, row.costs, strict=True)))
 
     @property
     def memory(self) -> GraphView:

@@ -131,6 +131,30 @@ class EquivalentsRow:
 
 
 @dataclass(frozen=True)
+class NodesRow:
+    """Object nodes, all in one row."""
+
+    nodes: list[NodeRow]
+
+
+@dataclass(frozen=True)
+class MotionCostsRow:
+    """The weights of motions: as many ``costs`` as ``motions``, in the same order."""
+
+    motions: list[str]
+    costs: list[float]
+
+
+@dataclass(frozen=True)
+class VerbCostRow:
+    """A verb with how many units have it, and whether it has a weight now."""
+
+    verb: str
+    units: int
+    has_cost: bool
+
+
+@dataclass(frozen=True)
 class GoalRow:
     """A goal node of a dish type, and the videos that make it."""
 

@@ -1,0 +1,66 @@
+"""The three levels at which a FOON can be read (Paulius et al., IROS 2016 and 2018).
+
+At level 1 an object node is its label. At level 2 it has its states as well, and where it is: a FOON file writes
+``in [bowl]`` as a state. At level 3 it also has its ingredients; this is the FOON as it was annotated. Units that are
+the same at a level are one unit there, seen wherever one of them was seen.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import replace
+from enum import IntEnum
+
+from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant
+
+
+class Level(IntEnum):
+    """How much of an object node counts."""
+
+    OBJECTS = 1
+    STATES = 2
+    INGREDIENTS = 3
+
+
+def node_at(node: ObjectNode, level: Level) -> ObjectNode:
+    """Answer what is left of ``node`` at ``level``."""
+    if level is Level.INGREDIENTS:
+        return node
+    return ObjectNode(node.label) if level is Level.OBJECTS else replace(node, ingredients=())
+
+
+def unit_at(unit: FunctionalUnit, level: Level) -> FunctionalUnit:
+    """Answer what is left of ``unit`` at ``level``: the same motion; object nodes that have become one count once."""
+    if level is Level.INGREDIENTS:
+        return unit
+    return replace(unit, inputs=_side_at(unit.inputs, level), outputs=_side_at(unit.outputs, level))
+
+
+def _side_at(side: tuple[Participant, ...], level: Level) -> tuple[Participant, ...]:
+    found: dict[ObjectNode, Participant] = {}
+    for participant in side:
+        node = node_at(participant.node, level)
+        before = found.get(node)
+        moving = participant.moving or (before is not None and before.moving)
+        dish_type = participant.dish_type or (before.dish_type if before else None)
+        found[node] = Participant(node, moving, dish_type)
+    return tuple(found.values())
+
+
+def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
+    """Answer the distinct units at ``level``, sorted by key, each as its first sighting has it."""
+    if level is Level.INGREDIENTS:
+        return tuple(sorted(units, key=lambda known: known.unit.key))
+    groups: defaultdict[str, list[KnownUnit]] = defaultdict(list)
+    for known in units:
+        unit = unit_at(known.unit, level)
+        groups[unit.key].append(KnownUnit(unit, known.seen_in))
+    return tuple(_one(groups[key]) for key in sorted(groups))
+
+
+def _one(same: list[KnownUnit]) -> KnownUnit:
+    if len(same) == 1:
+        return same[0]
+    first = min(same, key=lambda known: known.seen_in[:1])
+    return KnownUnit(first.unit, tuple(sorted(sighting for known in same for sighting in known.seen_in)))
