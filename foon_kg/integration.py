@@ -120,7 +120,7 @@ class Integration:
         names = {*lines, *held_names(self.script, self.kitchen)}
         foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
         foods |= dict(played.values())
-        return Casting(foods)
+        return Casting(foods, goal=self.goal)
 
     def _keep_what_arrives(
         self,

@@ -10,8 +10,8 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode, Recipe
 from foon_kg.progress import progress_lines
 from foon_kg.result import Alternative, Assumption, Origin, PlannedUnit, PlanResult, ReferenceSummary, Substitution
-from foon_kg.script import Casting, Recast, Step
-from foon_kg.substitution import FAIR, Equivalents
+from foon_kg.script import EMPTY, GIVEN, Casting, Recast, Step, spot_of
+from foon_kg.substitution import FAIR, SAME_CLASS, Equivalents
 
 MOST_ALTERNATIVES = 3
 
@@ -27,7 +27,8 @@ def plan_result(
 ) -> PlanResult:
     """Answer the plan result for ``tree``, which was made from the reference tree ``script``."""
     keys = {known.unit.key for known in script}
-    units = tuple(_planned(step, casting, keys) for step, casting in tree.steps)
+    substitutions = (*_substitutions(tree, equivalents), *_utensils_otherwise(tree, equivalents, kitchen))
+    units = tuple(_planned(step, casting, keys, substitutions) for step, casting in tree.steps)
     leaves = tuple(_leaves(units))
     return PlanResult(
         recipe=recipe,
@@ -35,7 +36,7 @@ def plan_result(
         goal=tree.goal,
         units=units,
         kitchen=leaves,
-        substitutions=tuple(_substitutions(tree, equivalents)),
+        substitutions=substitutions,
         assumptions=tuple(_assumptions(leaves, units, kitchen)),
     )
 
@@ -47,23 +48,77 @@ def with_progress(result: PlanResult, kitchen: Kitchen) -> PlanResult:
     return replace(result, progress_lines=lines)
 
 
-def _planned(step: Step, casting: Casting, reference: set[str]) -> PlannedUnit:
+def _planned(step: Step, casting: Casting, reference: set[str], substitutions: Sequence[Substitution]) -> PlannedUnit:
     unit = step.known.unit
     return PlannedUnit(
         step.input_nodes,
         step.motion,
         step.output_nodes,
-        _origin(step, casting, in_reference=unit.key in reference),
+        _origin(step, casting, substitutions, in_reference=unit.key in reference),
         step.known.seen_in,
         unit.accepts_any,
         step.moving,
     )
 
 
-def _origin(step: Step, casting: Casting, *, in_reference: bool) -> Origin:
-    if any(True for _ in _renamings(step, casting)):
+def _origin(step: Step, casting: Casting, substitutions: Sequence[Substitution], *, in_reference: bool) -> Origin:
+    if any(True for _ in _renamings(step, casting)) or any(_shows(step, other) for other in substitutions):
         return "substituted"
     return "reference" if in_reference else "foon"
+
+
+def _shows(step: Step, other: Substitution) -> bool:
+    """Say whether a substitution is to be seen in a step, be it that the food itself joined before as another's."""
+    for now, before in _same_things(step):
+        if other.kind == "object":
+            gone = set(before.ingredients) - set(now.ingredients)
+            if other.equivalent in gone and other.required in now.ingredients:
+                return True
+        elif other.kind == "state" and other.object == now.label:
+            extra, lost = _other_states(now, before)
+            if other.required in extra or other.equivalent in lost:
+                return True
+    return False
+
+
+def _same_things(step: Step) -> Iterator[tuple[ObjectNode, ObjectNode]]:
+    """Answer the nodes of a step that differ from FOON's, each with the likest one of its label and place there."""
+    unit = step.known.unit
+    for nodes, known in ((step.input_nodes, unit.input_nodes), (step.output_nodes, unit.output_nodes)):
+        free = [node for node in known if node not in nodes]
+        for now in nodes:
+            alike = [node for node in free if node.label == now.label and spot_of(node) == spot_of(now)]
+            if now not in known and alike:
+                yield now, min(alike, key=lambda node: (len(set(node.states) ^ set(now.states)), node.sort_key))
+
+
+def _other_states(now: ObjectNode, before: ObjectNode) -> tuple[set[str], set[str]]:
+    """Answer the states that a node has beyond FOON's, and FOON's that it has not; not what follows from its foods."""
+    extra, lost = set(now.states) - set(before.states), set(before.states) - set(now.states)
+    if before.ingredients and not now.ingredients:
+        extra.discard(EMPTY)
+    if now.ingredients and not before.ingredients:
+        lost.discard(EMPTY)
+    if not set(before.ingredients) <= set(now.ingredients):
+        lost -= GIVEN
+    return extra, lost
+
+
+def _utensils_otherwise(tree: FinalTree, equivalents: Equivalents, kitchen: Kitchen) -> Iterator[Substitution]:
+    """Answer the utensils that are in another state than in FOON, for what brought them there was left out.
+
+    A board that nobody floured is an empty one; a pan into which no oil was poured is still the heated one.
+    """
+    found: dict[tuple[str, str, str], None] = {}  # a set that keeps its order
+    for step, _ in tree.steps:
+        for now, before in _same_things(step):
+            extra, lost = _other_states(now, before)
+            if kitchen.is_utensil(now.label) and extra and len(lost) <= 1:
+                gone = lost or set(before.states) - set(now.states)
+                found |= {(now.label, state, min(gone, default="")): None for state in sorted(extra)}
+    for label, required, known in found:
+        sure = equivalents.state_similarity(required, known) if known else SAME_CLASS
+        yield Substitution("state", label, required, known, round(sure, 4), ())
 
 
 def _leaves(units: Iterable[PlannedUnit]) -> Iterator[ObjectNode]:

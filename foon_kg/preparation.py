@@ -77,7 +77,7 @@ class Preparations:
         """Answer what can join a tree as ``want``, best first; last the bare food, as it is sold or assumed to be."""
         for preparation in self.of(want):
             yield preparation.node, preparation
-        yield ObjectNode(want.object, (want.state,)), None
+        yield ObjectNode(want.object, (want.state,) if want.state else ()), None
 
     def utensil(self, node: ObjectNode) -> tuple[Played, ...]:
         """Answer the steps that bring a utensil into its state, without any food; none where FOON knows none."""
@@ -184,7 +184,7 @@ def is_whole(state: str) -> bool:
 def shows(want: RequiredIngredient, steps: Sequence[Step]) -> bool:
     """Say whether a node of ``steps`` is the wanted food in the wanted state."""
     return any(
-        node.label == want.object and want.state in node.states
+        node.label == want.object and (not want.state or want.state in node.states)
         for step in steps
         for node in (*step.input_nodes, *step.output_nodes)
     )

@@ -13,14 +13,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 
 from foon_kg import motions
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.script import EMPTY, Atom, Casting, Item, Replayed, Scene, Script, Step, changed, emptied, spot_of
 
 
 def replay(script: Script, casting: Casting, additions: Mapping[int, Sequence[Item]] | None = None) -> Replayed:
     """Execute ``script`` with the foods of ``casting``; ``additions`` join at the unit of that place."""
-    stage = _Stage(casting, script.kitchen)
+    stage = _Stage(casting, script)
     joining = additions or {}
     steps = []
     for place, scene in enumerate(script.scenes):
@@ -59,9 +58,10 @@ class _Moment:
 class _Stage:
     """What stands in the kitchen while a script is performed."""
 
-    def __init__(self, casting: Casting, kitchen: Kitchen) -> None:
+    def __init__(self, casting: Casting, script: Script) -> None:
         self.casting = casting
-        self.kitchen = kitchen
+        self.kitchen = script.kitchen
+        self.taken_alone = script.taken_alone
         self.items: dict[ObjectNode, Item | None] = {}
         self.leaf_foods: set[str] = set()
         self.used: set[ObjectNode] = set()
@@ -151,8 +151,13 @@ class _Stage:
             if not any(node in here.present for node in acted):
                 return False
             return not (here.gone and motions.transfers(scene.known.unit.motion) and self._all_stay(here))
-        there = [here.present[node] for node in scene.holders if node in here.present]
-        return not scene.holders or any(item.atoms for item in there)
+        there = {node: here.present[node] for node in scene.holders if node in here.present}
+        if motions.transfers(scene.known.unit.motion):
+            kept = {node.label for node in scene.outputs if node.ingredients}
+            givers = [item for node, item in there.items() if node.label not in kept]
+            if givers and not any(item.atoms for item in givers):
+                return False  # a cup out of which nothing comes
+        return not scene.holders or any(item.atoms for item in there.values())
 
     def _all_stay(self, here: _Moment) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""
@@ -204,9 +209,14 @@ class _Stage:
             sources = [*self._sources(node, here), *same]
         atoms = frozenset().union(*(item.atoms for item in sources)) if sources else here.atoms
         own = {(node.label, min(names))}
-        current = self._recast(node, self._listed(node, atoms - own, here))
+        listed = self._listed(node, atoms - own, here)
+        if listed and min(names) in self.casting.carried:
+            listed.add(min(names))  # a goal that is called like a food of it: noodles with oil are made of noodles
+        current = self._recast(node, listed)
         if current.label not in names:
             current = changed(current, label=min(names))
+        if node == self.casting.goal and current.label != node.label:  # the dish keeps its name
+            current = changed(current, label=node.label, ingredients={*current.ingredients, current.label})
         return Item(current, atoms | own)
 
     def _is_mixed(self, node: ObjectNode, here: _Moment) -> bool:
@@ -236,6 +246,7 @@ class _Stage:
         """Answer the names that ``node`` said and still can say: what inputs say, or what only the script knew of."""
         visible, written = here.visible, here.scene.written
         known = {now for name, now in atoms if name in node.ingredients and (now in visible or name not in written)}
+        known |= {now for name, now in atoms if not name and now in node.ingredients and now in visible}
         return known | {name for name in node.ingredients if name in visible and self.kitchen.is_utensil(name)}
 
     def _vessel(self, node: ObjectNode, here: _Moment, foods: Mapping[str, Item]) -> Item | None:
@@ -253,6 +264,8 @@ class _Stage:
             named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
         if not named:
             return Item(emptied(node))
+        if node in self.taken_alone:
+            named |= {now for _, now in (*inside, *kept) if now in self.casting.carried}
         return Item(changed(node, ingredients=named), frozenset(inside | kept))
 
     def _known(self, name: str, here: _Moment) -> bool:

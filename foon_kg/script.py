@@ -5,7 +5,7 @@ The words of :mod:`foon_kg.replay`, which executes scripts. Nothing here changes
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.kitchen import Kitchen
@@ -13,6 +13,9 @@ from foon_kg.model import KnownUnit, ObjectNode
 
 EMPTY = "empty"
 """The state of a vessel out of which everything was taken."""
+
+GIVEN = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})
+"""States that a vessel has from what is in it or on it."""
 
 Atom = tuple[str, str]
 """A food inside a node: its name in the script (``""`` for one that was added) and its name now."""
@@ -101,6 +104,12 @@ class Scene:
             has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
         )
 
+    def vessels_alone(self, kitchen: Kitchen) -> Iterator[ObjectNode]:
+        """Answer the vessels with food that it takes without a food of theirs that lies in them."""
+        there = {(node.container, node.label) for node in self.inputs if kitchen.is_food(node)}
+        vessels = (node for node in self.inputs if node.ingredients and not kitchen.is_food(node))
+        return (node for node in vessels if not any((node.label, name) in there for name in node.ingredients))
+
 
 @dataclass(frozen=True, eq=False)
 class Script:
@@ -108,11 +117,14 @@ class Script:
 
     scenes: tuple[Scene, ...]
     kitchen: Kitchen
+    taken_alone: frozenset[ObjectNode]
+    """Vessels that some unit takes without naming the food in them: only they can tell what is in that food."""
 
     @classmethod
     def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen) -> Script:
         """Read ``units``, which are in the order of execution."""
-        return cls(tuple(Scene.of(known, kitchen) for known in units), kitchen)
+        scenes = tuple(Scene.of(known, kitchen) for known in units)
+        return cls(scenes, kitchen, frozenset(node for scene in scenes for node in scene.vessels_alone(kitchen)))
 
 
 @dataclass(frozen=True)
@@ -121,11 +133,13 @@ class Casting:
 
     ``cut`` names foods that are at hand although the script makes them: their makers are not run.
     ``carried`` names foods (as they are called now) that every mixture must name, where the script forgets them.
+    ``goal`` is the node that keeps its label whatever it is made of.
     """
 
     foods: Mapping[str, Recast | None] = field(default_factory=dict)
     cut: frozenset[str] = frozenset()
     carried: frozenset[str] = frozenset()
+    goal: ObjectNode | None = None
 
 
 @dataclass(frozen=True)
@@ -146,8 +160,9 @@ def is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:
 
 
 def emptied(node: ObjectNode) -> ObjectNode:
-    """Answer the vessel with nothing in it any more."""
-    return changed(node, states={state for state in node.states if state != EMPTY} | {EMPTY}, ingredients=())
+    """Answer the vessel with nothing in it any more: what only its foods gave it (greased) goes with them."""
+    left = {state for state in node.states if state not in GIVEN}
+    return changed(node, states=left | {EMPTY}, ingredients=())
 
 
 def spot_of(node: ObjectNode) -> tuple[str | None, str | None]:

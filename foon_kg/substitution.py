@@ -87,7 +87,7 @@ class Equivalents:
         wanted one.
         """
         passed = sorted(set(states)) or [""]
-        if want.state in passed:
+        if not want.state or want.state in passed:
             return Recast(want.object), 1.0
         best = max(passed, key=lambda s: (self.state_confidence(want.object, want.state, s), s))
         fit = self.state_confidence(want.object, want.state, best)

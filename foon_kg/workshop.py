@@ -15,7 +15,9 @@ from foon_kg.substitution import Candidate
 from foon_kg.validation import KnownFoon
 
 # What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
-# a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own.
+# a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own. A mixture
+# costs as much as the foods in it, so that a dish is not taken ready-made for want of a part of it, and what a unit
+# makes costs more than what none does: for that there is no way round.
 _ODD_PLACE = 1
 _FILLED_BY_NOBODY = 2
 _USED = 10
@@ -23,6 +25,9 @@ _FILLED_BY_A_UNIT = 50
 _PROCESSED = 100
 _TURNED_ON_BY_A_UNIT = 200
 _MIXTURE = 1000
+_MADE = 2
+_UNNAMED = 4
+"""How many foods a mixture counts for that names none."""
 
 
 def mixtures(kitchen: Kitchen, vocabulary: Vocabulary) -> frozenset[str]:
@@ -49,18 +54,22 @@ def gap_cost(
     mixed = frozenset(mixtures)
 
     def cost(node: ObjectNode) -> int | None:
-        if kitchen.is_food(node):
-            if kitchen.is_mixture(node):
-                return _MIXTURE
-            return _PROCESSED * len(kitchen.processed_states(node)) or _ODD_PLACE
         foods = kitchen.foods_in(node)
+        if kitchen.is_food(node):
+            if kitchen.is_mixture(node) or (foods and node in made):
+                return mixture(node, len(foods))
+            processed = _PROCESSED * len(kitchen.processed_states(node))
+            return mixture(node, _UNNAMED) if node.label in mixed and node in made else processed or _ODD_PLACE
         if len(foods) > 1 or not mixed.isdisjoint(foods):
-            return _MIXTURE
+            return mixture(node, len(foods) if len(foods) > 1 or node not in made else _UNNAMED)
         if kitchen.is_running(node):
             return _TURNED_ON_BY_A_UNIT if node in made else _USED
         if foods:
             return _FILLED_BY_A_UNIT if node in made else _FILLED_BY_NOBODY
         return _ODD_PLACE if kitchen.at_rest(node) else _USED
+
+    def mixture(node: ObjectNode, foods: int) -> int:
+        return _MIXTURE * max(foods, 1) * (_MADE if node in made else 1)
 
     return cost
 
