@@ -103,7 +103,8 @@ def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
     named = dish_classes(recipe.title)
     if recipe.dish_type not in DISH_TYPES:
         return named
-    return (DishClass(recipe.dish_type, sure=True), *(c for c in named if c.name != recipe.dish_type))
+    others = (DishClass(dish.name, sure=False) for dish in named if dish.name != recipe.dish_type)
+    return (DishClass(recipe.dish_type, sure=True), *others)
 
 
 def state_beside(food: str, text: str) -> str | None:

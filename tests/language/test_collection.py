@@ -1,0 +1,93 @@
+"""Recipes of a collection understood: the collection's own foods are believed, states are read from the lines."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe
+from foon_kg.collection import CollectionReader, state_beside
+
+
+def recipe(*lines, title="Onion Soup", dish_type=None):
+    return CollectedRecipe("a1", title, tuple(lines), "layer1.json: element 1", dish_type)
+
+
+def understand(*lines, labels=None, full=False, **more):
+    return CollectionReader(labels or {}, full=full).understand([recipe(*lines, **more)])[0]
+
+
+@pytest.mark.parametrize(
+    ("food", "text", "state"),
+    [
+        ("onion", "2 cups finely chopped onions", "finely chopped"),
+        ("onion", "1 onion, chopped, then sauteed", "sauteed"),
+        ("tomatoes", "1 (14 oz, diced) can tomatoes", ""),
+        ("tomatoes", "1 can tomatoes, drained", "drained"),
+        ("butter", "1/2 cup Butter, MELTED", "melted"),
+        ("egg", "2 large eggs", ""),
+        ("parsley", "fresh parsley", "fresh"),
+    ],
+)
+def test_the_state_is_the_last_thing_that_the_line_says_beside_the_food(food, text, state):
+    assert state_beside(food, text) == state
+
+
+def test_a_food_that_is_not_in_the_line_has_no_state_beside_it():
+    assert state_beside("leek", "1 chopped onion") is None
+
+
+def test_a_detected_food_goes_by_its_label_in_the_foon():
+    line = CollectedLine("2 courgettes, sliced", "courgettes", "", "2", "")
+    assert understand(line, labels={"zucchini": "Zucchini squash"}).ingredients == (
+        CalledFor("Zucchini squash", "sliced", "2 courgettes, sliced", "2", ""),
+    )
+
+
+def test_a_food_that_the_foon_does_not_know_goes_by_its_canonical_name():
+    assert understand(CollectedLine("3 prawns", "prawns")).ingredients[0].object == "shrimp"
+
+
+def test_a_state_that_the_collection_gives_is_kept_as_it_is():
+    line = CollectedLine("grated carrot", "carrot", "shaved")
+    assert understand(line).ingredients[0].state == "shaved"
+
+
+def test_a_line_without_a_detected_food_is_read_by_the_parser():
+    (called,) = understand(CollectedLine("2 cups chopped red onion")).ingredients
+    assert (called.object, called.state, called.quantity) == ("red onion", "chopped", "2")
+
+
+def test_with_full_the_parser_reads_every_line():
+    (called,) = understand(CollectedLine("2 cups chopped red onion", "onion"), full=True).ingredients
+    assert called.object == "red onion"
+
+
+def test_a_line_without_any_food_is_left_over_and_the_others_stay():
+    understood = understand(CollectedLine("12345"), CollectedLine("salt", "salt"))
+    assert understood.left_over == ("12345",)
+    assert [called.object for called in understood.ingredients] == ["salt"]
+
+
+def test_the_dish_type_of_the_collection_is_the_sure_one():
+    classes = understand(CollectedLine("salt", "salt"), dish_type="salad").dish_classes
+    assert [(c.name, c.sure) for c in classes] == [("salad", True), ("soup", False)]
+
+
+def test_a_dish_type_that_nobody_knows_is_not_believed():
+    classes = understand(CollectedLine("salt", "salt"), dish_type="gruel").dish_classes
+    assert [(c.name, c.sure) for c in classes] == [("soup", True)]
+
+
+@given(st.lists(st.sampled_from(["salt", "2 onions", "1 leek, sliced", "!!"]), min_size=1, max_size=6))
+def test_every_line_is_called_for_or_left_over(texts):
+    understood = understand(*(CollectedLine(text, text.split()[-1].strip("!") or None) for text in texts))
+    called = [called.text for called in understood.ingredients]
+    assert sorted([*called, *understood.left_over]) == sorted(texts)
+
+
+def test_a_reader_answers_the_same_whether_it_saw_the_lines_before():
+    reader = CollectionReader({})
+    recipes = [recipe(CollectedLine("1 leek, sliced", "leek")), recipe(CollectedLine("salt", "salt"))]
+    assert reader.understand(recipes) == reader.understand(recipes) == CollectionReader({}).understand(recipes)
