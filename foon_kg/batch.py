@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.connection import wait
@@ -68,6 +68,7 @@ class Wishes:
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
     explain: bool = False
+    kitchen: Kitchen = field(default_factory=Kitchen.default)
 
 
 @dataclass(frozen=True)
@@ -84,7 +85,7 @@ class Cook:
     """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
 
     def __init__(self, view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit] | None = None) -> None:
-        settings = PlanSettings(substitutes=wishes.substitutes, avoided=wishes.avoided)
+        settings = PlanSettings(wishes.kitchen, substitutes=wishes.substitutes, avoided=wishes.avoided)
         self.wishes = wishes
         self.words = IngredientWords(view.vocabulary(), Kitchen.default())
         self.planner = Planner(view, settings, units)
@@ -96,10 +97,18 @@ class Cook:
             read = question.read(self.words, self.wishes.avoided)
             if self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)
-                return Answer(result, read.notes, explanations)
-            return Answer(self.planner.plan(read.recipe), read.notes)
+                return Answer(result, (*read.notes, *_chosen_dish(read, result)), explanations)
+            result = self.planner.plan(read.recipe)
+            return Answer(result, (*read.notes, *_chosen_dish(read, result)))
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
+
+
+def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
+    """Answer a note where no dish type was asked."""
+    if read.recipe.dish_type:
+        return ()
+    return (f"no dish type was asked: {result.recipe.dish_type} is most like these (foon suggest names others)",)
 
 
 @contextmanager

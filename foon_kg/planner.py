@@ -24,11 +24,12 @@ from foon_kg.ordering import as_recorded
 from foon_kg.outcome import plan_result, with_progress
 from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
+from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import ShortageError, named, nearest_first, remedies
 from foon_kg.states import state_similarity
 from foon_kg.substitution import FAIR, Equivalents
-from foon_kg.validation import CONTRACT, Report, TaskTree, check
+from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
 from foon_kg.workshop import Workshop
 
 MOST_GOALS = 6
@@ -37,6 +38,10 @@ MOST_GOALS = 6
 KEPT = 0.3
 """How much of the goal's video should be in the tree (sense, S8)."""
 
+MOST_REPAIRS = 4
+"""How often a tree of one goal is made anew without the choices in which the judge found a fault."""
+
+_REPAIRED = frozenset({*CONTRACT, "S1", "S2", "S7"})
 _ASKED_OF_THE_JUDGE = frozenset({"S1", "S2", "S4", "S5", "S7"})
 
 FIRST_GOALS = 3
@@ -70,6 +75,10 @@ class Planner:
     def plan(self, recipe: Recipe) -> PlanResult:
         """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
         return _Question(self, recipe).answer()
+
+    def reference_question(self, recipe: Recipe) -> tuple[RankedGoal, SearchProblem]:
+        """Answer the goal that is most like ``recipe`` (algorithm 1), and what algorithm 3 is asked about it."""
+        return _Question(self, recipe).reference_question()
 
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Answer the tree, and why every required food is made as it is; raises as :func:`plan` does."""
@@ -118,6 +127,11 @@ class _Question:
     def answer(self) -> PlanResult:
         """Answer the best tree, with its progress lines."""
         return with_progress(self._best().result, self.kitchen)
+
+    def reference_question(self) -> tuple[RankedGoal, SearchProblem]:
+        """Answer the likeliest goal, and the search for its reference tree."""
+        ranked, workshop = next(self._goals_to_try())
+        return ranked, SearchProblem(workshop.index, (ranked.goal.node,), wanted=self._wanted(ranked))
 
     def explained(self) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Answer the best tree, and why it is as it is."""
@@ -222,7 +236,20 @@ class _Question:
         integration = Integration(
             script, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
         )
-        tree = integration.run()
+        best = attempt = self._judged(integration, ranked, reference, workshop.foon)
+        for _ in range(MOST_REPAIRS):
+            blamed = attempt.integration.blamed(attempt.tree, attempt.report.of(_REPAIRED)) - integration.refused
+            if not blamed:
+                break
+            integration = replace(integration, refused=integration.refused | blamed)
+            attempt = self._judged(integration, ranked, reference, workshop.foon)
+            best = min(best, attempt, key=lambda other: self._faults(other, ranked))
+        return best
+
+    def _judged(
+        self, integration: Integration, ranked: RankedGoal, reference: ReferenceTree, foon: KnownFoon
+    ) -> _Attempt:
+        goal, tree = integration.goal, integration.run()
         if not tree.steps:
             raise NoTreeError(
                 f"nothing of {goal.label} is left for these ingredients",
@@ -233,7 +260,7 @@ class _Question:
         recipe = replace(self.recipe, dish_type=self.recipe.dish_type or ranked.goal.dish_type)
         result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)
         self._refuse_avoided(result)
-        report = check(TaskTree.from_json(result.to_json()), workshop.foon, self.kitchen)
+        report = check(TaskTree.from_json(result.to_json()), foon, self.kitchen)
         return _Attempt(result, report, integration, tree, self._missing(result))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:

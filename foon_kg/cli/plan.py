@@ -2,39 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import (
-    Files,
-    Json,
-    Quiet,
-    Say,
-    examples,
-    json_line,
-    print_view,
-    progress_bar,
-    sayer,
-    show_error,
-)
+from foon_kg.cli.console import Files, Json, Quiet, examples, sayer
+from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.errors import UsageError
 from foon_kg.model import DISH_TYPES
 
 if TYPE_CHECKING:
-    from foon_kg.batch import Answer, Question, Wishes
-    from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.knowledge import KnowledgeView
+    from foon_kg.batch import Question
+    from foon_kg.cli.answering import Show
     from foon_kg.likeness import Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
+    'foon plan "beaten egg" "chopped onion" --kitchen kitchen.txt',
     "foon plan recipe.json --json",
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
+    "foon plan recipe.json --enumerate --most 5000",
 )
 
 
@@ -42,39 +33,60 @@ def _dish_types(incomplete: str) -> list[str]:
     return [dish_type for dish_type in DISH_TYPES if dish_type.startswith(incomplete)]
 
 
-def plan(
-    wanted: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="INGREDIENT|RECIPE...",
-            help="With --dish ingredients, state first (“chopped onion”); otherwise recipe files (JSON) or folders.",
-        ),
-    ],
-    *,
-    dish: Annotated[
-        str | None,
-        typer.Option("--dish", metavar="TYPE", help="The dish type: salad, soup, …", autocompletion=_dish_types),
-    ] = None,
+Wanted = Annotated[
+    list[str],
+    typer.Argument(
+        metavar="INGREDIENT|RECIPE...",
+        help="Ingredients, state first (“chopped onion”), or recipe files (JSON) or folders.",
+    ),
+]
+Dish = Annotated[
+    str | None,
+    typer.Option(
+        "--dish",
+        metavar="TYPE",
+        help="The dish type: salad, soup, …; else the one most like these ingredients.",
+        autocompletion=_dish_types,
+    ),
+]
+Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
+Explain = Annotated[bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")]
+Substitutes = Annotated[
+    list[str] | None,
+    typer.Option("--substitute", metavar="FOOD=KNOWN", help="Handle this food like one that FOON knows."),
+]
+Avoided = Annotated[
+    list[str] | None,
+    typer.Option("--avoid", metavar="FOOD", help="Leave out this food, or all foods of this kind (nuts, dairy)."),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="FILE", help="Write JSON lines to this file, and go on where it ends."),
+]
+Jobs = Annotated[
+    int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+]
+Enumerate = Annotated[
+    bool, typer.Option("--enumerate", help="List the reference trees there are to choose from, and the choice.")
+]
+Most = Annotated[
+    int, typer.Option("--most", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
+]
+
+
+def plan(  # noqa: PLR0917 - each parameter is an option of its own
+    wanted: Wanted,
+    dish: Dish = None,
+    kitchen: KitchenFile = None,
     as_json: Json = False,
-    foon: Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")] = False,
-    explain: Annotated[
-        bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")
-    ] = False,
-    substitute: Annotated[
-        list[str] | None,
-        typer.Option("--substitute", metavar="FOOD=KNOWN", help="Handle this food like one that FOON knows."),
-    ] = None,
-    avoid: Annotated[
-        list[str] | None,
-        typer.Option("--avoid", metavar="FOOD", help="Leave out this food, or all foods of this kind (nuts, dairy)."),
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write JSON lines to this file, and go on where it ends."),
-    ] = None,
-    jobs: Annotated[
-        int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
-    ] = None,
+    foon: Foon = False,
+    explain: Explain = False,
+    enumerate_all: Enumerate = False,
+    most: Most = 1_000,
+    substitute: Substitutes = None,
+    avoid: Avoided = None,
+    output: Output = None,
+    jobs: Jobs = None,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
@@ -87,30 +99,40 @@ def plan(
     line, in order; one that has no tree is a line with an "error". With several recipes the exit code is the highest.
     With --output a run that was stopped, started again with the same command, does only what is still missing.
 
+    What --kitchen names is all that is at hand: utensils ("knife", "oven, preheated"), foods ("egg", "onion,
+    chopped", "egg in carton"), or both; of a kind that it does not name, everything. A tree takes nothing else; where
+    there is none, the answer says what is missing.
+
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
     What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
-    --explain is for reading and has no JSON.
+    --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     """
     from foon_kg.batch import Wishes
+    from foon_kg.cli.answering import Writing, answer_all, knowledge_for
+    from foon_kg.cli.candidates import show_candidates
+    from foon_kg.cli.kitchen import kitchen_of
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
-    questions = _question_in_words(dish, wanted) if dish is not None else _questions_in_files(wanted, one_only=foon)
-    wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain)
+    _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
+    questions = _questions(wanted, dish)
+    _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     say = sayer(quiet=quiet)
-    with _knowledge(files, len(questions), say) as view:
-        done = None if output is None else _answered_before(output, questions, view, wishes)
-        there = 0 if done is None else len(done.lines)
-        if there:
-            say(f"{output} has {there} of {len(questions)} answers already")
-        show = _shows_text if foon else _shows_line if as_json else _shows_view
-        writing = nullcontext(show) if done is None else _writes_to(done)
-        with _answering(questions[there:], view, wishes, jobs) as answers, writing as write:
-            beside_data = output is None and _stdout_is_terminal()
-            shown = answers if quiet or beside_data else progress_bar(answers, len(questions), there)
-            codes = [_show(answer, write, say) for answer in shown]
-    code = max([*codes, 0 if done is None else done.exit_code])
+    with knowledge_for(files, len(questions), say) as view:
+        at_hand = kitchen_of(kitchen, view.vocabulary(), say)
+        wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand)
+        if enumerate_all:
+            show_candidates(questions[0], view, wishes, most, as_json=as_json, say=say)
+            return
+        writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
+        code = answer_all(questions, view, wishes, jobs, writing)
     if code:
         raise typer.Exit(code)
+
+
+def _shown_as(*, foon: bool, as_json: bool) -> Show:
+    from foon_kg.cli.answering import show_line, show_text, show_view
+
+    return show_text if foon else show_line if as_json else show_view
 
 
 def _one_form(asked: dict[str, bool]) -> None:
@@ -128,103 +150,26 @@ def _substitute(text: str) -> Substitute:
     return Substitute(food, like)
 
 
-def _question_in_words(dish_type: str, texts: Sequence[str]) -> list[Question]:
-    from foon_kg.batch import Question
-
-    return [Question(dish_type=dish_type, texts=tuple(texts))]
-
-
-def _questions_in_files(names: Sequence[str], *, one_only: bool) -> list[Question]:
+def _questions(wanted: Sequence[str], dish_type: str | None) -> list[Question]:
+    """Answer what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
     from foon_kg.batch import Question
     from foon_kg.recipes import recipe_files
 
-    paths = list(recipe_files(Path(name) for name in names))
-    if one_only and len(paths) > 1:
-        raise UsageError(f"--foon prints one tree, and these are {len(paths)} recipes", hint="Ask for them one by one.")
-    return [Question(path) for path in paths]
+    if dish_type is None and any(map(_looks_like_a_file, wanted)):
+        return [Question(path) for path in recipe_files(Path(name) for name in wanted)]
+    return [Question(dish_type=dish_type or "", texts=tuple(wanted))]
 
 
-@contextmanager
-def _knowledge(files: Sequence[Path] | None, count: int, say: Say) -> Iterator[KnowledgeView]:
-    """Open the FOON: for many recipes all of it at once, as it stands now."""
-    from foon_kg.batch import MANY
-    from foon_kg.cli.knowledge import open_knowledge, whole_foon
-
-    if count >= MANY:
-        yield whole_foon(files, say)
-        return
-    with open_knowledge(files, say) as view:
-        yield view
+def _looks_like_a_file(name: str) -> bool:
+    return name.endswith(".json") or os.sep in name or Path(name).exists()
 
 
-def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes) -> AnswerFile:
-    from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.model_json import recipe_to_json
-    from foon_kg.recipes import IngredientWords
-
-    done = AnswerFile.read(path)
-    if done.lines:
-        words = IngredientWords(view.vocabulary(), Kitchen.default())
-        first = questions[: len(done.lines)]
-        done.check([recipe_to_json(question.as_planned(words, wishes.avoided)) for question in first])
-    return done
-
-
-def _answering(
-    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None
-) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.batch import MANY, Cook, answering, cores
-    from foon_kg.snapshot import Snapshot
-
-    units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
-    processes = cores() if jobs is None else jobs
-    if units is not None and len(questions) >= MANY and processes > 1:
-        return answering(questions, view, wishes, units, processes)
-    return nullcontext(map(Cook(view, wishes, units).answer, questions) if questions else ())
-
-
-def _stdout_is_terminal() -> bool:
-    from foon_kg.cli.console import data
-
-    return data().is_terminal
-
-
-def _show(answer: Answer, write: Callable[[Answer], None], say: Say) -> int:
-    """Write one answer; return the exit code that it stands for."""
-    for note in answer.notes:
-        say(note)
-    write(answer)
-    if answer.error is None:
-        return 0
-    show_error(answer.error, about=answer.outcome.recipe.id)
-    return answer.error.exit_code
-
-
-@contextmanager
-def _writes_to(done: AnswerFile) -> Iterator[Callable[[Answer], None]]:
-    with done.going_on() as add:
-        yield lambda answer: add(json_line(answer.outcome.to_json()))
-
-
-def _shows_line(answer: Answer) -> None:
-    typer.echo(json_line(answer.outcome.to_json()))
-
-
-def _shows_text(answer: Answer) -> None:
-    from foon_kg.loaders import write_text
-    from foon_kg.result import PlanResult
-
-    if isinstance(answer.outcome, PlanResult):
-        typer.echo(write_text(answer.outcome.to_subgraph()), nl=False)
-
-
-def _shows_view(answer: Answer) -> None:
-    from foon_kg.result import PlanResult
-    from foon_kg.views.explanation import explanation_view
-    from foon_kg.views.tree import plan_view
-
-    if isinstance(answer.outcome, PlanResult):
-        print_view(plan_view(answer.outcome))
-        if answer.explanations:
-            print_view(explanation_view(answer.explanations))
+def _one_only(questions: Sequence[Question], alone: dict[str, bool], output: Path | None) -> None:
+    """Refuse what makes no sense of many recipes, or of one whose dish type is only found by answering it."""
+    option = next((option for option, asked in alone.items() if asked), None)
+    if option is not None and len(questions) > 1:
+        raise UsageError(
+            f"{option} prints one tree, and these are {len(questions)} recipes", hint="Ask for them one by one."
+        )
+    if output is not None and any(question.path is None and not question.dish_type for question in questions):
+        raise UsageError("--output needs to know the dish type", hint="Say --dish TYPE.")

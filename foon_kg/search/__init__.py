@@ -3,7 +3,7 @@
 :func:`retrieve` is the everyday search, :func:`enumerate_paths` the definition that it is measured against.
 """
 
-from foon_kg.search.enumeration import Enumeration, enumerate_paths
+from foon_kg.search.enumeration import Enumeration, enumerate_paths, with_gaps_of
 from foon_kg.search.problem import Bound, NoWayError, ReferenceTree, SearchProblem
 from foon_kg.search.recall import retrieve_once
 from foon_kg.search.retrieve import retrieve
@@ -21,4 +21,5 @@ __all__ = [
     "retrieve",
     "retrieve_once",
     "schedule",
+    "with_gaps_of",
 ]

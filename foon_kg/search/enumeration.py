@@ -20,10 +20,15 @@ Choices = Mapping[ObjectNode, KnownUnit | None]
 
 @dataclass(frozen=True)
 class Enumeration:
-    """The distinct trees of a problem, best first. ``complete`` says that these are all."""
+    """The distinct trees of a problem, best first.
+
+    ``looked_at`` are the combinations of producers of which each gave a tree or came to a dead end; ``complete`` says
+    that these were all.
+    """
 
     trees: tuple[ReferenceTree, ...]
     complete: bool
+    looked_at: int
 
 
 def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
@@ -34,17 +39,28 @@ def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
     Sun 2021, Algorithm 3). The paper first drops the producers that overlap nothing wanted; that can lose the best
     tree, so here overlap decides between whole trees only.
     """
-    steps = islice(_all_paths(problem), limit + 1)
     trees: dict[tuple[object, ...], ReferenceTree] = {}
-    count = 0
-    for count, tree in enumerate(steps, start=1):  # noqa: B007 - how many came is asked below
+    looked_at, paths = 0, _all_paths(problem)
+    for tree in islice(paths, limit):
+        looked_at += 1
         if tree is not None:
             trees.setdefault(tree.rank, tree)
-    complete = count <= limit
-    ranked = [trees[rank] for rank in sorted(trees)]
+    complete = looked_at < limit or next(paths, paths) is paths
+    ranked = [_scheduled(problem, trees[rank]) for rank in sorted(trees)]
     if complete and ranked:
         ranked[0] = replace(ranked[0], exact=True)
-    return Enumeration(tuple(ranked), complete)
+    return Enumeration(tuple(ranked), complete, looked_at)
+
+
+def with_gaps_of(problem: SearchProblem, tree: ReferenceTree) -> SearchProblem:
+    """Answer ``problem`` with no other gaps than those that ``tree`` takes.
+
+    Nearly every node may be a gap, at its cost, and a path for each of these choices is more than anybody wants
+    to read. Where ``tree`` is the best one, the best of what is left is ``tree`` as well.
+    """
+    index, gaps = problem.index, set(tree.gaps)
+    costs = tuple(cost if node in gaps else None for node, cost in zip(index.nodes, index.gap_costs, strict=True))
+    return replace(problem, index=replace(index, gap_costs=costs))
 
 
 def _all_paths(problem: SearchProblem) -> Iterator[ReferenceTree | None]:
@@ -108,17 +124,23 @@ def _goes_in_circles(choices: Choices, goal: ObjectNode) -> bool:
 
 
 def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> ReferenceTree:
+    """Answer the tree that was chosen, its units still in no order."""
     units = {unit.unit.key: unit for unit in choices.values() if unit is not None}
     gaps = tuple(sorted((node for node, unit in choices.items() if unit is None), key=lambda node: node.sort_key))
-    inputs = {node for known in units.values() for node in known.unit.input_nodes}
     nodes = {node for known in units.values() for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
-    there = {node for node in inputs if _is_there(problem, goal, node)}
     costs = (problem.index.gap_costs[problem.index.number_of[gap]] for gap in gaps)
     return ReferenceTree(
         goal=goal,
-        units=schedule(units.values(), there.union(gaps), goal),
+        units=tuple(units.values()),
         gaps=gaps,
         penalty=sum(cost or 0 for cost in costs),
         covered=tuple(sorted({problem.wanted[node.label] for node in nodes if node.label in problem.wanted})),
         exact=False,
     )
+
+
+def _scheduled(problem: SearchProblem, tree: ReferenceTree) -> ReferenceTree:
+    """Answer ``tree`` with its units in an order in which they can be executed."""
+    inputs = {node for known in tree.units for node in known.unit.input_nodes}
+    there = {node for node in inputs if _is_there(problem, tree.goal, node)}
+    return replace(tree, units=schedule(tree.units, there.union(tree.gaps), tree.goal))

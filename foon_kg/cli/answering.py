@@ -1,0 +1,135 @@
+"""How the answers of ``foon plan`` are made and written: one or many, as JSON, FOON text or for reading."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from foon_kg.cli.console import Say, json_line, print_view, progress_bar, show_error
+
+if TYPE_CHECKING:
+    from foon_kg.batch import Answer, Question, Wishes
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.knowledge import KnowledgeView
+
+Show = Callable[["Answer"], None]
+
+
+@dataclass(frozen=True)
+class Writing:
+    """Where answers go: to the file ``output`` or to stdout, there as ``show`` shows them, with messages to ``say``."""
+
+    show: Show
+    output: Path | None
+    say: Say
+    quiet: bool
+
+
+@contextmanager
+def knowledge_for(files: Sequence[Path] | None, count: int, say: Say) -> Iterator[KnowledgeView]:
+    """Open the FOON: for many recipes all of it at once, as it stands now."""
+    from foon_kg.batch import MANY
+    from foon_kg.cli.knowledge import open_knowledge, whole_foon
+
+    if count >= MANY:
+        yield whole_foon(files, say)
+        return
+    with open_knowledge(files, say) as view:
+        yield view
+
+
+def answer_all(
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None, writing: Writing
+) -> int:
+    """Answer and write ``questions``, those that the output file answers already apart; return the exit code."""
+    done = None if writing.output is None else _answered_before(writing.output, questions, view, wishes)
+    there = 0 if done is None else len(done.lines)
+    if there:
+        writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
+    to = nullcontext(writing.show) if done is None else _writes_to(done)
+    with _answering(questions[there:], view, wishes, jobs) as answers, to as write:
+        beside_data = writing.output is None and _stdout_is_terminal()
+        shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
+        codes = [_write(answer, write, writing.say) for answer in shown]
+    return max([*codes, 0 if done is None else done.exit_code])
+
+
+def show_line(answer: Answer) -> None:
+    """Print an answer as one line of JSON."""
+    typer.echo(json_line(answer.outcome.to_json()))
+
+
+def show_text(answer: Answer) -> None:
+    """Print a tree as FOON text; nothing where there is none."""
+    from foon_kg.loaders import write_text
+    from foon_kg.result import PlanResult
+
+    if isinstance(answer.outcome, PlanResult):
+        typer.echo(write_text(answer.outcome.to_subgraph()), nl=False)
+
+
+def show_view(answer: Answer) -> None:
+    """Print a tree for reading, with its explanations; nothing where there is none."""
+    from foon_kg.result import PlanResult
+    from foon_kg.views.explanation import explanation_view
+    from foon_kg.views.tree import plan_view
+
+    if isinstance(answer.outcome, PlanResult):
+        print_view(plan_view(answer.outcome))
+        if answer.explanations:
+            print_view(explanation_view(answer.explanations))
+
+
+def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes) -> AnswerFile:
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.model_json import recipe_to_json
+    from foon_kg.recipes import IngredientWords
+
+    done = AnswerFile.read(path)
+    if done.lines:
+        words = IngredientWords(view.vocabulary(), Kitchen.default())
+        first = questions[: len(done.lines)]
+        done.check([recipe_to_json(question.as_planned(words, wishes.avoided)) for question in first])
+    return done
+
+
+def _answering(
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None
+) -> AbstractContextManager[Iterable[Answer]]:
+    from foon_kg.batch import MANY, Cook, answering, cores
+    from foon_kg.snapshot import Snapshot
+
+    units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
+    processes = cores() if jobs is None else jobs
+    if units is not None and len(questions) >= MANY and processes > 1:
+        return answering(questions, view, wishes, units, processes)
+    return nullcontext(map(Cook(view, wishes, units).answer, questions) if questions else ())
+
+
+def _stdout_is_terminal() -> bool:
+    from foon_kg.cli.console import data
+
+    return data().is_terminal
+
+
+def _write(answer: Answer, write: Show, say: Say) -> int:
+    """Write one answer; return the exit code that it stands for."""
+    for note in answer.notes:
+        say(note)
+    write(answer)
+    if answer.error is None:
+        return 0
+    show_error(answer.error, about=answer.outcome.recipe.id)
+    return answer.error.exit_code
+
+
+@contextmanager
+def _writes_to(done: AnswerFile) -> Iterator[Show]:
+    with done.going_on() as add:
+        yield lambda answer: add(json_line(answer.outcome.to_json()))

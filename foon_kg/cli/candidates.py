@@ -1,0 +1,57 @@
+"""``foon plan --enumerate``: the reference trees between which the choice is (algorithm 3), and the exact search."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from foon_kg.cli.console import Say, print_json, print_view
+
+if TYPE_CHECKING:
+    from foon_kg.batch import Question, Wishes
+    from foon_kg.json_fields import JsonObject
+    from foon_kg.knowledge import KnowledgeView
+    from foon_kg.search import ReferenceTree
+
+
+def show_candidates(
+    question: Question, view: KnowledgeView, wishes: Wishes, most: int, *, as_json: bool, say: Say
+) -> None:
+    """Print the reference trees of the goal most like the recipe, best first, after at most ``most`` combinations."""
+    from foon_kg.batch import Cook
+    from foon_kg.model_json import node_to_json, recipe_to_json
+    from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
+    from foon_kg.views.candidates import candidates_view
+
+    cook = Cook(view, wishes)
+    read = question.read(cook.words, wishes.avoided)
+    for note in read.notes:
+        say(note)
+    ranked, problem = cook.planner.reference_question(read.recipe)
+    exact = retrieve(problem, time_limit=cook.planner.settings.time_limit)
+    found = enumerate_paths(with_gaps_of(problem, exact), limit=most)
+    if not as_json:
+        print_view(candidates_view(ranked.goal, found, exact))
+        return
+    print_json(
+        {
+            "recipe": recipe_to_json(read.recipe),
+            "goal": node_to_json(ranked.goal.node),
+            "exact": _tree(exact),
+            "candidates": [_tree(tree) for tree in found.trees],
+            "complete": found.complete,
+            "looked_at": found.looked_at,
+        }
+    )
+
+
+def _tree(tree: ReferenceTree) -> JsonObject:
+    from foon_kg.model_json import node_to_json, sighting_to_json
+
+    return {
+        "overlap": tree.overlap,
+        "units": len(tree.units),
+        "penalty": tree.penalty,
+        "gaps": [node_to_json(node) for node in tree.gaps],
+        "exact": tree.exact,
+        "seen_in": [[sighting_to_json(place) for place in known.seen_in] for known in tree.units],
+    }

@@ -1,0 +1,34 @@
+"""What is at hand for a command: what ``--kitchen FILE`` names, else every utensil and whatever shops sell."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Say
+
+if TYPE_CHECKING:
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.knowledge import Vocabulary
+
+KitchenFile = Annotated[
+    Path | None,
+    typer.Option("--kitchen", metavar="FILE", help="What is at hand: utensils, foods, or both, one a line or JSON."),
+]
+
+
+def kitchen_of(file: Path | None, vocabulary: Vocabulary, say: Say) -> Kitchen:
+    """Answer the kitchen that ``file`` describes; what had to be decided to read it goes to ``say``."""
+    from foon_kg.kitchen import Kitchen
+
+    if file is None:
+        return Kitchen.default()
+    from foon_kg.kitchen_file import read_kitchen
+    from foon_kg.recipes import IngredientWords
+
+    read = read_kitchen(file, IngredientWords(vocabulary, Kitchen.default()))
+    for note in read.notes:
+        say(note)
+    return read.kitchen
