@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.kitchen import KitchenFile
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
@@ -22,6 +23,7 @@ EXAMPLES = examples(
     "foon plan recipe.json --json | foon check -",
     "foon check plans.jsonl --sense --files subgraphs/",
     "foon check tree.txt --recipe recipe.json --json",
+    "foon plan recipe.json --kitchen kitchen.txt --json | foon check - --kitchen kitchen.txt",
 )
 
 
@@ -34,6 +36,7 @@ def check(
     recipe: Annotated[
         Path | None, typer.Option("--recipe", metavar="FILE", help="The recipe (JSON) that the trees answer.")
     ] = None,
+    kitchen: KitchenFile = None,
     sense: Annotated[bool, typer.Option("--sense", help="Ask the sense measures S1 to S8 as well.")] = False,
     as_json: Json = False,
     files: Files = None,
@@ -43,10 +46,11 @@ def check(
 
     Every failure is told with its rule, the unit (from 0), the object node and the reason. A rule that lacks what
     it would need (FOON text carries no recipe: give one) is named as not asked. Several answers to one recipe are
-    compared with the first (C9).
+    compared with the first (C9). With --kitchen every leaf must be something that the file names (C6).
 
     Exits with 0 when every tree is sound (with --sense: clean, that is sound and sensible), otherwise with 1.
     """
+    from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.cli.tree_files import read_trees
     from foon_kg.validation import KnownFoon
@@ -59,7 +63,8 @@ def check(
     for notice in (notice for document in documents for notice in document.notices):
         say(str(notice))
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
-    reports = list(_with_repetition(documents, [judge(document.tree, foon) for document in documents]))
+    at_hand = kitchen_of(kitchen, snapshot.vocabulary(), say)
+    reports = list(_with_repetition(documents, [judge(document.tree, foon, at_hand) for document in documents]))
     for report in reports:
         _show(report if sense else _contract_only(report), sense=sense, as_json=as_json)
     if not all(report.clean if sense else report.sound for report in reports):

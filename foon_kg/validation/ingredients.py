@@ -60,9 +60,15 @@ def free_foods(case: Case) -> tuple[str, ...]:
 
 
 def kitchen(case: Case) -> Iterator[Finding]:
-    """C6: every leaf is in a start state, or is a processed food that FOON cannot make and that is assumed openly."""
+    """C6: every leaf is in a start state, or is a processed food that FOON cannot make and that is assumed openly.
+
+    Where a person named what is at hand, every leaf is something named, assumed or not.
+    """
     assumed = {entry.node for entry in case.tree.assumptions or ()}
     for node in case.tree.leaves:
+        if case.kitchen.lacks(node):
+            yield Finding("C6", "it is not in the kitchen that was named", case.tree.takers[node][0], node)
+            continue
         for place, reason in _leaf_faults(case, node, assumed):
             yield Finding("C6", reason, place, node)
     for node in _kitchen_foods(case):
