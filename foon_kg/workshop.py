@@ -9,7 +9,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.restoration import restored
-from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
+from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.settings import PlanSettings
 from foon_kg.substitution import Candidate
 from foon_kg.validation import KnownFoon
@@ -102,6 +102,7 @@ class Workshop:
         )
         self.foon = KnownFoon.of(units, goals)
         self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
+        self.explored = Explored()
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
         self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
 
@@ -110,7 +111,9 @@ class Workshop:
         key = (goal, tuple(sorted(wanted.items())))
         if key not in self.references:
             problem = SearchProblem(self.index, (goal,), wanted=wanted)
-            self.references[key] = retrieve_once(problem, self.memory, time_limit=self.time_limit)
+            self.references[key] = retrieve_once(
+                problem, self.memory, time_limit=self.time_limit, explored=self.explored
+            )
         return self.references[key]
 
     def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:
@@ -131,7 +134,9 @@ class Workshop:
 
     def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
         try:
-            script = retrieve(SearchProblem(self.index, targets), time_limit=self.time_limit).units
+            script = retrieve(
+                SearchProblem(self.index, targets), time_limit=self.time_limit, explored=self.explored
+            ).units
         except NoTreeError:
             return None
         return restored(script, self._makers, self.kitchen)

@@ -4,6 +4,7 @@
 """
 
 from foon_kg.search.enumeration import Enumeration, enumerate_paths, with_gaps_of
+from foon_kg.search.ground import Explored
 from foon_kg.search.problem import Bound, NoWayError, ReferenceTree, SearchProblem
 from foon_kg.search.recall import retrieve_once
 from foon_kg.search.retrieve import retrieve
@@ -13,6 +14,7 @@ from foon_kg.search.unit_index import UnitIndex
 __all__ = [
     "Bound",
     "Enumeration",
+    "Explored",
     "NoWayError",
     "ReferenceTree",
     "SearchProblem",

@@ -9,6 +9,9 @@ from functools import cached_property
 from foon_kg.search.problem import SearchProblem
 from foon_kg.search.unit_index import UnitIndex
 
+ANY_GOAL = -1
+"""The number of the goal in a core that makes any one of several nodes."""
+
 
 @dataclass(frozen=True, eq=False)
 class Core:
@@ -87,56 +90,67 @@ def bits_of(mask: int) -> Iterator[int]:
 
 def core_behind(problem: SearchProblem, goal: int) -> Core:
     """Collect everything that may take part in making the node ``goal`` (its number in the index)."""
+    return _numbered(problem, goal, *_behind(problem, goal, problem.index.producers[goal]))
+
+
+def core_behind_any(problem: SearchProblem, goals: Iterable[int]) -> Core:
+    """Collect everything that may take part in making one of the nodes ``goals``, whichever it is.
+
+    The goal of the core is ``ANY_GOAL``: every unit makes it that makes one of ``goals``. These are nodes like others,
+    and so a tree of this core may take one of them to make the same one again.
+    """
+    makers = sorted({unit for goal in goals for unit in problem.index.producers[goal]})
+    return _numbered(problem, ANY_GOAL, *_behind(problem, ANY_GOAL, makers), makers=frozenset(makers))
+
+
+def _behind(problem: SearchProblem, goal: int, makers: Iterable[int]) -> tuple[set[int], set[int]]:
+    """Answer the nodes and the units behind ``goal``, which ``makers`` make."""
     index = problem.index
-    available = {index.number_of[node] for node in problem.available if node in index.number_of} - {goal}
-    nodes, units = _behind(index, goal, available)
-    gaps = [n for n in sorted(nodes, reverse=True) if n != goal and index.gap_costs[n] is not None]
-    return _numbered(index, goal, sorted(nodes), gaps, sorted(units, reverse=True), problem.wanted)
-
-
-def _behind(index: UnitIndex, goal: int, available: set[int]) -> tuple[set[int], set[int]]:
-    waiting, nodes, units = [goal], {goal}, set[int]()
-    for node in waiting:  # grows while it is read
-        for unit in index.producers[node]:
-            if unit not in units:
-                units.add(unit)
-                fresh = [
-                    n for n in index.inputs[unit] if n not in nodes and not index.at_hand[n] and n not in available
-                ]
-                nodes.update(fresh)
+    there = {index.number_of[node] for node in problem.available if node in index.number_of}
+    nodes, units, waiting = {goal}, set(makers), list(makers)
+    for unit in waiting:  # grows while it is read
+        for node in index.inputs[unit]:
+            if node not in nodes and not index.at_hand[node] and node not in there:
+                nodes.add(node)
+                fresh = [maker for maker in index.producers[node] if maker not in units]
+                units.update(fresh)
                 waiting.extend(fresh)
     return nodes, units
 
 
-def _numbered(  # noqa: PLR0917 - the columns of one table
-    index: UnitIndex,
-    goal: int,
-    nodes: Sequence[int],
-    gaps: Sequence[int],
-    units: Sequence[int],
-    wanted: Mapping[str, int],
+def _numbered(
+    problem: SearchProblem, goal: int, nodes: set[int], units: set[int], *, makers: frozenset[int] = frozenset()
 ) -> Core:
-    foods = _foods_by_unit(index, wanted)
-    place = {node: number for number, node in enumerate(nodes)}
+    index = problem.index
+    gaps = [node for node in sorted(nodes, reverse=True) if node != goal and index.gap_costs[node] is not None]
+    falling = sorted(units, reverse=True)
+    place = {node: number for number, node in enumerate(sorted(nodes))}
+    get = place.get
 
     def local(numbers: Iterable[int]) -> tuple[int, ...]:
-        return tuple(place[n] for n in numbers if n in place)
+        return tuple([there for number in numbers if (there := get(number)) is not None])
+
+    def made(unit: int) -> tuple[int, ...]:
+        return (*local(index.outputs[unit]), place[goal]) if unit in makers else local(index.outputs[unit])
 
     return Core(
         goal=place[goal],
-        nodes=tuple(nodes),
+        nodes=tuple(sorted(nodes)),
         gap_nodes=tuple(gaps),
-        units=tuple(units),
-        inputs=((),) * len(gaps) + tuple(local(index.inputs[unit]) for unit in units),
-        outputs=tuple(local([gap]) for gap in gaps) + tuple(local(index.outputs[unit]) for unit in units),
+        units=tuple(falling),
+        inputs=((),) * len(gaps) + tuple(local(index.inputs[unit]) for unit in falling),
+        outputs=tuple(local([gap]) for gap in gaps) + tuple(map(made, falling)),
         costs=tuple(index.gap_costs[gap] or 0 for gap in gaps),
-        foods=(0,) * len(gaps) + tuple(foods.get(unit, 0) for unit in units),
+        foods=foods_of_steps(index, gaps, falling, problem.wanted),
     )
 
 
-def _foods_by_unit(index: UnitIndex, wanted: Mapping[str, int]) -> dict[int, int]:
+def foods_of_steps(
+    index: UnitIndex, gaps: Sequence[int], units: Sequence[int], wanted: Mapping[str, int]
+) -> tuple[int, ...]:
+    """Answer the wanted foods of each step of a core: none for a gap, those that it names for a unit."""
     foods: dict[int, int] = {}
     for label, number in wanted.items():
         for unit in index.units_naming.get(label, ()):
             foods[unit] = foods.get(unit, 0) | 1 << number
-    return foods
+    return (*[0] * len(gaps), *(foods.get(unit, 0) for unit in units))

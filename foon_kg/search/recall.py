@@ -10,6 +10,7 @@ from __future__ import annotations
 from foon_kg.knowledge import RetrievedTree, TreeMemory
 from foon_kg.model import content_key
 from foon_kg.search.core import Core, core_behind
+from foon_kg.search.ground import Explored
 from foon_kg.search.problem import ReferenceTree, SearchProblem
 from foon_kg.search.retrieve import as_tree, retrieve
 
@@ -18,7 +19,11 @@ RULES = 1
 
 
 def retrieve_once(
-    problem: SearchProblem, memory: TreeMemory | None, *, time_limit: float | None = 2.0
+    problem: SearchProblem,
+    memory: TreeMemory | None,
+    *,
+    time_limit: float | None = 2.0,
+    explored: Explored | None = None,
 ) -> ReferenceTree:
     """Answer what :func:`~foon_kg.search.retrieve` answers, from ``memory`` where it has been answered before.
 
@@ -28,13 +33,13 @@ def retrieve_once(
     (target, *others) = problem.targets
     number = problem.index.number_of.get(target)
     if memory is None or number is None or others or problem.available:
-        return retrieve(problem, time_limit=time_limit)
+        return retrieve(problem, time_limit=time_limit, explored=explored)
     core = core_behind(problem, number)
     question, grounds = question_of(problem), grounds_of(problem, core)
     known = memory.remembered(question)
     if known is not None and known.grounds == grounds:
         return _made_again(problem, core, known)
-    tree = retrieve(problem, time_limit=time_limit)
+    tree = retrieve(problem, time_limit=time_limit, explored=explored)
     if tree.exact:
         units = tuple(sorted(unit.unit.key for unit in tree.units))
         memory.remember(RetrievedTree(question, grounds, tree.goal.key, units, tuple(gap.key for gap in tree.gaps)))

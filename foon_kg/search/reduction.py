@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.search.core import Core, bits_of
 from foon_kg.search.cuts import Web, cut_bound
@@ -44,6 +44,12 @@ class Reduced:
             steps = _chosen_from(choice)
             if len(steps) == core.step_count:
                 return cls(core, penalty, Web.of(core), choice, landmarks, *_behind(choice))
+
+    def wanting(self, foods: tuple[int, ...]) -> Reduced:
+        """Answer the same with these wanted ``foods`` of the steps: which trees there are does not turn on them."""
+        core = replace(self.core, foods=foods)
+        found = {mask: core.foods_of(mask) for mask in set(self.behind)}
+        return replace(self, core=core, foods=[found[mask] for mask in self.behind])
 
     def without_longer_than(self, units: int) -> Reduced:
         """Reduce further to what may be in a tree of at most so many units; ValueError where none is so short."""

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
-from foon_kg.model import ObjectNode
+from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.search.branch import OverlapSearch, UnitSearch
-from foon_kg.search.core import Core, bits_of, core_behind
+from foon_kg.search.core import Core, bits_of
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import cheapest_first
+from foon_kg.search.ground import Explored, Goals, Ground, alike
 from foon_kg.search.missing import no_way
-from foon_kg.search.penalty import within_least_penalty
 from foon_kg.search.problem import Bound, ReferenceTree, SearchProblem, weakest
 from foon_kg.search.reduction import Reduced
-from foon_kg.search.schedule import schedule
+from foon_kg.search.schedule import last_of, schedule
 
 _PATIENCE = 16
 """How many partial trees to try before looking whether the FOON can be cut down further; doubled each time."""
 
 
-def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> ReferenceTree:
+def retrieve(
+    problem: SearchProblem, *, time_limit: float | None = 2.0, explored: Explored | None = None
+) -> ReferenceTree:
     """Answer the best valid task tree that makes one of the problem's targets.
 
     A tree chooses one producer for each node that is needed and not at hand, well-founded. Best means, in this order:
@@ -29,13 +32,15 @@ def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> Refer
     gives (Sakib, Paulius, Sun 2021, Algorithm 3), found by branch and bound.
 
     ``time_limit`` is in seconds, ``None`` for none: a search that it stops answers the best tree found so far with
-    ``exact=False`` and what is proven about the best.
+    ``exact=False`` and what is proven about the best. ``explored`` is what was found for other questions to this index
+    and keeps what is found now; it changes no answer that is proven, and serves where nothing is ``available``.
 
     Raises NoWayError when nothing makes any target, naming the missing nodes nearest to it first.
     """
     deadline = Deadline.after(time_limit)
     targets = sorted(set(problem.targets), key=lambda node: node.sort_key)
-    trees = [tree for target in targets if (tree := _tree_of(problem, target, deadline)) is not None]
+    search = _TargetSearch(problem, deadline, Explored() if explored is None or problem.available else explored)
+    trees = list(search.trees(targets))
     if not trees:
         raise no_way(problem, targets)
     best = min(trees, key=lambda tree: tree.rank)
@@ -45,20 +50,50 @@ def retrieve(problem: SearchProblem, *, time_limit: float | None = 2.0) -> Refer
     return replace(best, exact=False, bound=weakest([*bounds, _bound_of(best)]))
 
 
-def _tree_of(problem: SearchProblem, target: ObjectNode, deadline: Deadline) -> ReferenceTree | None:
-    if target in problem.available:
-        return ReferenceTree(target, (), (), penalty=0, covered=(), exact=True)
-    number = problem.index.number_of.get(target)
-    if number is None:
-        return None
-    core = core_behind(problem, number)
-    least = within_least_penalty(core, deadline)
-    if least is None:
-        return None
-    part, steps, bound = _best_steps(Reduced.of(core, least.penalty, least.steps), deadline)
-    if least.at_least < least.penalty:  # nothing is proven but that
-        bound = Bound(least.at_least, len(set(problem.wanted.values())), units=1)
-    return as_tree(problem, part, steps, bound)
+@dataclass(frozen=True, eq=False)
+class _TargetSearch:
+    problem: SearchProblem
+    deadline: Deadline
+    explored: Explored
+
+    def trees(self, targets: Sequence[ObjectNode]) -> Iterator[ReferenceTree]:
+        """Answer the best tree of each of ``targets``, or the best of them all alone."""
+        number_of, available = self.problem.index.number_of, self.problem.available
+        yield from (ReferenceTree(node, (), (), 0, (), exact=True) for node in targets if node in available)
+        goals = tuple(number_of[node] for node in targets if node not in available and node in number_of)
+        if len(goals) > 1 and not self.problem.wanted:
+            together = self._tree(goals)
+            if together is not None:
+                yield together
+                return
+        yield from (tree for goal in goals if (tree := self._tree((goal,))) is not None)
+
+    def _tree(self, goals: Goals) -> ReferenceTree | None:
+        ground = self.explored.ground(self.problem, goals, self.deadline)
+        if ground is None:
+            return None
+        undecided = ground.undecided(self.problem.wanted)
+        key = (goals, alike(undecided))
+        tree = self.explored.trees.get(key)
+        if tree is None:
+            tree = self._found(goals, ground, undecided)
+            if tree is not None and tree.exact:
+                self.explored.trees[key] = tree
+        return None if tree is None else covering(tree, self.problem.wanted)
+
+    def _found(self, goals: Goals, ground: Ground, undecided: Mapping[str, int]) -> ReferenceTree | None:
+        """Search for the best tree; ``None`` where each of several goals has to be asked apart."""
+        wanted = self.problem.wanted
+        part, steps, bound = _best_steps(ground.wanting(undecided), self.deadline)
+        if not ground.is_proven:  # nothing is proven but that
+            bound = Bound(ground.at_least, len(set(wanted.values())), units=1)
+        elif bound is not None:
+            settled = {number for label, number in wanted.items() if label in ground.certain}
+            bound = replace(bound, overlap=bound.overlap + len(settled))
+        if len(goals) == 1:
+            return as_tree(self.problem, part, steps, bound)
+        goal = _least_made(self.problem, goals, part, steps) if bound is None else None
+        return None if goal is None else _ordered(self.problem, goal, part, steps, bound)
 
 
 def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound | None]:
@@ -81,20 +116,53 @@ def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound 
 
 def as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
     """Answer the set ``steps`` of ``core`` as a tree in an order in which it can be executed."""
-    index, gap_count = problem.index, len(core.gap_nodes)
-    goal = index.nodes[core.nodes[core.goal]]
-    gaps = [index.nodes[core.gap_nodes[step]] for step in bits_of(steps) if step < gap_count]
-    numbers = [core.units[step - gap_count] for step in bits_of(steps) if step >= gap_count]
-    there = {index.nodes[n] for unit in numbers for n in index.inputs[unit] if index.at_hand[n]}
-    return ReferenceTree(
+    return _ordered(problem, problem.index.nodes[core.nodes[core.goal]], core, steps, bound)
+
+
+def _ordered(problem: SearchProblem, goal: ObjectNode, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
+    gaps = _gaps_in(problem, core, steps)
+    units, there = _units_in(problem, core, steps)
+    tree = ReferenceTree(
         goal=goal,
-        units=schedule((index.units[n] for n in numbers), {*there, *problem.available, *gaps} - {goal}, goal),
+        units=schedule(units, {*there, *gaps} - {goal}, goal),
         gaps=tuple(sorted(gaps, key=lambda node: node.sort_key)),
         penalty=core.penalty_of(steps),
-        covered=tuple(bits_of(core.foods_of(steps))),
+        covered=(),
         exact=bound is None,
         bound=bound,
     )
+    return covering(tree, problem.wanted)
+
+
+def covering(tree: ReferenceTree, wanted: Mapping[str, int]) -> ReferenceTree:
+    """Answer ``tree`` with the numbers of the wanted foods that occur in it."""
+    labels = {node.label for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    return replace(tree, covered=tuple(sorted({number for label, number in wanted.items() if label in labels})))
+
+
+def _gaps_in(problem: SearchProblem, core: Core, steps: int) -> list[ObjectNode]:
+    return [problem.index.nodes[core.gap_nodes[step]] for step in bits_of(steps) if step < len(core.gap_nodes)]
+
+
+def _units_in(problem: SearchProblem, core: Core, steps: int) -> tuple[list[KnownUnit], set[ObjectNode]]:
+    """Answer the units among ``steps``, and the nodes that they take from the kitchen or that are available."""
+    index = problem.index
+    numbers = [core.units[unit] for unit in bits_of(steps >> len(core.gap_nodes))]
+    there = {index.nodes[node] for number in numbers for node in index.inputs[number] if index.at_hand[node]}
+    return [index.units[number] for number in numbers], there | problem.available
+
+
+def _least_made(problem: SearchProblem, goals: Goals, core: Core, steps: int) -> ObjectNode | None:
+    """Answer which of ``goals`` the last unit of the best tree makes out of anything but itself; the least of several.
+
+    The best tree that makes any of them is then the best tree of this one; without wanted foods it has no unit that
+    the others could do without, and so one last unit.
+    """
+    units, there = _units_in(problem, core, steps)
+    there.update(_gaps_in(problem, core, steps))
+    taken = {node for known in units for node in known.unit.input_nodes}
+    nodes = sorted((problem.index.nodes[goal] for goal in goals), key=lambda node: node.sort_key)
+    return next((node for node in nodes if node not in taken and last_of(units, there, node) is not None), None)
 
 
 def _bound_of(tree: ReferenceTree) -> Bound:

@@ -20,7 +20,9 @@ def schedule(units: Iterable[KnownUnit], there: Collection[ObjectNode], goal: Ob
     waiting = sorted(units, key=lambda known: known.unit.key)
     if not waiting:
         return ()
-    last = _last_of(waiting, there, goal)
+    last = last_of(waiting, there, goal)
+    if last is None:
+        raise ValueError(f"no order of {len(waiting)} units ends with one that makes {goal}")
     needed = Counter(node for known in waiting for node in known.unit.input_nodes)
     waiting.remove(last)
     have, done, fresh = set(there), list[KnownUnit](), set[ObjectNode]()
@@ -50,12 +52,10 @@ def _ready(waiting: Iterable[KnownUnit], have: set[ObjectNode]) -> list[KnownUni
     return [known for known in waiting if have.issuperset(known.unit.input_nodes)]
 
 
-def _last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit:
-    """Answer the unit that makes the goal and that no other needs: the others can all run without it."""
-    for maker in units:
-        if goal in maker.unit.output_nodes and _can_all_run([known for known in units if known is not maker], there):
-            return maker
-    raise ValueError(f"no order of {len(units)} units ends with one that makes {goal}")
+def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:
+    """Answer the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
+    makers = (known for known in units if goal in known.unit.output_nodes)
+    return next((m for m in makers if _can_all_run([known for known in units if known is not m], there)), None)
 
 
 def _can_all_run(units: Sequence[KnownUnit], there: Collection[ObjectNode]) -> bool:

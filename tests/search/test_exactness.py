@@ -2,6 +2,8 @@
 
 import itertools
 from collections.abc import Iterator
+from dataclasses import replace
+from operator import attrgetter
 
 import pytest
 from hypothesis import given, settings
@@ -9,14 +11,14 @@ from hypothesis import strategies as st
 from search_problems import NODES, deep_problems, problems, unit
 
 from foon_kg.model import ObjectNode
-from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, UnitIndex, enumerate_paths, retrieve
+from foon_kg.search import Explored, NoWayError, ReferenceTree, SearchProblem, UnitIndex, enumerate_paths, retrieve
 
 PATHS = 5_000
 
 
-def answer(problem: SearchProblem) -> ReferenceTree | None:
+def answer(problem: SearchProblem, explored: Explored | None = None) -> ReferenceTree | None:
     try:
-        return retrieve(problem, time_limit=None)
+        return retrieve(problem, time_limit=None, explored=explored)
     except NoWayError:
         return None
 
@@ -29,6 +31,24 @@ def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     if not enumeration.complete:
         return
     assert found == (enumeration.trees[0] if enumeration.trees else None)
+
+
+@settings(max_examples=100, deadline=None)
+@given(problems(), st.lists(st.sampled_from(NODES[:8]), min_size=2, max_size=5))
+def test_the_best_of_several_targets_is_the_best_of_each_alone(problem, targets):
+    alone = [answer(replace(problem, targets=(target,), wanted={})) for target in targets]
+    trees = [tree for tree in alone if tree is not None]
+    best = answer(replace(problem, targets=tuple(targets), wanted={}))
+    assert best == min(trees, key=attrgetter("rank"), default=None)
+
+
+@settings(max_examples=60, deadline=None)
+@given(problems(), st.lists(st.dictionaries(st.sampled_from("abcdefgh"), st.integers(0, 3)), min_size=2, max_size=5))
+def test_what_was_found_for_one_question_changes_no_answer_to_the_next(problem, wishes):
+    explored = Explored()
+    for wanted in wishes:
+        question = replace(problem, wanted=wanted)
+        assert answer(question, explored) == answer(question)
 
 
 @settings(max_examples=150, deadline=None)

@@ -1,0 +1,93 @@
+"""What all questions about one goal have in common, whatever is wanted: found once, kept for the next question."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from foon_kg.search.core import Core, bits_of, core_behind, core_behind_any, foods_of_steps
+from foon_kg.search.deadline import Deadline
+from foon_kg.search.penalty import within_least_penalty
+from foon_kg.search.problem import ReferenceTree, SearchProblem
+from foon_kg.search.reduction import Reduced
+from foon_kg.search.unit_index import UnitIndex
+
+Goals = tuple[int, ...]
+"""The numbers of nodes in an index, any one of which is to be made."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What may be in a tree of least penalty; ``at_least`` is what is proven of that penalty.
+
+    ``certain`` are the labels of the units that every such tree has, ``possible`` those of all units.
+    """
+
+    index: UnitIndex
+    reduced: Reduced
+    at_least: int
+    certain: frozenset[str]
+    possible: frozenset[str]
+
+    @classmethod
+    def behind(cls, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
+        """Look behind ``goals``, whatever the problem wants; ``None`` where nothing makes any of them."""
+        nothing = SearchProblem(problem.index, problem.targets, available=problem.available)
+        core = core_behind(nothing, goals[0]) if len(goals) == 1 else core_behind_any(nothing, goals)
+        least = within_least_penalty(core, deadline)
+        if least is None:
+            return None
+        reduced = Reduced.of(core, least.penalty, least.steps)
+        needed = bits_of(reduced.landmarks.steps_of_node[reduced.core.goal])
+        certain = _labels(problem.index, reduced.core, needed)
+        possible = _labels(problem.index, reduced.core, range(reduced.core.step_count))
+        return cls(problem.index, reduced, least.at_least, certain, possible)
+
+    @property
+    def is_proven(self) -> bool:
+        """Whether no tree has a lesser penalty."""
+        return self.at_least == self.reduced.penalty
+
+    def undecided(self, wanted: Mapping[str, int]) -> dict[str, int]:
+        """Answer the part of ``wanted`` that some trees have and others have not: the choice turns on no other."""
+        settled = {number for label, number in wanted.items() if label in self.certain}
+        return {label: number for label, number in wanted.items() if number not in settled and label in self.possible}
+
+    def wanting(self, undecided: Mapping[str, int]) -> Reduced:
+        """Answer what may be in a tree, with the wanted foods of its steps."""
+        if not undecided:
+            return self.reduced
+        core = self.reduced.core
+        return self.reduced.wanting(foods_of_steps(self.index, core.gap_nodes, core.units, undecided))
+
+
+@dataclass(eq=False)
+class Explored:
+    """What was found in one index so far: recipes that want different things mostly get the same tree of a goal."""
+
+    grounds: dict[Goals, Ground | None] = field(default_factory=dict)
+    trees: dict[tuple[Goals, frozenset[frozenset[str]]], ReferenceTree] = field(default_factory=dict)
+
+    def ground(self, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
+        """Answer :meth:`Ground.behind`, known or found now; what is not proven is not kept."""
+        if goals in self.grounds:
+            return self.grounds[goals]
+        ground = Ground.behind(problem, goals, deadline)
+        if ground is None or ground.is_proven:
+            self.grounds[goals] = ground
+        return ground
+
+
+def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str]:
+    gap_count = len(core.gap_nodes)
+    units = [core.units[step - gap_count] for step in steps if step >= gap_count]
+    nodes = {node for unit in units for node in (*index.inputs[unit], *index.outputs[unit])}
+    return frozenset(index.nodes[node].label for node in nodes)
+
+
+def alike(wanted: Mapping[str, int]) -> frozenset[frozenset[str]]:
+    """Answer ``wanted`` as the labels that stand for one food each: the numbers are but names."""
+    groups: dict[int, set[str]] = {}
+    for label, number in wanted.items():
+        groups.setdefault(number, set()).add(label)
+    return frozenset(map(frozenset, groups.values()))
