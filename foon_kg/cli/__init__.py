@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from foon_kg import __version__
-from foon_kg.cli import check, cypher, demo, load, plan, recipes, server, show, similar, stats
+from foon_kg.cli import check, cypher, demo, load, plan, recipes, retrieve, server, show, similar, stats, videos
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -39,11 +39,14 @@ def foon(
 
 app.command(epilog=demo.EXAMPLES)(demo.demo)
 app.command(epilog=plan.EXAMPLES)(plan.plan)
+app.command(epilog=retrieve.EXAMPLES)(retrieve.retrieve)
 app.command(epilog=check.EXAMPLES)(check.check)
 app.command(epilog=show.EXAMPLES)(show.show)
 app.command(epilog=similar.EXAMPLES)(similar.similar)
 app.add_typer(load.app)
 app.command(epilog=recipes.EXAMPLES)(recipes.recipes)
+app.command(epilog=videos.DIFF_EXAMPLES)(videos.diff)
+app.command(epilog=videos.REMOVE_EXAMPLES)(videos.remove)
 app.command(epilog=stats.EXAMPLES)(stats.stats)
 app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
 app.add_typer(server.app)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli import load_recipes
+from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, print_json, sayer
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ def load() -> None:
 
 
 app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
+app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 
 @app.command(

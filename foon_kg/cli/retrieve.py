@@ -1,0 +1,105 @@
+"""``foon retrieve``: classic retrieval, from a goal and a kitchen to the shortest or the likeliest task tree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.cli.kitchen import KitchenFile, kitchen_of
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.classic_retrieval import RetrievalResult
+
+EXAMPLES = examples(
+    "foon retrieve omelette --state cooked",
+    "foon retrieve salad --by success --weights motion_cost.json --level 3 --json",
+    "foon retrieve salad --kitchen at_home.txt --files subgraphs/ --foon",
+)
+
+
+def retrieve(
+    goal: Annotated[str, typer.Argument(metavar="LABEL", help="What is to be made, as the FOON calls it.")],
+    *,
+    states: Annotated[
+        list[str] | None, typer.Option("--state", metavar="STATE", help="It has this state; may be given many times.")
+    ] = None,
+    ingredients: Annotated[
+        list[str] | None,
+        typer.Option("--ingredient", metavar="FOOD", help="It has this ingredient; may be given many times."),
+    ] = None,
+    container: Annotated[
+        str | None, typer.Option("--in", metavar="PLACE", help="It is in, or on, this container.")
+    ] = None,
+    level: Annotated[
+        int,
+        typer.Option(min=1, max=3, help="1: labels; 2: states and places too; 3: ingredients too."),
+    ] = 2,
+    by: Annotated[
+        Literal["units", "success"], typer.Option(help="What is best: the fewest units, or the greatest success.")
+    ] = "units",
+    weights: Annotated[
+        Path | None,
+        typer.Option("--weights", metavar="FILE", help="How hard motions are (JSON), in place of the stored weights."),
+    ] = None,
+    kitchen: KitchenFile = None,
+    as_json: Json = False,
+    foon: Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")] = False,
+    files: Files = None,
+    quiet: Quiet = False,
+) -> None:
+    """Retrieve the best task tree of a goal from what is at hand: classic retrieval, as robots need it.
+
+    Every step is a unit of the FOON and nothing is substituted. The tree is the best there is, for any node that fits
+    the goal, and proven: enumerating all of them would give the same. At level 1 an object is its label, at level 2 its
+    states and place count as well, at level 3 its ingredients too.
+
+    Weights say how hard a motion is for a robot, from 0 to 1; a unit succeeds with 1 less its weight, a tree with the
+    product of its units. A motion without a weight counts 0.5, and the answer names it.
+
+    Without a tree the error says what is missing (exit code 3).
+    """
+    from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree
+    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.levels import Level
+    from foon_kg.loaders import read_weights
+
+    if as_json and foon:
+        raise UsageError("--json and --foon ask for two forms of one answer", hint="Choose one of them.")
+    say = sayer(quiet=quiet)
+    sought = GoalSought(
+        _folded(goal),
+        tuple(map(_folded, states or ())),
+        tuple(map(_folded, ingredients or ())),
+        None if container is None else _folded(container),
+        Level(level),
+        Criterion(by),
+    )
+    costs = None if weights is None else read_weights(weights)
+    with open_knowledge(files, say) as view:
+        at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
+        tree = retrieve_tree(view, sought, at_hand, view.motion_costs() if costs is None else costs)
+    _show(tree, say, as_json=as_json, foon=foon)
+
+
+def _folded(name: str) -> str:
+    return " ".join(name.split())
+
+
+def _show(tree: RetrievalResult, say: Say, *, as_json: bool, foon: bool) -> None:
+    if tree.assumed:
+        say(f"without a weight, taken as 0.5: {', '.join(tree.assumed)}")
+    if as_json:
+        print_json(tree.to_json())
+    elif foon:
+        from foon_kg.loaders import write_text
+
+        typer.echo(write_text(tree.to_subgraph()), nl=False)
+    else:
+        from foon_kg.views.retrieval import retrieval_view
+
+        print_view(retrieval_view(tree))
