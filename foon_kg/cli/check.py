@@ -92,7 +92,7 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
         if not isinstance(document.value, dict):
             yield report
             continue
-        question = json.dumps(document.value.get("recipe"), sort_keys=True)
+        question = json.dumps([document.value.get(asked) for asked in ("recipe", "asked")], sort_keys=True)
         earlier = first.setdefault(question, document.value)
         yield replace(report, findings=(*report.findings, *repeatable([earlier, document.value])))
 

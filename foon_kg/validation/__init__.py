@@ -46,6 +46,8 @@ _NOTHING_WITHOUT_FOON = frozenset({"C8", "S3", "S6", "S8"})
 
 def check(tree: TaskTree, foon: KnownFoon | None = None, kitchen: Kitchen | None = None) -> Report:
     """Judge ``tree`` against ``foon``; ``kitchen`` (with its free foods) is the project's own by default."""
+    if foon is not None and tree.level is not None:
+        foon = foon.at(tree.level)
     asked = (wanted.object for wanted in (tree.recipe.ingredients if tree.recipe else ()))
     case = Case(tree, foon, (kitchen or Kitchen.default()).with_foods(asked))
     not_asked = tuple(_not_asked(case))

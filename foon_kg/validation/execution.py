@@ -39,7 +39,7 @@ def _why_missing(case: Case, node: ObjectNode, place: int) -> str:
 def goal(case: Case) -> Iterator[Finding]:
     """C2: the last unit outputs the goal node, whose label is an end product of the asked dish type in the FOON.
 
-    Without a recipe any dish type will do.
+    Without a recipe any dish type will do; where the goal itself was asked for (classic retrieval), any product.
     """
     tree = case.tree
     if tree.error is not None:
@@ -51,7 +51,7 @@ def goal(case: Case) -> Iterator[Finding]:
     last = len(tree.units) - 1
     if case.goal is None or case.goal not in tree.units[last].output_nodes:
         yield Finding("C2", "the last unit does not output the goal", last, case.goal)
-    if case.goal is None or case.foon is None:
+    if case.goal is None or case.foon is None or tree.level is not None:
         return
     products = case.foon.end_products
     dish_types = [case.recipe.dish_type] if case.recipe else sorted(products)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg.kitchen import Kitchen, singular
+from foon_kg.levels import Level, node_at, units_at
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
 from foon_kg.validation.words import OPENS, has_word
 
@@ -26,6 +27,19 @@ class KnownFoon:
     def of(cls, units: Iterable[KnownUnit], goals: Iterable[Goal] = ()) -> KnownFoon:
         """Keep ``units`` sorted by key, so that no answer depends on their order."""
         return cls(tuple(sorted(units, key=lambda known: known.unit.key)), tuple(goals) or ())
+
+    def at(self, level: Level) -> KnownFoon:
+        """Answer this FOON as it is at ``level``."""
+        if level is Level.INGREDIENTS:
+            return self
+        if level not in self._lower:
+            goals = (replace(goal, node=node_at(goal.node, level)) for goal in self.goals)
+            self._lower[level] = KnownFoon.of(units_at(self.units, level), goals)
+        return self._lower[level]
+
+    @cached_property
+    def _lower(self) -> dict[Level, KnownFoon]:
+        return {}  # many trees of one level are judged one after another
 
     @cached_property
     def by_sighting(self) -> Mapping[tuple[str, int], FunctionalUnit]:

@@ -10,7 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
+from foon_kg.errors import ReadError
 from foon_kg.json_fields import Fields
+from foon_kg.levels import Level
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, Sighting, Subgraph
 from foon_kg.model_json import node_from_json, recipe_from_json, sighting_from_json
 
@@ -82,6 +84,7 @@ class TaskTree:
     """A tree to be judged. ``None`` (and an ``error``) stands for what its source does not say.
 
     ``kitchen`` is ``None`` for FOON text, and so are ``substitutions`` and ``assumptions``: nothing is claimed there.
+    ``level`` is that of a classic retrieval, which asks for a goal and not for a recipe; ``None`` for all others.
     """
 
     name: str
@@ -93,13 +96,18 @@ class TaskTree:
     assumptions: tuple[Assumed, ...] | None = None
     reference_goal: ObjectNode | None = None
     error: str | None = None
+    level: Level | None = None
 
     @classmethod
     def from_json(cls, value: object, where: str = "plan") -> TaskTree:
-        """Read a plan result (design.md section 6); raises ReadError where a field has the wrong type."""
+        """Read a plan result (design.md section 6), or the result of a classic retrieval, which says its ``level``.
+
+        Raises ReadError where a field has the wrong type.
+        """
         fields = Fields(value, where)
-        recipe = recipe_from_json(fields.nested("recipe"))
-        name = recipe.id or recipe.title or where
+        level = _level(fields) if "level" in fields else None
+        recipe = None if level else recipe_from_json(fields.nested("recipe"))
+        name = (recipe.id or recipe.title if recipe else fields.nested("goal").text("label")) or where
         if "error" in fields:
             return cls(name, (), recipe=recipe, error=fields.nested("error").text("message"))
         reference = fields.nested("reference") if "reference" in fields else None
@@ -115,6 +123,7 @@ class TaskTree:
                 for entry in fields.nested_list("assumptions")
             ),
             node_from_json(reference.nested("goal")) if reference is not None else None,
+            level=level,
         )
 
     @classmethod
@@ -155,6 +164,13 @@ class TaskTree:
     def nodes(self) -> tuple[ObjectNode, ...]:
         """Every object node of the tree, in the order of appearance."""
         return tuple(dict.fromkeys(n for unit in self.units for n in (*unit.input_nodes, *unit.output_nodes)))
+
+
+def _level(fields: Fields) -> Level:
+    number = fields.whole_number("level")
+    if number not in list(Level):
+        raise ReadError(f"{fields.where}: a FOON has no level {number}", hint="The levels are 1, 2 and 3.")
+    return Level(number)
 
 
 def _unit(fields: Fields) -> TreeUnit:
