@@ -1,0 +1,30 @@
+"""Plans of the demo's recipes, made once for all tests of pictures."""
+
+from __future__ import annotations
+
+import functools
+
+from foon_kg.cli.demo import demo_subgraphs
+from foon_kg.demo import demo_recipes
+from foon_kg.kitchen import Kitchen
+from foon_kg.planner import plan
+from foon_kg.recipes import IngredientWords, read_recipe
+from foon_kg.snapshot import Snapshot
+
+
+@functools.cache
+def demo_foon():
+    return Snapshot.of(demo_subgraphs(), Kitchen.default())
+
+
+@functools.cache
+def demo_plan(name):
+    """The plan of the demo's recipe ``name``."""
+    path = next(path for path in demo_recipes() if path.stem == name)
+    words = IngredientWords(demo_foon().vocabulary(), Kitchen.default())
+    with demo_foon().reading() as view:
+        return plan(view, read_recipe(path, words).recipe)
+
+
+def demo_recipe_names():
+    return sorted(path.stem for path in demo_recipes())
