@@ -1,0 +1,156 @@
+"""A schedule keeps the order of steps, gives nobody two things to do at once, and is never slower than one by one."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from foons import units as any_units
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from foon_kg.durations import Duration, Durations
+from foon_kg.errors import UsageError
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import ObjectNode
+from foon_kg.result import PlannedUnit
+from foon_kg.schedule import UNTIMED, WITHOUT_HANDS, schedule
+from foon_kg.step_order import earlier_steps
+from foon_kg.views.shown_tree import leaves_of
+
+KITCHEN = Kitchen.default()
+
+
+def took(seconds):
+    return Duration(float(seconds), float(seconds), float(seconds), 3)
+
+
+TIMES = Durations({"chop": took(8), "mix": took(5), "bake": took(60), "boil": took(30)}, took(7))
+
+
+def step(motion, inputs, outputs):
+    nodes = [
+        tuple(ObjectNode(*one) if isinstance(one, tuple) else ObjectNode(one) for one in s) for s in (inputs, outputs)
+    ]
+    return PlannedUnit(nodes[0], motion, nodes[1], "reference", ())
+
+
+def planned(units, hands=1, times=TIMES):
+    return schedule(units, leaves_of(tuple(units)), times, KITCHEN, hands)
+
+
+SALAD = (
+    step("chop", ["onion"], [("onion", ("chopped",))]),
+    step("chop", ["tomato"], [("tomato", ("chopped",))]),
+    step("mix", [("onion", ("chopped",)), ("tomato", ("chopped",))], ["salad"]),
+)
+
+
+def test_two_pairs_of_hands_chop_side_by_side():
+    one, two = planned(SALAD), planned(SALAD, hands=2)
+    assert (one.length, two.length, two.alone) == (21, 13, 21)
+    assert one.shortest
+    assert two.shortest
+    assert {done.hands for done in two.steps[:2]} == {0, 1}
+
+
+def test_one_knife_is_in_one_hand_and_a_second_helps():
+    units = [
+        step("chop", [food, knife], [(food, ("chopped",)), knife])
+        for food, knife in (("onion", "knife"), ("tomato", "knife"))
+    ]
+    assert planned(units, hands=2).length == 16
+    units[1] = step("chop", ["tomato", ("knife", ("clean",))], [("tomato", ("chopped",))])
+    assert planned(units, hands=2).length == 8
+
+
+def test_what_bakes_by_itself_leaves_the_hands_free():
+    units = (
+        step("chop", ["onion"], [("onion", ("chopped",))]),
+        step("bake", ["bread"], [("bread", ("baked",))]),
+        step("mix", [("onion", ("chopped",)), ("bread", ("baked",))], ["salad"]),
+    )
+    plan = planned(units)
+    assert plan.length == 65
+    assert [done.hands for done in plan.steps] == [0, None, 0] or [done.hands for done in plan.steps] == [None, 0, 0]
+
+
+def test_a_motion_that_nobody_timed_takes_as_long_as_a_usual_step_and_says_so():
+    (done,) = planned([step("flambé", ["pear"], ["dessert"])]).steps
+    assert (done.end, done.duration) == (7, None)
+    assert planned([step("flambé", ["pear"], ["dessert"])], times=Durations({}, None)).length == UNTIMED
+
+
+def test_nobody_cooks_without_hands():
+    with pytest.raises(UsageError, match="0 pairs of hands"):
+        planned(SALAD, hands=0)
+
+
+units = st.lists(any_units, min_size=1, max_size=6)
+motions = st.sampled_from(["chop", "mix", "bake", "pour"])
+
+
+@st.composite
+def trees(draw):
+    return [PlannedUnit(unit.input_nodes, draw(motions), unit.output_nodes, "reference", ()) for unit in draw(units)]
+
+
+def at(plan, moment):
+    return [done for done in plan.steps if done.start <= moment < done.end]
+
+
+@given(trees(), st.integers(1, 3))
+def test_every_schedule_can_be_carried_out(tree, hands):
+    plan = planned(tree, hands)
+    assert sorted(done.place for done in plan.steps) == list(range(len(tree)))
+    ends = {done.place: done.end for done in plan.steps}
+    before = earlier_steps(tree)
+    leaves = leaves_of(tuple(tree))
+    for done in plan.steps:
+        assert all(ends[earlier] <= done.start for earlier in before[done.place])
+        together = at(plan, done.start)
+        busy = [other.hands for other in together if other.hands is not None]
+        assert len(busy) == len(set(busy)) <= hands
+        assert all((other.hands is None) == (tree[other.place].motion_node in WITHOUT_HANDS) for other in together)
+        for label in {node.label for other in together for node in tree[other.place].input_nodes}:
+            if KITCHEN.is_utensil(label):
+                users = [o for o in together if any(n.label == label for n in tree[o.place].input_nodes)]
+                assert len(users) <= max(1, sum(leaf.label == label for leaf in leaves))
+    assert plan.length == max(ends.values()) <= plan.alone
+
+
+def in_this_order(tree, order, hands):
+    """How long it takes when the steps of ``order`` begin one by one, none before the one in front of it: an oracle."""
+    before, leaves, running, clock = earlier_steps(tree), leaves_of(tuple(tree)), {}, 0.0
+    seconds = [TIMES.by_motion.get(unit.motion_node, TIMES.overall).median for unit in tree]
+    labels = [{n.label for n in unit.input_nodes if KITCHEN.is_utensil(n.label)} for unit in tree]
+
+    def may_start(i):
+        now = [j for j, end in running.items() if end > clock]
+        handy = [j for j in now if tree[j].motion_node not in WITHOUT_HANDS]
+        free = tree[i].motion_node in WITHOUT_HANDS or len(handy) < hands
+        tools = all(
+            sum(label in labels[j] for j in now) < max(1, sum(leaf.label == label for leaf in leaves))
+            for label in labels[i]
+        )
+        return free and tools and all(j in running and running[j] <= clock for j in before[i])
+
+    for i in order:
+        while not may_start(i):
+            later = [end for end in running.values() if end > clock]
+            if not later:
+                return float("inf")  # an order that does not wait as it should
+            clock = min(later)
+        running[i] = clock + seconds[i]
+    return max(running.values())
+
+
+@settings(max_examples=40)
+@given(st.lists(st.tuples(any_units, motions), min_size=1, max_size=5), st.integers(1, 2))
+def test_a_schedule_that_says_it_is_the_shortest_is(rows, hands):
+    tree = [PlannedUnit(u.input_nodes, motion, u.output_nodes, "reference", ()) for u, motion in rows]
+    plan = planned(tree, hands)
+    best = min(in_this_order(tree, order, hands) for order in itertools.permutations(range(len(tree))))
+    assert plan.length >= best
+    if plan.shortest:
+        assert plan.length == best

@@ -1,0 +1,61 @@
+"""Steps wait for what they need and for nothing else: every order that keeps it does the same with the same nodes."""
+
+from __future__ import annotations
+
+import random
+
+from foons import units as any_units
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.model import ObjectNode
+from foon_kg.result import PlannedUnit
+from foon_kg.step_order import earlier_steps
+
+
+def step(inputs, motion, outputs):
+    return PlannedUnit(tuple(inputs), motion, tuple(outputs), "reference", ())
+
+
+ONION, CHOPPED = ObjectNode("onion", ("whole",)), ObjectNode("onion", ("chopped",))
+EGG, BEATEN = ObjectNode("egg", ("whole",)), ObjectNode("egg", ("beaten",))
+KNIFE, OMELETTE = ObjectNode("knife"), ObjectNode("omelette")
+CHOP, BEAT = step([ONION, KNIFE], "chop", [CHOPPED, KNIFE]), step([EGG], "beat", [BEATEN])
+
+
+def test_a_step_waits_for_what_makes_its_inputs_and_not_for_what_is_beside_it():
+    fry = step([CHOPPED, BEATEN], "fry", [OMELETTE])
+    assert earlier_steps([CHOP, BEAT, fry]) == (frozenset(), frozenset(), {0, 1})
+
+
+def test_a_tool_that_stays_as_it_is_makes_nobody_wait():
+    leek = step([ObjectNode("leek"), KNIFE], "slice", [ObjectNode("leek", ("sliced",)), KNIFE])
+    assert earlier_steps([CHOP, leek]) == (frozenset(), frozenset())
+
+
+def test_what_is_used_up_is_first_given_to_those_who_took_it_before():
+    taste = step([CHOPPED], "taste", [CHOPPED, ObjectNode("smile")])
+    fry = step([CHOPPED], "fry", [OMELETTE])
+    assert earlier_steps([CHOP, taste, fry]) == (frozenset(), {0}, {0, 1})
+
+
+def makers(units, order):
+    """From which unit (or the kitchen) each unit takes each input when they are done in this order."""
+    made, takes = {}, {}
+    for place in order:
+        takes[place] = {node: made.get(node) for node in units[place].input_nodes}
+        for node in units[place].output_nodes:
+            if node not in units[place].input_nodes:
+                made[node] = place
+    return takes
+
+
+@given(st.lists(any_units, min_size=1, max_size=7), st.randoms(use_true_random=False))
+def test_in_every_order_that_waits_as_told_the_same_units_take_from_the_same(some, chance: random.Random):
+    steps = [PlannedUnit.of(unit, "reference", ()) for unit in some]
+    before = earlier_steps(steps)
+    order: list[int] = []
+    while len(order) < len(steps):
+        ready = [i for i in range(len(steps)) if i not in order and before[i] <= set(order)]
+        order.append(chance.choice(ready))
+    assert makers(steps, order) == makers(steps, range(len(steps)))
