@@ -8,7 +8,21 @@ from typing import Annotated
 import typer
 
 from foon_kg import __version__
-from foon_kg.cli import check, cypher, demo, load, plan, recipes, retrieve, server, show, similar, stats, videos
+from foon_kg.cli import (
+    check,
+    cypher,
+    demo,
+    load,
+    plan,
+    recipes,
+    retrieve,
+    server,
+    show,
+    similar,
+    stats,
+    suggest,
+    videos,
+)
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -42,6 +56,7 @@ app.command(epilog=plan.EXAMPLES)(plan.plan)
 app.command(epilog=retrieve.EXAMPLES)(retrieve.retrieve)
 app.command(epilog=check.EXAMPLES)(check.check)
 app.command(epilog=show.EXAMPLES)(show.show)
+app.command(epilog=suggest.EXAMPLES)(suggest.suggest)
 app.command(epilog=similar.EXAMPLES)(similar.similar)
 app.add_typer(load.app)
 app.command(epilog=recipes.EXAMPLES)(recipes.recipes)

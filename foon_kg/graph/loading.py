@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import neo4j
 
-from foon_kg.errors import UsageError
 from foon_kg.graph.connection import Connection
+from foon_kg.graph.differences import unknown_videos
 from foon_kg.graph.schema import check_readable, kitchen_key, prepare_for_writing
 from foon_kg.graph.statements import VIDEO_CONTENTS, ask
 from foon_kg.graph.writing import Writer
@@ -117,10 +117,7 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen
     writer = Writer(transaction, kitchen)
     check_readable(writer.state, kitchen)
     if unknown := sorted(set(names) - _contents(transaction, names).keys()):
-        raise UsageError(
-            f"the graph has no video “{'”, “'.join(unknown)}”",
-            hint="A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",
-        )
+        raise unknown_videos(unknown)
     writer.forget(names)
     writer.drop_videos(names)
     writer.finish()

@@ -59,6 +59,14 @@ class NameRow:
 
 
 @dataclass(frozen=True)
+class ShownRow:
+    """The key of one unit, and the videos that show it."""
+
+    key: str
+    videos: list[str]
+
+
+@dataclass(frozen=True)
 class ContentRow:
     """A video that the graph has, and the hash of its content."""
 

@@ -63,6 +63,9 @@ SWEEP_UNITS = Statement("sweep_units", rows.Nothing)
 SWEEP_WORDS = Statement("sweep_words", rows.Nothing)
 CLEAR = Statement("clear", rows.Nothing)
 
+UNITS_SHOWN = Statement("units_shown", rows.ShownRow)
+LABELS_THERE = Statement("labels_there", rows.NameRow)
+
 LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
 LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
 RECIPE_CONTENTS = Statement("recipe_contents", recipe_rows.RecipeContentRow)

@@ -155,5 +155,5 @@ def test_the_wheel_contains_every_query(tmp_path):
     subprocess.run(build, cwd=copy, check=True)
     (wheel,) = tmp_path.glob("*.whl")
     inside = set(zipfile.ZipFile(wheel).namelist())
-    files = {path.relative_to(REPO / "cypher").as_posix() for path in (REPO / "cypher").rglob("*.cypher")}
+    files = {path.relative_to(copy / "cypher").as_posix() for path in (copy / "cypher").rglob("*.cypher")}
     assert {f"foon_kg/cypher/{file}" for file in files} <= inside

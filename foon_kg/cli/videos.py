@@ -1,0 +1,92 @@
+"""``foon diff`` and ``foon remove``: what a video would bring to the FOON, and what goes with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.difference import VideoDifference
+
+DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff subgraphs/ --units", "foon diff new_salad.txt --json")
+REMOVE_EXAMPLES = examples("foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad")
+
+Units = Annotated[bool, typer.Option("--units", help="Show every unit, not only how many.")]
+
+
+def diff(
+    paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Subgraph files, or folders.")],
+    *,
+    files: Files = None,
+    units: Units = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Show what loading files would change: units that are new, known from other videos, or gone. Changes nothing."""
+    from foon_kg.loaders import Severity, read_paths
+
+    say = sayer(quiet=quiet)
+    results = list(read_paths(paths))
+    for notice in (notice for result in results for notice in result.notices):
+        if notice.severity is Severity.REJECTED:
+            say(str(notice))
+    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    if files:
+        from foon_kg.difference import differences as differences_in_memory
+
+        foon = [result.subgraph for result in read_paths(files) if result.subgraph is not None]
+        found = differences_in_memory(subgraphs, foon)
+    else:
+        from foon_kg.graph import Connection
+        from foon_kg.graph.differences import differences
+        from foon_kg.server import connection_settings
+
+        with Connection(connection_settings(say)) as connection:
+            found = differences(connection, subgraphs)
+    _show(found, units=units, as_json=as_json)
+
+
+def remove(
+    names: Annotated[list[str], typer.Argument(metavar="VIDEO...", help="Videos, by the names of their files.")],
+    *,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Show what would go; change nothing.")] = False,
+    units: Units = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Take videos out of the FOON, with the units that no other video shows. All of them, or none."""
+    from foon_kg.graph import Connection
+    from foon_kg.graph import remove as remove_videos
+    from foon_kg.graph.differences import losses
+    from foon_kg.server import connection_settings
+
+    chosen = list(dict.fromkeys(names))
+    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
+        found = losses(connection, chosen)
+        if not dry_run:
+            remove_videos(connection, chosen)
+    _show(found, units=units, as_json=as_json)
+
+
+def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> None:
+    from foon_kg.views.difference import difference_json, difference_view
+
+    if as_json:
+        print_json([difference_json(one) for one in found])
+        return
+    for one in found:
+        data().print(difference_view(one, units=units), soft_wrap=True)
+    if len(found) > 1:
+        typer.echo(_sum(found))
+
+
+def _sum(found: Iterable[VideoDifference]) -> str:
+    """Answer how many distinct units come and go in all; two videos may bring the same one."""
+    come = {unit.key for one in found for unit in one.added}
+    gone = {unit.key for one in found for unit in one.dropped}
+    return f"in all {len(come)} units new, {len(gone)} gone"
