@@ -44,6 +44,10 @@ class StockedKitchen(Kitchen):
             foods_named=(*foods, *free) if foods else None,
         )
 
+    def with_things(self, things: Collection[ObjectNode]) -> Self:
+        """Answer this kitchen with ``things`` in it as well."""
+        return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things])
+
     def with_every_food(self) -> Kitchen:
         """Answer the kitchen with the same utensils and every food that shops sell."""
         return replace(self, foods_named=None)

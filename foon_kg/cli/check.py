@@ -23,7 +23,7 @@ EXAMPLES = examples(
     "foon plan recipe.json --json | foon check -",
     "foon check plans.jsonl --sense --files subgraphs/",
     "foon check tree.txt --recipe recipe.json --json",
-    "foon plan recipe.json --kitchen kitchen.txt --json | foon check - --kitchen kitchen.txt",
+    "foon check plans.jsonl --kitchen kitchen.txt",
 )
 
 
