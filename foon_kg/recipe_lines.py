@@ -1,62 +1,102 @@
 """Ingredient lines as cookbooks have them: "2 cups finely chopped red onion" → red onion, finely chopped, 2 cups.
 
-Read by ingredient-parser-nlp (the extra ``recipes``), a model trained on 81,000 lines. It wants NLTK's tagger of parts
-of speech, which must be downloaded; a small one of our own in the same form (``data/nltk_data``: word endings and the
-commonest words) stands in its place, so that nothing is fetched and every machine reads alike.
+Plain lines are read by rules (``foon_kg.plain_lines``), all others by ingredient-parser-nlp (the extra ``recipes``), a
+model trained on 81,000 lines. It wants NLTK's tagger of parts of speech, which must be downloaded; a small one of our
+own in the same form (``data/nltk_data``: word endings and the commonest words) stands in its place, so that nothing is
+fetched and every machine reads alike.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
-from typing import Any
+from multiprocessing import get_context
+from typing import Any, Self
 
-from foon_kg.errors import UsageError
-from foon_kg.names import canonical
-from foon_kg.similarity.groups import food_groups
-from foon_kg.states import state_in
+from foon_kg.errors import FoonError, UsageError
+from foon_kg.line_words import RecipeLine, is_another_food, split_name, states_of
+from foon_kg.plain_lines import read_quickly
+
+__all__ = ["LineReader", "RecipeLine", "read_fully", "read_quickly", "read_recipe_lines"]
 
 _REMEMBERED = 100_000
+_MANY = 200  # lines for the parser: a second of work, which starting a process costs as well
+_AT_ONCE = 32
 _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
-_PHRASE = re.compile(r",|;|\band\b|\bthen\b|\(|\)", re.IGNORECASE)
-
-
-@dataclass(frozen=True)
-class RecipeLine:
-    """What one line asks for. ``text`` is the line as written; what was not understood of it is in ``left_over``.
-
-    ``object`` is ``None`` where the line names no food (a heading); ``others`` are further foods that it names, in its
-    place ("sugar or honey") or beside it ("salt and pepper"). ``state`` is the last thing done to the food, ``""``
-    where the line says nothing of it; ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
-    ``unit`` are ``""`` where there is none. ``confidence`` is the model's, from 0 to 1, for the food.
-    """
-
-    text: str
-    object: str | None
-    state: str = ""
-    states: tuple[str, ...] = ()
-    quantity: str = ""
-    unit: str = ""
-    others: tuple[str, ...] = ()
-    left_over: tuple[str, ...] = ()
-    confidence: float = 0.0
 
 
 def read_recipe_lines(lines: Iterable[str]) -> tuple[RecipeLine, ...]:
     """Answer what each of ``lines`` asks for, in their order; a line that comes again costs nothing.
 
     No line is lost: one that cannot be read is answered with ``object=None`` and all of it in ``left_over``. Raises
-    ``UsageError`` where the extra ``recipes`` is not installed.
+    ``UsageError`` where a line is not plain and the extra ``recipes`` is not installed.
     """
-    return tuple(_read(line) for line in lines)
+    return tuple(map(_read, lines))
 
 
+class LineReader:
+    """Reads the lines of whole collections as :func:`read_recipe_lines` does, on ``jobs`` cores, and remembers them.
+
+    The processes start with the first lines that are many and not plain. Close it, or use it in a ``with`` statement.
+    """
+
+    def __init__(self, jobs: int = 1) -> None:
+        self._jobs = jobs
+        self._pool: ProcessPoolExecutor | None = None
+        self._known: dict[str, RecipeLine] = {}
+
+    def read(self, lines: Sequence[str]) -> tuple[RecipeLine, ...]:
+        """Answer what each of ``lines`` asks for, in their order.
+
+        Raises ``UsageError`` where the extra ``recipes`` is missing, ``FoonError`` where a process was ended.
+        """
+        if len(self._known) > _REMEMBERED:
+            self._known.clear()
+        new = [line for line in dict.fromkeys(lines) if line not in self._known]
+        found = {line: answer for line in new if (answer := read_quickly(line)) is not None}
+        left = [line for line in new if line not in found]
+        self._known.update(found)
+        self._known.update(zip(left, self._read_fully(left), strict=True))
+        return tuple(self._known[line] for line in lines)
+
+    def _read_fully(self, lines: Sequence[str]) -> Iterable[RecipeLine]:
+        if self._jobs == 1 or len(lines) < _MANY:
+            return map(read_fully, lines)
+        _parser()  # so that a missing extra is told here, not by a process
+        if self._pool is None:
+            self._pool = ProcessPoolExecutor(self._jobs, mp_context=get_context("spawn"))
+        try:
+            return list(self._pool.map(read_fully, lines, chunksize=_AT_ONCE))
+        except BrokenProcessPool as error:
+            hint = "Read them with one job, or give the processes more memory."
+            raise FoonError("a process that read recipe lines was ended from outside", hint=hint) from error
+
+    def close(self) -> None:
+        """End the processes."""
+        if self._pool is not None:
+            self._pool.shutdown(cancel_futures=True)
+            self._pool = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+@lru_cache(maxsize=_REMEMBERED)
 def _read(line: str) -> RecipeLine:
-    """Read a line, or find one again that differs only in its number: cookbooks have "2 cups sugar" in every amount."""
+    return read_quickly(line) or read_fully(line)
+
+
+def read_fully(line: str) -> RecipeLine:
+    """Answer what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
     text = " ".join(line.split())
     number = _NUMBER.match(text)
     if number is None:
@@ -78,10 +118,11 @@ def _parse(text: str) -> RecipeLine:
         return RecipeLine(text, None, left_over=(text,))
     quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")
     name, preparation = parsed.name[0].text, _text(parsed.preparation)
-    if f"{preparation} {name}" in text and _is_another_food(preparation, name):
-        name, preparation = f"{preparation} {name}", ""
-    in_name, name = _split_name(name)
-    prepared, unread = _states_of(preparation)
+    before, _, after = preparation.partition(", ")
+    if f"{before} {name}" in text and is_another_food(before, name):
+        name, preparation = f"{before} {name}", after
+    in_name, name = split_name(name)
+    prepared, unread = states_of(preparation)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
     states = tuple(dict.fromkeys((*in_name, *prepared)))
     return RecipeLine(
@@ -91,7 +132,8 @@ def _parse(text: str) -> RecipeLine:
         states=states,
         quantity=quantity,
         unit=unit,
-        others=tuple(_split_name(other.text)[1] for other in parsed.name[1:]),
+        size=_text(parsed.size),
+        others=tuple(split_name(other.text)[1] for other in parsed.name[1:]),
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
@@ -102,34 +144,6 @@ def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own
         return str(amount.text), ""
     least, most = str(amount.quantity or ""), str(amount.quantity_max or "")
     return least if most in {"", least} else f"{least}-{most}", str(amount.unit or "")
-
-
-def _split_name(text: str) -> tuple[tuple[str, ...], str]:
-    """Split states off the front of a name: "frozen chopped spinach"; "ground beef" and "white rice" stay whole."""
-    words = text.replace(",", " ").split()
-    states = []
-    while len(words) > 1 and (state := _state_before(words[0], " ".join(words[1:]))):
-        states.append(state)
-        words = words[1:]
-    return tuple(states), " ".join(words)
-
-
-def _state_before(word: str, food: str) -> str | None:
-    is_food = canonical(word) in food_groups().places  # "bean" is a state of the FOON, but not in "bean sprout"
-    return None if is_food or _is_another_food(word, food) else state_in(word)
-
-
-def _is_another_food(state: str, food: str) -> bool:
-    """Whether the word for a state makes another food: ground beef is used as no beef is, diced tomato as tomatoes."""
-    groups = food_groups()
-    return not set(groups.of(canonical(f"{state} {food}"))) <= set(groups.of(canonical(food)))
-
-
-def _states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    phrases = [phrase.strip() for phrase in _PHRASE.split(preparation) if phrase.strip()]
-    read = [(phrase, state_in(phrase)) for phrase in phrases]
-    states = tuple(state for _, state in read if state is not None)
-    return states, tuple(phrase for phrase, state in read if state is None)
 
 
 def _text(part: Any) -> str:  # noqa: ANN401 - the package's own class, which mypy does not know

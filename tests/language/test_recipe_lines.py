@@ -8,7 +8,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from foon_kg import recipe_lines
-from foon_kg.recipe_lines import RecipeLine, read_recipe_lines
+from foon_kg.errors import FoonError
+from foon_kg.recipe_lines import LineReader, RecipeLine, read_fully, read_recipe_lines
 
 pytestmark = pytest.mark.skipif(  # looked for, not imported: an import before ours would try to download a tagger
     find_spec("ingredient_parser") is None,
@@ -17,8 +18,7 @@ pytestmark = pytest.mark.skipif(  # looked for, not imported: an import before o
 
 
 def read(line):
-    (answer,) = read_recipe_lines([line])
-    return answer
+    return read_fully(line)
 
 
 @pytest.mark.parametrize(
@@ -51,6 +51,34 @@ def test_all_states_are_kept_in_their_order():
     assert read("1 package frozen chopped spinach, thawed").states == ("frozen", "chopped", "thawed")
 
 
+def test_states_without_a_comma_are_all_kept_and_the_first_was_done_last():
+    assert read("1/2 cup chopped peeled seeded cantaloupe").states == ("seeded", "peeled", "chopped")
+
+
+@pytest.mark.parametrize(
+    ("line", "food"),
+    [
+        ("2/3 cup whole wheat couscous", "whole wheat couscous"),
+        ("3 tablespoons reduced fat peanut butter", "reduced fat peanut butter"),
+        ("2 cups reduced-sodium chicken broth", "reduced-sodium chicken broth"),
+        ("2 cups multi-grain penne pasta", "multi-grain penne pasta"),
+        ("6 white potatoes", "white potatoes"),
+        ("1 pound ground chicken, crumbled", "ground chicken"),
+    ],
+)
+def test_words_of_a_name_are_no_states(line, food):
+    assert read(line).object == food
+
+
+def test_what_is_divided_is_used_twice_and_not_cut():
+    answer = read("4 tablespoons butter, melted, divided")
+    assert (answer.states, answer.left_over) == (("melted",), ("divided",))
+
+
+def test_the_size_is_kept():
+    assert read("2 large eggs, beaten").size == "large"
+
+
 def test_a_range_is_kept_as_one():
     assert read("2-3 green onions, thinly sliced").quantity == "2-3"
 
@@ -61,9 +89,26 @@ def test_a_range_is_kept_as_one():
 )
 def test_a_line_that_differs_only_in_its_number_is_read_as_if_it_came_alone(rest, number, quantity):
     alone = recipe_lines._parse(f"{number} {rest}")
-    answer = read(f"{number} {rest}")
+    answer = read_fully(f"{number} {rest}")
     assert replace(answer, confidence=0) == replace(alone, confidence=0)
     assert answer.quantity == quantity
+
+
+def test_a_reader_of_collections_reads_as_line_by_line(monkeypatch):
+    """In two processes, for what is not plain; every line of the first collection comes again in the second."""
+    monkeypatch.setattr(recipe_lines, "_MANY", 5)
+    lines = ["2 cups chopped onion", "1 cup sugar or honey", "***", "6 stems thyme", "1 firm apple, peeled"]
+    lines += ["1 lime sorbet", "2 cups cold water to cover", "4 pods black cardamom", "***", "1 cup sugar or honey"]
+    with LineReader(jobs=2) as reader:
+        assert reader.read(lines) == read_recipe_lines(lines)
+        assert reader.read(lines[::-1]) == read_recipe_lines(lines[::-1])
+
+
+def test_a_process_that_is_ended_is_told(monkeypatch):
+    monkeypatch.setattr(recipe_lines, "_MANY", 1)
+    monkeypatch.setattr(recipe_lines, "read_fully", eval)  # so that a line can end the process that reads it
+    with LineReader(jobs=2) as reader, pytest.raises(FoonError, match="ended from outside"):
+        reader.read(["__import__('os')._exit(1)"])
 
 
 def test_further_foods_are_kept():

@@ -1,0 +1,142 @@
+import random
+from dataclasses import replace
+from importlib.util import find_spec
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.names import canonical
+from foon_kg.plain_lines import AGREES, read_quickly
+from foon_kg.similarity.groups import food_groups
+
+needs_the_parser = pytest.mark.skipif(
+    find_spec("ingredient_parser") is None,
+    reason="the extra 'recipes' is not installed: pip install 'foon-kg[recipes]'",
+)
+
+WORDINGS = (
+    "{number} {unit} {food}",
+    "{number} {unit} {state} {food}",
+    "{number} {unit} {adverb} chopped {food}",
+    "{number} {size} {food}, {state}",
+    "{number} {size} {food}, peeled and {adverb} {cut}",
+    "{number} {unit} {food}, {state}, divided",
+    "{number} (14 ounce) cans {food}, drained and {state}",
+    "{number} {food}, cut into 1-inch cubes",
+    "{number} {unit} fresh {food} (optional)",
+    "{number} pounds {food}, or to taste",
+    "{food}, {state}",
+    "{food}",
+)
+STATES = (
+    "chopped",
+    "minced",
+    "grated",
+    "peeled",
+    "melted",
+    "cooked",
+    "drained",
+    "beaten",
+    "crushed",
+    "toasted",
+    "halved",
+)
+CUTS = ("sliced", "diced", "chopped", "shredded")
+UNITS = ("cup", "cups", "tablespoons", "tsp", "oz", "pound", "slices", "stalks", "pinch", "package", "sprigs", "g")
+NUMBERS = ("1", "2", "12", "1/2", "3/4", "1 1/2", "2 1/4")
+
+
+def plain_lines(count):
+    dice = random.Random(count)
+    for _ in range(count):
+        yield dice.choice(WORDINGS).format(
+            number=dice.choice(NUMBERS),
+            unit=dice.choice(UNITS),
+            size=dice.choice(("small", "medium", "large")),
+            state=dice.choice(STATES),
+            adverb=dice.choice(("finely", "coarsely", "thinly")),
+            cut=dice.choice(CUTS),
+            food=dice.choice(food_groups().foods),
+        )
+
+
+@needs_the_parser
+def test_plain_lines_are_read_as_the_parser_reads_them():
+    """The parser's own mistakes apart, of which a hundred lines have one: AGREES says so."""
+    from foon_kg.recipe_lines import read_fully
+
+    lines = list(dict.fromkeys(plain_lines(400)))
+    quick = {line: answer for line in lines if (answer := read_quickly(line)) is not None}
+    assert len(quick) > 0.7 * len(lines)
+    differ = [line for line, answer in quick.items() if replace(read_fully(line), confidence=AGREES) != answer]
+    assert len(differ) <= 2 * (1 - AGREES) * len(quick), differ
+
+
+@needs_the_parser
+@pytest.mark.parametrize(
+    "line",
+    [
+        "2 cups finely chopped red onion",
+        "1 (14 ounce) can cannellini beans, drained and rinsed",
+        "3 cloves garlic, minced",
+        "1 1/2 tbsps chopped fresh basil",
+        "2 cups frozen peas",
+        "1/2 cup low-sodium chicken broth, divided",
+        "2 russet potatoes, peeled and cut into 1/2 inch cubes",
+        "1 pound ground beef, crumbled",
+        "1 teaspoon fish sauce (optional)",
+        "Roasted peanuts (optional)",
+        "12 ounces sifted self-rising flour",
+    ],
+)
+def test_lines_of_every_shape_are_read_alike(line):
+    from foon_kg.recipe_lines import read_fully
+
+    assert read_quickly(line) == replace(read_fully(line), confidence=AGREES)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        "For the dressing:",
+        "salt and pepper to taste",
+        "1 cup sugar or honey",
+        "2 cloves, ground",  # the spice
+        "2 cloves onion",
+        "1 cup medium salsa",
+        "1 cup pasta, al gusto",
+        "2-3 green onions, sliced",
+        "1 (8 ounce) orange",
+        "juice of 1 lemon",
+        "1 cup qwxyz",
+        "boiled smoked ham",  # which was first?
+        "1 cup zucchini, chopped, if you like",
+        "cups sugar",
+        "1 zucchinis 2 onions",
+    ],
+)
+def test_a_line_with_any_doubt_is_left_to_the_parser(line):
+    assert read_quickly(line) is None
+
+
+def test_ground_beef_stays_whole_and_ground_cumin_does_not():
+    assert read_quickly("1 pound ground beef").object == "ground beef"
+    cumin = read_quickly("1 teaspoon ground cumin")
+    assert (cumin.object, cumin.state) == ("cumin", "ground")
+
+
+@given(st.text(max_size=40) | st.sampled_from(WORDINGS))
+def test_any_text_is_read_or_left(text):
+    answer = read_quickly(text)
+    assert answer is None or (answer.text == text and answer.object)
+
+
+@given(st.sampled_from(food_groups().foods), st.sampled_from(STATES), st.sampled_from(UNITS), st.sampled_from(NUMBERS))
+def test_what_is_read_is_what_was_written(food, state, unit, number):
+    answer = read_quickly(f"{number} {unit} {food}, {state}")
+    if answer is not None:
+        assert canonical(" ".join((*answer.states, answer.object))).endswith(canonical(answer.object))
+        assert canonical(food).endswith(canonical(answer.object))
+        assert answer.state == state
