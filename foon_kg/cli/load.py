@@ -34,6 +34,16 @@ app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
 app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 
+Report = Annotated[
+    Path | None,
+    typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
+]
+BadTolerance = Annotated[
+    int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units are unusable.")
+]
+DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
+
+
 @app.command(
     epilog=examples(
         "foon load foon subgraphs/",
@@ -44,14 +54,9 @@ app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 def foon(
     paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Subgraph files (text or JSON), or folders.")],
     *,
-    report: Annotated[
-        Path | None,
-        typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
-    ] = None,
-    bad_tolerance: Annotated[
-        int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units are unusable.")
-    ] = 0,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")] = False,
+    report: Report = None,
+    bad_tolerance: BadTolerance = 0,
+    dry_run: DryRun = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -63,8 +68,46 @@ def foon(
     """
     from foon_kg.loaders import read_paths
 
-    say = sayer(quiet=quiet)
     results = list(read_paths(paths))
+    _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+
+
+@app.command(
+    epilog=examples("foon load videos greek_salad.csv", "foon load videos annotated/ --dry-run --report notices.jsonl")
+)
+def videos(
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="PATH...", help="Plain tables (.csv), subgraph files, or folders.")
+    ],
+    *,
+    report: Report = None,
+    bad_tolerance: BadTolerance = 0,
+    dry_run: DryRun = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load newly annotated videos: plain tables that a person writes while watching, and subgraph files.
+
+    A table has a row a step: start,end,motion,inputs,outputs, and dish where the row makes the dish. Things are written
+    like "onion (chopped) on cutting board; bowl {salt}", with semicolons between them. All of it is loaded, or nothing.
+    """
+    from foon_kg.loaders.video_tables import read_videos
+
+    results = list(read_videos(paths))
+    _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+
+
+def _bring(
+    results: Sequence[ReadResult],
+    report: Path | None,
+    bad_tolerance: int,
+    *,
+    dry_run: bool,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Tell what is odd about ``results``, and load them unless too much of them is unusable."""
+    say = sayer(quiet=quiet)
     _tell_notices(results, report, say)
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     rejected = sum(result.rejected for result in results)

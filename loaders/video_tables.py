@@ -1,0 +1,200 @@
+"""A video annotated as a plain table, which a person can write while watching.
+
+One row is one functional unit, with the columns ``start``, ``end``, ``motion``, ``inputs`` and ``outputs``; ``dish``
+(the dish type of a row that makes the goal) and ``video`` (where one table has several) may be left out::
+
+    start,end,motion,inputs,outputs,dish
+    0:12,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,
+    0:40,0:44,mix *,bowl {onion; tomato}; spoon,bowl {salad}; salad (mixed) {onion; tomato} in bowl,salad
+
+A thing is its name, then its states in round brackets, what is in it in braces, and where it is. Things are separated
+by semicolons outside of brackets. A star before a thing says that it moves; a star after the motion, that any number of
+ingredients may enter here.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+
+from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
+from foon_kg.loaders.paths import decode, read_paths
+from foon_kg.loaders.times import counts_hours, read_timing
+from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+
+COLUMNS = ("start", "end", "motion", "inputs", "outputs")
+RELATIONS = ("attached to", "covered with", "covered", "below", "under", "over", "with", "from", "on", "in")
+"""The words that may stand before a place; the longest of those that fit counts."""
+
+_BETWEEN_THINGS = re.compile(r";(?![^(]*\))(?![^{]*\})")
+_THING = re.compile(
+    r"(?P<star>\*\s*)?(?P<label>[^(){}*]*?)\s*"
+    r"(?:\((?P<states>[^(){}]*)\)\s*)?"
+    r"(?:\{(?P<foods>[^(){}]*)\}\s*)?"
+    rf"(?:\b(?P<relation>{'|'.join(RELATIONS)})\s+(?P<container>[^(){{}}*]+?)\s*)?"
+)
+_IN_BRACKETS = re.compile("[;,]")
+
+
+def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
+    """Answer a result for every video that ``paths`` name: plain tables (``.csv``), FOON text and JSON, and folders.
+
+    Raises ReadError for a path that does not exist or holds none of them.
+    """
+    tables, others = [], []
+    for path in paths:
+        found = sorted(path.rglob("*.csv")) if path.is_dir() else [path] * (path.suffix.lower() == ".csv")
+        tables += [file for file in found if path.exists() and not _is_hidden(file.relative_to(path))]
+        if not found or any(path.rglob("*.txt")) or any(path.rglob("*.json")):
+            others.append(path)
+    for table in dict.fromkeys(tables):
+        yield from read_video_table(table)
+    if others:
+        yield from read_paths(others)
+
+
+def _is_hidden(path: Path) -> bool:
+    return any(part.startswith(".") for part in path.parts)
+
+
+def is_video_table(text: str) -> bool:
+    """Answer whether the first line of ``text`` has the columns of a plain table of units."""
+    header = next(csv.reader(text.lstrip("\ufeff").splitlines()[:1]), [])
+    return set(COLUMNS) <= {column.strip().lower() for column in header}
+
+
+def read_video_table(path: Path) -> tuple[ReadResult, ...]:
+    """Answer one result a video of the table in ``path``, in the order of their first rows.
+
+    A row that is no unit is left out and told with its line; a time that cannot be is left out and told as well. A file
+    that is no such table is one result without a subgraph. Never raises.
+    """
+    try:
+        return read_video_text(decode(path.read_bytes()), path.stem, str(path))
+    except UnreadableFile as unreadable:
+        return (Journal(str(path)).reject_file(unreadable.line, unreadable.problem),)
+    except OSError as error:
+        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
+        return (Journal(str(path)).reject_file(None, problem),)
+
+
+def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, ...]:
+    """Answer what :func:`read_video_table` answers; a row without ``video`` belongs to the video ``name``."""
+    file = file or name
+    try:
+        rows = list(_rows(text.removeprefix("\ufeff")))
+    except csv.Error as error:
+        return (Journal(file).reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"no table: {error}")),)
+    if not is_video_table(text):
+        message = f"the first line does not have the columns {', '.join(COLUMNS)}"
+        return (Journal(file).reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, message)),)
+    videos: dict[str, list[tuple[int, Mapping[str, str]]]] = {}
+    for line, row in rows:
+        videos.setdefault(row.get("video", "") or name, []).append((line, row))
+    hours = counts_hours(row.get(column, "") for _, row in rows for column in ("start", "end"))
+    return tuple(_video(video, listed, file, hours=hours) for video, listed in (videos or {name: []}).items())
+
+
+def read_thing(text: str) -> Participant | None:
+    """Answer the participant that a part of a cell names, ``None`` where it names none.
+
+    >>> str(read_thing("*onion (chopped, peeled) on cutting board").node)
+    'onion (chopped, peeled; on cutting board)'
+    """
+    match = _THING.fullmatch(" ".join(text.split()))
+    if match is None or not match["label"]:
+        return None
+    node = ObjectNode(
+        match["label"],
+        tuple(_listed(match["states"])),
+        tuple(_listed(match["foods"])),
+        match["relation"],
+        match["container"],
+    )
+    return Participant(node, moving=match["star"] is not None)
+
+
+def _listed(text: str | None) -> Iterator[str]:
+    return (word.strip() for word in _IN_BRACKETS.split(text or "") if word.strip())
+
+
+def _rows(text: str) -> Iterator[tuple[int, Mapping[str, str]]]:
+    """Answer each row that is not empty with its last line, from 1, and its cells by column."""
+    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
+    columns = [column.strip().lower() for column in next(reader, [])]
+    for cells in reader:
+        if any(cell.strip() for cell in cells):
+            yield reader.line_num, {column: cell.strip() for column, cell in zip(columns, cells, strict=False)}
+
+
+def _video(name: str, rows: Sequence[tuple[int, Mapping[str, str]]], file: str, *, hours: bool) -> ReadResult:
+    journal = Journal(file)
+    annotations = [_annotation(line, row, journal, hours=hours) for line, row in rows]
+    return journal.result(name, [one for one in annotations if one is not None], ())
+
+
+def _annotation(line: int, row: Mapping[str, str], journal: Journal, *, hours: bool) -> Annotation | None:
+    inputs, outputs = (_things(row.get(side, "")) for side in ("inputs", "outputs"))
+    motion = row.get("motion", "")
+    problem = _problem(row, motion.rstrip("* "), inputs, outputs)
+    if problem is not None:
+        journal.reject(line, problem)
+        return None
+    timing, odd = _timing(row.get("start", ""), row.get("end", ""), hours=hours)
+    for remark in odd:
+        journal.remark(line, remark)
+    unit = FunctionalUnit(
+        tuple(one for one in inputs if isinstance(one, Participant)),
+        motion.rstrip("* "),
+        tuple(_with_dish((one for one in outputs if isinstance(one, Participant)), row.get("dish", ""))),
+        accepts_any=motion.endswith("*"),
+    )
+    return Annotation(unit, timing)
+
+
+def _timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Remark, ...]]:
+    """Answer the time of a row; one that no video can have is left out and remarked on."""
+    if early := [time for time in (start, end) if time.startswith("-")]:
+        return Timing(), (
+            Remark(NoticeKind.ODD_TIME, f"{early[0]} is before the video begins", "the time is left out"),
+        )
+    timing, odd = read_timing([start, end], hours=hours)
+    if any(last < first for first, last in timing.spans):
+        return Timing(), (Remark(NoticeKind.ODD_TIME, f"{start}-{end} ends before it starts", "the time is left out"),)
+    return timing, odd
+
+
+def _things(cell: str) -> list[Participant | str]:
+    """Answer the things that a cell names; what cannot be read as one stays text."""
+    parts = (part.strip() for part in _BETWEEN_THINGS.split(cell))
+    return [read_thing(part) or part for part in parts if part]
+
+
+def _problem(
+    row: Mapping[str, str], motion: str, inputs: Sequence[Participant | str], outputs: Sequence[Participant | str]
+) -> Problem | None:
+    unread = [one for one in (*inputs, *outputs) if isinstance(one, str)]
+    if unread:
+        message = f"“{unread[0]}” is no thing as in: onion (chopped) {{salt}} in bowl"
+        return Problem(NoticeKind.BAD_BRACKETS, message)
+    if not motion:
+        return Problem(NoticeKind.UNIT_WITHOUT_MOTION, "a unit without a motion")
+    if not inputs:
+        return Problem(NoticeKind.UNIT_WITHOUT_INPUTS, "a unit without inputs")
+    if not outputs:
+        return Problem(NoticeKind.UNIT_WITHOUT_OUTPUTS, "a unit without outputs")
+    if (dish := row.get("dish", "")) and dish.lower() not in DISH_TYPES:
+        return Problem(NoticeKind.ODD_CLASS, f"“{dish}” is none of the dish types: {', '.join(DISH_TYPES)}")
+    return None
+
+
+def _with_dish(outputs: Iterable[Participant], dish: str) -> Iterator[Participant]:
+    """Mark the goal: of the outputs of a row with a dish, the last one that has ingredients, else the last one."""
+    listed = list(outputs)
+    made_of = [place for place, one in enumerate(listed) if one.node.ingredients]
+    goal = (made_of or [len(listed) - 1])[-1]
+    for place, one in enumerate(listed):
+        yield Participant(one.node, one.moving, dish.lower()) if dish and place == goal else one
