@@ -2,14 +2,15 @@
 
     python benchmarks/similarity_lines.py [--jobs 2]
 
-The lines are made: foods of the table of groups, with an amount, in one of ten wordings, six that the rules read and four
-that they leave to the parser. Right is a line whose food (less a state that stands before it, as in "dried basil") and
-state come back. A collection is these lines again and again, as in real recipes, of which nine in ten lines came before.
+The lines are made: foods of the table of groups, with an amount, in one of ten wordings, six that the rules read and
+four that they leave to the parser. Right is a line whose food (less a state that stands before it, as in "dried basil")
+and state come back. A collection is these lines again and again, as in real recipes: nine in ten lines came before.
 """
 
 import argparse
 import random
 import time
+from collections.abc import Callable
 from dataclasses import replace
 
 from foon_kg.names import canonical
@@ -44,7 +45,7 @@ def made_lines(wordings: list[tuple[str, str]], count: int) -> dict[str, tuple[s
     return lines
 
 
-def timed(what: str, lines: list[str], read: object) -> list[RecipeLine | None]:
+def timed(what: str, lines: list[str], read: Callable[[str], RecipeLine | None]) -> list[RecipeLine | None]:
     start = time.process_time()
     answers = [read(line) for line in lines]
     print(f"{what}: {len(lines) / (time.process_time() - start):.0f} a second of CPU")
@@ -62,7 +63,8 @@ def right(answers: list[RecipeLine], lines: dict[str, tuple[str, str]]) -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    jobs = parser.add_argument("--jobs", type=int, default=2) and parser.parse_args().jobs
+    parser.add_argument("--jobs", type=int, default=2, help="processes that read the collection")
+    jobs = parser.parse_args().jobs
     plain, other = made_lines(PLAIN, LINES), made_lines(OTHER, LINES // 3)
     read_fully("1 cup sugar")
     quick = timed("plain lines by rules, each for the first time", list(plain), read_quickly)
@@ -91,9 +93,8 @@ def collection(distinct: list[str], jobs: int) -> None:
         start = time.perf_counter()
         reader.read(lines)
         spent = time.perf_counter() - start
-    print(
-        f"a collection with {jobs} jobs: {len(lines) / spent:.0f} lines a second, {len(distinct) / spent:.0f} different"
-    )
+    rates = f"{len(lines) / spent:.0f} lines a second, {len(distinct) / spent:.0f} different ones"
+    print(f"a collection with {jobs} jobs: {rates}")
 
 
 if __name__ == "__main__":

