@@ -12,6 +12,7 @@ from foon_kg.cli import (
     check,
     cypher,
     demo,
+    export,
     load,
     plan,
     recipes,
@@ -56,6 +57,7 @@ app.command(epilog=plan.EXAMPLES)(plan.plan)
 app.command(epilog=retrieve.EXAMPLES)(retrieve.retrieve)
 app.command(epilog=check.EXAMPLES)(check.check)
 app.command(epilog=show.EXAMPLES)(show.show)
+app.command(epilog=export.EXAMPLES)(export.export)
 app.command(epilog=suggest.EXAMPLES)(suggest.suggest)
 app.command(epilog=similar.EXAMPLES)(similar.similar)
 app.add_typer(load.app)

@@ -5,6 +5,9 @@ from __future__ import annotations
 from foon_kg.errors import GraphError
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.reading import GraphView
+from foon_kg.graph.schema import check_readable
+from foon_kg.graph.statements import SCHEMA_STATE, ask
+from foon_kg.kitchen import Kitchen
 from foon_kg.server.settings import ConnectionSettings
 
 ROUNDS = 3
@@ -14,13 +17,18 @@ GOALS = 3
 
 
 def warm(settings: ConnectionSettings) -> None:
-    """Ask every question of a plan a few times. An empty database warms up too; an unreachable one is left alone."""
+    """Ask every question of a plan a few times. An empty database warms up too; an unreachable one is left alone.
+
+    So is one that holds something else, or a FOON that was imported and is not finished yet.
+    """
     try:
         with (
             Connection(settings) as connection,
             connection.session() as session,
             session.begin_transaction() as transaction,
         ):
+            if GraphView(transaction).video_names():
+                check_readable(next(iter(ask(transaction, SCHEMA_STATE)), None), Kitchen.default())
             for _ in range(ROUNDS):
                 _ask_everything(GraphView(transaction))  # a view of its own each, as a view asks nothing twice
     except GraphError:

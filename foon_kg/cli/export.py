@@ -1,0 +1,161 @@
+"""``foon export``: task trees and whole FOONs for other programs, for robots and for cooks."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.cli.kitchen import KitchenFile
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.exports.files import ExportFile
+
+EXAMPLES = examples(
+    "foon plan recipe.json --json | foon export - --format markdown",
+    "foon export plan.json --output salad.dot",
+    "foon export plans.jsonl --format pddl --output problems/",
+    "foon export --format csv --output import/",
+    'foon export --files DIR --format pddl --goal "greek salad" -o pddl/',
+)
+_FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv")
+
+
+def _formats(incomplete: str) -> list[str]:
+    return [name for name in _FORMATS if name.startswith(incomplete)]
+
+
+def export(
+    tree: Annotated[
+        Path | None,
+        typer.Argument(
+            metavar="FILE",
+            help="Task trees: plan results (JSON, JSON Lines), FOON text or FOON JSON; - is standard input. "
+            "Without one the whole FOON is exported.",
+        ),
+    ] = None,
+    *,
+    form: Annotated[
+        str | None,
+        typer.Option("--format", "-f", metavar="NAME", help="One of those above.", autocompletion=_formats),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="PATH", help="A file, or a folder for several; else standard output."),
+    ] = None,
+    goal: Annotated[
+        str | None, typer.Option("--goal", metavar="NAME", help="For PDDL of the whole FOON: the dish to be made.")
+    ] = None,
+    kitchen: KitchenFile = None,
+    recipe: Annotated[
+        Path | None,
+        typer.Option("--recipe", metavar="FILE", help="For Markdown: a recipe (JSON) with a quantity and a unit each."),
+    ] = None,
+    files: Files = None,
+    quiet: Quiet = False,
+) -> None:
+    """Write a task tree, or the whole FOON, in the format of another program.
+
+    \b
+    foon            FOON text; a whole FOON is one file a video
+    json            the same as JSON, with nothing lost
+    dot             the graph for Graphviz
+    mermaid         the graph as a Mermaid flowchart
+    graphml         the graph with every field: Gephi, yEd, networkx
+    markdown        a tree as a recipe to cook from
+    behaviour-tree  a tree for robots: XML of BehaviorTree.CPP 4
+    pddl            a planning problem: domain, problem, a tree's plan
+    csv             a whole FOON for neo4j-admin database import
+
+    Without --format the ending of --output decides. PDDL says what the contract says of execution: a unit can be
+    carried out when its inputs are there, and then its outputs are there too; nothing is used up. With --goal and,
+    as a rule, --kitchen, PDDL asks a planner to make a dish from the whole FOON.
+
+    The JSON of a plan does not say which motions take any number of foods, nor what moves: where that matters,
+    export "foon plan --foon".
+    """  # noqa: D301 - click wants the character itself before lines that it must not join
+    from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
+    from foon_kg.exports.formats import export_tree
+
+    say = sayer(quiet=quiet)
+    form = _chosen(form, output)
+    if recipe is not None and form != "markdown":
+        _refuse({"--recipe": recipe}, form)
+    if tree is None:
+        written = list(_whole(form, goal, kitchen, files, say))
+    else:
+        _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
+        trees = read_exported_trees(tree, say)
+        written = [f for one in trees for f in export_tree(one, form, amounts_of(one, recipe))]
+    _write(written, output)
+    if form == "csv" and output is not None:
+        say(f"In {output}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
+        say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
+
+
+def _chosen(form: str | None, output: Path | None) -> str:
+    from foon_kg.exports.formats import ENDINGS
+
+    if form is None and output is not None:
+        form = next((name for name, endings in ENDINGS.items() if output.suffix.lower() in endings), None)
+    if form is None:
+        raise UsageError("say in which format", hint=f"--format takes {', '.join(ENDINGS)}.")
+    if form not in ENDINGS:
+        raise UsageError(f"there is no format “{form}”", hint=f"There are {', '.join(ENDINGS)}.")
+    return form
+
+
+def _refuse(asked: dict[str, object], where: str) -> None:
+    if given := [option for option, value in asked.items() if value]:
+        raise UsageError(f"{' and '.join(given)} means nothing for {where}", hint='See "foon export --help".')
+
+
+def _whole(
+    form: str, goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say
+) -> tuple[ExportFile, ...]:
+    from foon_kg.cli.kitchen import kitchen_of
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.exports.formats import export_foon, pddl_files
+    from foon_kg.exports.pddl import foon_to_pddl
+
+    if form != "pddl":
+        return export_foon(whole_foon(files, say), form)
+    if goal is None:
+        raise UsageError("a planning problem of the whole FOON needs a goal", hint='Say --goal "greek salad".')
+    foon = whole_foon(files, say)
+    at_hand = kitchen_of(kitchen, foon.vocabulary(), say)
+    return pddl_files(goal, foon_to_pddl(foon, goal, at_hand))
+
+
+def _write(files: Sequence[ExportFile], output: Path | None) -> None:
+    """Write one file to standard output or where it is told, several into a folder, each under its own name."""
+    if output is None:
+        if len(files) != 1:
+            raise UsageError(f"these are {len(files)} files", hint="Name a folder for them: --output FOLDER.")
+        typer.echo(files[0].text, nl=False)
+        return
+    folder = len(files) > 1 or output.is_dir() or str(output).endswith(os.sep)
+    try:
+        (output if folder else output.parent).mkdir(parents=True, exist_ok=True)
+        for name, text in _distinct(files):
+            (output / name if folder else output).write_text(text, encoding="utf-8", newline="\n")
+    except OSError as error:
+        raise UsageError(f"{error.filename}: {error.strerror}", hint="--output names a file or a folder.") from error
+
+
+def _distinct(files: Iterable[ExportFile]) -> Iterator[tuple[str, str]]:
+    """Answer names and texts; a name that comes again gets a number, in any writing of its letters."""
+    taken: set[str] = set()
+    for file in files:
+        stem, dot, ending = file.name.rpartition(".")
+        name, count = file.name, 1
+        while name.lower() in taken:
+            count += 1
+            name = f"{stem}-{count}{dot}{ending}"
+        taken.add(name.lower())
+        yield name, file.text

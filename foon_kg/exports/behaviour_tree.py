@@ -1,0 +1,97 @@
+"""Behaviour trees for robots, in the XML of BehaviorTree.CPP 4: one sequence with one action a functional unit.
+
+The ID of an action is its motion in camel case (``pick-and-place``: ``PickAndPlaceMotion``); what a robot has to
+register is listed in ``TreeNodesModel``. Ports are lists of texts between semicolons, as BehaviorTree.CPP reads a
+``std::vector<std::string>``; an object node is written as in :mod:`foon_kg.exports.notation`, so that no name in it is
+taken for two entries or for one of the blackboard.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from xml.etree import ElementTree as ET
+
+from foon_kg.exports.markup import xml_document, xml_text
+from foon_kg.exports.notation import node_text
+from foon_kg.exports.pddl_names import slug
+from foon_kg.exports.tree import ExportedTree
+from foon_kg.model import KnownUnit, ObjectNode
+
+_TREE = "TaskTree"
+_TEXTS = "std::vector<std::string>"
+_PORTS = {
+    "inputs": (_TEXTS, "object nodes that have to be there"),
+    "outputs": (_TEXTS, "object nodes that are there when it is done"),
+    "moving": (_TEXTS, "those of them that move while it is done"),
+    "video": ("std::string", "where it was seen: a video or its address"),
+    "start": ("double", "the second of the video in which it begins"),
+    "end": ("double", "the second of the video in which it ends"),
+}
+
+
+def write_behaviour_tree(tree: ExportedTree) -> str:
+    """Answer a task tree as a behaviour tree.
+
+    Raises :class:`~foon_kg.errors.FormatError` for names with control characters, which no XML can hold.
+    """
+    names = _action_names(dict.fromkeys(known.unit.motion for known in tree.units))
+    root = ET.Element("root", {"BTCPP_format": "4", "main_tree_to_execute": _TREE})
+    sequence = ET.SubElement(ET.SubElement(root, "BehaviorTree", {"ID": _TREE}), "Sequence")
+    sequence.set("name", _instance(tree.title))
+    for place, known in enumerate(tree.units, 1):
+        ET.SubElement(sequence, "Action", _attributes(place, known, names))
+    model = ET.SubElement(root, "TreeNodesModel")
+    for name in names.values():
+        _add_model(model, name)
+    return xml_document(root)
+
+
+def _action_names(motions: Iterable[str]) -> dict[str, str]:
+    """Answer an ID for each motion, which is never one of BehaviorTree.CPP's own actions (``Sleep``, ``Script``)."""
+    names: dict[str, str] = {}
+    for motion in motions:
+        wanted = "".join(word.capitalize() for word in slug(motion).split("_")) + "Motion"
+        name, count = wanted, 1
+        while name in names.values():
+            count += 1
+            name = f"{wanted}{count}"
+        names[motion] = name
+    return names
+
+
+def _attributes(place: int, known: KnownUnit, names: dict[str, str]) -> dict[str, str]:
+    unit = known.unit
+    moving = dict.fromkeys(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
+    attributes = {
+        "ID": names[unit.motion],
+        "name": _instance(f"{place} {unit.motion}"),
+        "inputs": _listed(unit.input_nodes),
+        "outputs": _listed(unit.output_nodes),
+        "moving": _listed(moving),
+    }
+    if known.seen_in:
+        seen = known.seen_in[0]
+        attributes["video"] = _literal(seen.source or seen.video)
+        if seen.start is not None and seen.end is not None:
+            attributes |= {"start": f"{seen.start:g}", "end": f"{seen.end:g}"}
+    return attributes
+
+
+def _add_model(model: ET.Element, name: str) -> None:
+    action = ET.SubElement(model, "Action", {"ID": name})
+    for port, (kind, meaning) in _PORTS.items():
+        ET.SubElement(action, "input_port", {"name": port, "type": kind}).text = meaning
+
+
+def _listed(nodes: Iterable[ObjectNode]) -> str:
+    return xml_text(";".join(map(node_text, nodes)))
+
+
+def _literal(text: str) -> str:
+    """Answer ``text`` so that it is not taken for an entry of the blackboard, which stands in braces."""
+    return xml_text(text.replace("{", "%7B").replace("}", "%7D"))
+
+
+def _instance(text: str) -> str:
+    """Answer ``text`` in the characters that Groot and BehaviorTree.CPP allow in names of nodes."""
+    return "".join(c if c.isalnum() or c in " -_" else "_" for c in text)

@@ -1,0 +1,102 @@
+"""The formats, by name: which endings their files have, and what can be written so."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+
+from foon_kg.errors import UsageError
+from foon_kg.exports.behaviour_tree import write_behaviour_tree
+from foon_kg.exports.dot import write_dot
+from foon_kg.exports.files import ExportFile
+from foon_kg.exports.graph import BipartiteGraph
+from foon_kg.exports.graphml import write_graphml
+from foon_kg.exports.mermaid import write_mermaid
+from foon_kg.exports.pddl import PlanningProblem, tree_to_pddl
+from foon_kg.exports.recipe import write_recipe
+from foon_kg.exports.tree import ExportedTree
+from foon_kg.loaders import write_json, write_text
+from foon_kg.model import RequiredIngredient
+from foon_kg.snapshot import Snapshot
+
+Amounts = Mapping[RequiredIngredient, str]
+_OUTSIDE_FILE_NAMES = re.compile(r"[^\w.-]+")
+
+ENDINGS = {
+    "foon": (".txt", ".foon"),
+    "json": (".json",),
+    "dot": (".dot", ".gv"),
+    "mermaid": (".mmd", ".mermaid"),
+    "graphml": (".graphml",),
+    "markdown": (".md", ".markdown"),
+    "behaviour-tree": (".xml",),
+    "pddl": (),
+    "csv": (),
+}
+"""Every format with the endings of its files, the first one for new files; what is always several files has none."""
+
+_GRAPHS: Mapping[str, Callable[[BipartiteGraph], str]] = {
+    "dot": write_dot,
+    "mermaid": write_mermaid,
+    "graphml": write_graphml,
+}
+_SUBGRAPHS = {"foon": write_text, "json": write_json}
+
+
+def export_tree(tree: ExportedTree, form: str, amounts: Amounts | None = None) -> tuple[ExportFile, ...]:
+    """Answer a task tree in the format called ``form``; its files are called after the tree.
+
+    Raises :class:`~foon_kg.errors.UsageError` for a format that is for whole FOONs only, and
+    :class:`~foon_kg.errors.FormatError` where the format cannot say what is in the tree.
+    """
+    if form == "pddl":
+        return pddl_files(tree.name, tree_to_pddl(tree))
+    return (ExportFile(file_name(tree.name) + _ending(form), _tree_text(tree, form, amounts)),)
+
+
+def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None) -> str:
+    if form in _SUBGRAPHS:
+        return _SUBGRAPHS[form](tree.subgraph)
+    if form in _GRAPHS:
+        return _GRAPHS[form](BipartiteGraph.of_tree(tree))
+    if form == "markdown":
+        return write_recipe(tree, amounts)
+    if form == "behaviour-tree":
+        return write_behaviour_tree(tree)
+    raise _not_for("a task tree", form)
+
+
+def export_foon(foon: Snapshot, form: str) -> tuple[ExportFile, ...]:
+    """Answer a whole FOON in the format called ``form``; for PDDL, which has to know a goal, see ``foon_to_pddl``.
+
+    Raises :class:`~foon_kg.errors.UsageError` for a format that is for task trees only.
+    """
+    if form in _SUBGRAPHS:
+        write = _SUBGRAPHS[form]
+        return tuple(ExportFile(video.name + _ending(form), write(video)) for video in foon.subgraphs)
+    if form in _GRAPHS:
+        return (ExportFile("foon" + _ending(form), _GRAPHS[form](BipartiteGraph.of_foon(foon))),)
+    if form == "csv":
+        from foon_kg.exports.neo4j_csv import write_neo4j_csv  # noqa: PLC0415 - it brings the driver of Neo4j with it
+
+        return write_neo4j_csv(foon)
+    raise _not_for("a whole FOON", form)
+
+
+def pddl_files(name: str, written: PlanningProblem) -> tuple[ExportFile, ...]:
+    """Answer a planning problem as its files: the domain, the problem, and the plan where there is one."""
+    files = {"-domain.pddl": written.domain, "-problem.pddl": written.problem, ".plan": written.plan}
+    return tuple(ExportFile(file_name(name) + ending, text) for ending, text in files.items() if text is not None)
+
+
+def file_name(name: str) -> str:
+    """Answer ``name`` as the name of a file on any system."""
+    return _OUTSIDE_FILE_NAMES.sub("_", name).strip("._") or "tree"
+
+
+def _ending(form: str) -> str:
+    return next(iter(ENDINGS.get(form, ())), "")
+
+
+def _not_for(what: str, form: str) -> UsageError:
+    return UsageError(f"{what} cannot be written as {form}", hint='See "foon export --help" for what goes with what.')

@@ -1,0 +1,34 @@
+"""Names that every reader of PDDL takes, and comments that end where their line does."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from foon_kg.model import ObjectNode
+
+_OUTSIDE = re.compile(r"[^a-z0-9]+")
+_LONGEST = 60
+
+
+def slug(text: str) -> str:
+    """Answer ``text`` in the letters a to z, digits and ``_``; empty where nothing of it can be said in these."""
+    folded = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode().lower()
+    return _OUTSIDE.sub("_", folded)[:_LONGEST].strip("_")
+
+
+def name_of(prefix: str, text: str) -> str:
+    """Answer a name that begins with ``prefix``, which makes it unique and tells it from the words of PDDL."""
+    words = slug(text)
+    return f"{prefix}_{words}" if words else prefix
+
+
+def words_of(node: ObjectNode) -> str:
+    """Answer all that a node says, as the words of a name."""
+    holding = ("with", *node.ingredients) if node.ingredients else ()
+    return " ".join((node.label, *node.states, *holding, node.relation or "", node.container or ""))
+
+
+def comment(text: str) -> str:
+    """Answer ``text`` as a comment to the end of the line."""
+    return "; " + " ".join(text.split())
