@@ -152,40 +152,75 @@ class _Way(NamedTuple):
 
 def _line(wanted: RequiredIngredient, stages: _Stages, kitchen: Kitchen) -> ProgressLine:
     food = singular(wanted.object)
-    through = _ways(food, wanted.state, stages, kitchen)
-    for passes_state, firsts in itertools.product((True, False), stages.firsts(food)):
-        ways = [through[first, passes_state] for first in firsts if (first, passes_state) in through]
+    firsts = stages.firsts(food)
+    through = _ways(_followed(itertools.chain(*firsts), food, stages, kitchen), wanted.state, food, stages, kitchen)
+    for passes_state, some in itertools.product((True, False), firsts):
+        ways = [way for first in some if (way := through.get((_Followed(first, food), passes_state)))]
         if ways:
             best = min(ways, key=lambda way: way.rank)
             return ProgressLine(wanted.object, _steps(best.stages, stages, kitchen), best.stages[-1].node.label)
     return ProgressLine(wanted.object, (), None)
 
 
-def _ways(food: str, state: str, stages: _Stages, kitchen: Kitchen) -> dict[tuple[_Stage, bool], _Way]:
-    """Answer the best way of every stage to the goal: with True those that still pass ``state``, with False any.
+class _Followed(NamedTuple):
+    """A stage, and the name by which the food is last known there: its own, or that of the mixture that took it up."""
+
+    stage: _Stage
+    known_as: str
+
+
+def _followed(firsts: Iterable[_Stage], food: str, stages: _Stages, kitchen: Kitchen) -> list[_Followed]:
+    """Answer all that can be followed from ``firsts``, in the order in which it is made."""
+    found = dict.fromkeys(_Followed(first, food) for first in firsts)
+    waiting = list(found)
+    while waiting:
+        now = waiting.pop()
+        for after in stages.after(now.stage):
+            then = _Followed(after, _known_as(now, after.node, food, kitchen))
+            if then not in found:
+                found[then] = None
+                waiting.append(then)
+    return sorted(found, key=lambda one: (one.stage.made_by, one.stage.node.sort_key, one.known_as))
+
+
+def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) -> str:
+    """Answer the name by which what was ``now`` is known in ``after``: a vessel keeps the name of what is in it."""
+    if kitchen.is_food(after):
+        return singular(after.label)
+    before = singular(now.stage.node.label) if kitchen.is_food(now.stage.node) else now.known_as
+    return before if _names(after, before) else food
+
+
+def _ways(
+    followed: Sequence[_Followed], state: str, food: str, stages: _Stages, kitchen: Kitchen
+) -> dict[tuple[_Followed, bool], _Way]:
+    """Answer the best way of each to the goal: with True those that still pass ``state``, with False any.
 
     A stage is left only for later ones, so that one pass from the last unit backwards sees every way.
     """
-    best: dict[tuple[_Stage, bool], _Way] = {}
-    for stage in sorted(stages.uses, key=lambda stage: stage.made_by, reverse=True):
+    best: dict[tuple[_Followed, bool], _Way] = {}
+    for now in reversed(followed):
+        stage = now.stage
         passes = state in stage.node.states and singular(stage.node.label) == food
         for wanted in (True, False):
-            ways = [
-                _with(stage, best[after, wanted and not passes], stages.units[after.made_by], food, kitchen)
-                for after in stages.after(stage)
-                if (after, wanted and not passes) in best
-            ]
+            ways = []
+            for after in stages.after(stage):
+                then = _Followed(after, _known_as(now, after.node, food, kitchen))
+                if (then, wanted and not passes) in best:
+                    ways.append(_with(now, best[then, wanted and not passes], stages, food, kitchen))
             if stage == stages.goal and (passes or not wanted):
                 ways.append(_Way(_Cost(), (stage,)))
             if ways:
-                best[stage, wanted] = min(ways, key=lambda way: way.rank)
+                best[now, wanted] = min(ways, key=lambda way: way.rank)
     return best
 
 
-def _with(stage: _Stage, way: _Way, unit: FunctionalUnit, food: str, kitchen: Kitchen) -> _Way:
-    """Answer ``way`` with ``stage``, which ``unit`` takes, before it."""
-    after = way.stages[0].node
-    carried = _names(after, food) or _carries(stage.node, after, food, kitchen)
+def _with(now: _Followed, way: _Way, stages: _Stages, food: str, kitchen: Kitchen) -> _Way:
+    """Answer ``way`` with what is followed ``now`` before it."""
+    stage, after = now.stage, way.stages[0].node
+    unit = stages.units[way.stages[0].made_by]
+    known_as = singular(stage.node.label) if kitchen.is_food(stage.node) else now.known_as
+    carried = _names(after, food) or _names(after, known_as)
     turned = not carried and kitchen.is_food(after) and after.label not in {node.label for node in unit.input_nodes}
     cost = _Cost(
         way.cost.lost + (not carried and not turned),
@@ -200,13 +235,6 @@ def _with(stage: _Stage, way: _Way, unit: FunctionalUnit, food: str, kitchen: Ki
 def _names(node: ObjectNode, food: str) -> bool:
     """Whether a node is ``food`` (in the singular) or says that it contains it."""
     return singular(node.label) == food or any(singular(name) == food for name in node.ingredients)
-
-
-def _carries(before: ObjectNode, after: ObjectNode, food: str, kitchen: Kitchen) -> bool:
-    """Whether the mixture that ``before`` is, or holds in the place of ``food``, is still there in ``after``."""
-    if kitchen.is_food(before):
-        return _names(after, singular(before.label))
-    return kitchen.is_food(after) and not _names(before, food) and _names(before, singular(after.label))
 
 
 def _steps(way: Sequence[_Stage], stages: _Stages, kitchen: Kitchen) -> tuple[ProgressStep, ...]:

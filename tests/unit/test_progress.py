@@ -104,6 +104,26 @@ def test_a_mixture_that_names_no_ingredients_is_followed_by_its_name():
     assert [step.motion for step in line.steps] == ["mix", "pour", "bake"]
 
 
+def test_what_became_part_of_a_broth_stays_with_the_broth_and_not_with_the_egg_that_swims_in_it():
+    broth = node("broth", (), ["scallion", "water"], "pot")
+    both, alone = node("pot", (), ["broth", "egg"]), node("pot", (), ["broth"])
+    boiled, ramen = node("egg", ["boiled"]), node("ramen", (), ["egg", "scallion"])
+    tree = (
+        unit([node("scallion", ["chopped"]), node("water")], "stir", [broth]),
+        unit([broth, EGG], "crack", [both]),
+        unit([both], "boil", [boiled, alone]),
+        unit([boiled, alone], "serve", [ramen]),
+    )
+    assert [(step.motion, step.object) for line in lines(tree, ramen, ("scallion", "")) for step in line.steps] == [
+        ("stir", "scallion"),
+        ("crack", "broth"),
+        ("boil", ""),
+        ("serve", ""),
+    ]
+    (egg,) = lines(tree, ramen, ("egg", "boiled"))
+    assert egg.steps[-1].object == "egg"
+
+
 def test_a_food_that_is_not_in_the_tree_has_an_empty_line():
     (line,) = lines(OMELETTE_TREE, OMELETTE, ("prune", "whole"))
     assert (line.steps, line.end_product) == ((), None)
