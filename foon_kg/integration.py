@@ -9,7 +9,7 @@ for the next one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -22,6 +22,7 @@ from foon_kg.preparation import Preparation, Preparations, is_whole, needed, sho
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Item, Recast, Replayed, Script, Step
 from foon_kg.substitution import FAIR, Equivalents
+from foon_kg.validation import Finding
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,8 @@ class Integration:
     equivalents: Equivalents
     kitchen: Kitchen
     preparations: Preparations
+    refused: frozenset[tuple[RequiredIngredient, int]] = frozenset()
+    """Places of the script at which a food may not join: the judge would not have it there."""
 
     @cached_property
     def _play(self) -> Script:
@@ -152,6 +155,8 @@ class Integration:
         for node, preparation in self.preparations.forms(want):
             for place in self._slots(want, party):
                 addition = Addition(want, place, node, preparation)
+                if (want, place) in self.refused:
+                    continue
                 if place not in party.closed and self._arrives(addition, party):
                     party.let_in(addition)
                     return True
@@ -215,6 +220,14 @@ class Integration:
         for addition in additions:
             joined.setdefault(addition.place, []).append(_item(addition))
         return replay(self._play, casting, joined)
+
+    def blamed(self, tree: FinalTree, findings: Iterable[Finding]) -> frozenset[tuple[RequiredIngredient, int]]:
+        """Answer which foods joined at which places in the units of ``tree`` in which something was found."""
+        steps = [tree.steps[finding.unit][0] for finding in findings if finding.unit is not None]
+        places = {
+            step.place for step in steps if step.place < len(self.script) and step.known == self.script[step.place]
+        }
+        return frozenset((addition.want, addition.place) for addition in tree.additions if addition.place in places)
 
     # ---- the whole
 

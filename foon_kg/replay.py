@@ -84,7 +84,7 @@ class _Stage:
             self._pass_through(here)
             return None
         made = self._make(here)
-        self.used.update(node for node in scene.acted if node in present)
+        self.used.update(scene.taken & present.keys())
         return self._step(place, here, made)
 
     def _is_food(self, node: ObjectNode) -> bool:
@@ -173,7 +173,13 @@ class _Stage:
             same = here.of_label(node.label)
             self.items.setdefault(node, None)
             if same:
-                self.items[node] = same[0]
+                away = spot_of(same[0].node) != spot_of(node) and not self._is_food(node)
+                self.items[node] = (self._standing(node) if away else None) or same[0]
+
+    def _standing(self, node: ObjectNode) -> Item | None:
+        """Answer the vessel that stands, empty, where the script has ``node`` with something in it; the last one."""
+        items = (item for item in reversed(self.items.values()) if item is not None and not item.atoms)
+        return next((i for i in items if i.node.label == node.label and spot_of(i.node) == spot_of(node)), None)
 
     # ---- what comes of it
 

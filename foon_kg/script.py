@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode
 
@@ -80,16 +81,21 @@ class Scene:
     written: frozenset[str]
     beside: frozenset[str]
     acted: tuple[ObjectNode, ...]
+    taken: frozenset[ObjectNode]
     holders: tuple[ObjectNode, ...]
     turned: tuple[ObjectNode, ...]
     has_foods: bool
 
     @classmethod
     def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
-        """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does."""
+        """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does.
+
+        ``taken`` are those of ``acted`` that are gone afterwards: what is put into the oven in its pan is still there.
+        """
         unit = known.unit
         inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
         foods = tuple(node for node in inputs if kitchen.is_food(node))
+        acted = tuple(node for node in foods if node not in kept)
         utensils = [node for node in inputs if not kitchen.is_food(node)]
         return cls(
             known,
@@ -98,7 +104,8 @@ class Scene:
             kept,
             written=frozenset(name for node in inputs for name in (node.label, *node.ingredients)),
             beside=frozenset(node.label for node in foods),
-            acted=tuple(node for node in foods if node not in kept),
+            acted=acted,
+            taken=frozenset(node for node in acted if not stands_by(node, known, kitchen)),
             holders=tuple(node for node in utensils if node.ingredients and node not in kept),
             turned=tuple(node for node in utensils if is_turned(node, outputs)),
             has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
@@ -157,6 +164,15 @@ def is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:
     return bool(after) and all(
         set(other.states) - plain != set(node.states) - plain or spot_of(other) != spot_of(node) for other in after
     )
+
+
+def stands_by(node: ObjectNode, known: KnownUnit, kitchen: Kitchen) -> bool:
+    """Say whether a food that the outputs leave out is there all the same: its vessel has it, unmixed and uncooked."""
+    motion, outputs = known.unit.motion, known.unit.output_nodes
+    if motions.mixes(motion) or motions.heats(motion) or any(other.label == node.label for other in outputs):
+        return False
+    vessels = (other for other in outputs if other.label == node.container and not kitchen.is_food(other))
+    return any(node.label in vessel.ingredients for vessel in vessels)
 
 
 def emptied(node: ObjectNode) -> ObjectNode:
