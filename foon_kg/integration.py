@@ -10,7 +10,7 @@ for the next one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from foon_kg import motions
@@ -19,7 +19,7 @@ from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
 from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
-from foon_kg.replay import replay
+from foon_kg.rehearsal import Rehearsal
 from foon_kg.script import Casting, Item, Recast, Replayed, Script, Step
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
@@ -58,10 +58,16 @@ class Integration:
     preparations: Preparations
     refused: frozenset[tuple[RequiredIngredient, int]] = frozenset()
     """Places of the script at which a food may not join: the judge would not have it there."""
+    _rehearsals: list[Rehearsal] = field(default_factory=list, repr=False)
 
-    @cached_property
-    def _play(self) -> Script:
-        return Script.of(self.script, self.kitchen)
+    def _rehearsal(self, casting: Casting) -> Rehearsal:
+        """Answer what was rehearsed with ``casting``, by this integration or the one that it repairs."""
+        known = next((rehearsal for rehearsal in self._rehearsals if rehearsal.casting == casting), None)
+        if known is None:
+            script = self._rehearsals[0].script if self._rehearsals else Script.of(self.script, self.kitchen)
+            known = Rehearsal(script, casting)
+            self._rehearsals.append(known)
+        return known
 
     def run(self) -> FinalTree:
         """Answer the final tree; what could not be brought into it is ``missing``."""
@@ -133,7 +139,7 @@ class Integration:
     ) -> tuple[Casting, dict[RequiredIngredient, tuple[str, Recast]]]:
         """Give up lines that do not reach the goal in the wanted state, one round after the other."""
         while True:
-            steps, item = self._executed(replay(self._play, casting))
+            steps, item = self._executed(self._rehearsal(casting).replay({}))
             arrived = {now for _, now in item.atoms} if item is not None else set()
             lost = [want for want in played if want.object not in arrived or not shows(want, steps)]
             if not lost:
@@ -219,7 +225,7 @@ class Integration:
         joined: dict[int, list[Item]] = {}
         for addition in additions:
             joined.setdefault(addition.place, []).append(_item(addition))
-        return replay(self._play, casting, joined)
+        return self._rehearsal(casting).replay(joined)
 
     def blamed(self, tree: FinalTree, findings: Iterable[Finding]) -> frozenset[tuple[RequiredIngredient, int]]:
         """Answer which foods joined at which places in the units of ``tree`` in which something was found."""

@@ -16,10 +16,13 @@ from foon_kg import motions
 from foon_kg.model import ObjectNode
 from foon_kg.script import EMPTY, Atom, Casting, Item, Replayed, Scene, Script, Step, changed, emptied, spot_of
 
+Additions = Mapping[int, Sequence[Item]]
+"""What joins the units of a script, by their places."""
 
-def replay(script: Script, casting: Casting, additions: Mapping[int, Sequence[Item]] | None = None) -> Replayed:
+
+def replay(script: Script, casting: Casting, additions: Additions | None = None) -> Replayed:
     """Execute ``script`` with the foods of ``casting``; ``additions`` join at the unit of that place."""
-    stage = _Stage(casting, script)
+    stage = Stage(casting, script)
     joining = additions or {}
     steps = []
     for place, scene in enumerate(script.scenes):
@@ -55,17 +58,25 @@ class _Moment:
         return [item for node, item in self.present.items() if node.label == label]
 
 
-class _Stage:
+class Stage:
     """What stands in the kitchen while a script is performed."""
 
     def __init__(self, casting: Casting, script: Script) -> None:
         self.casting = casting
+        self.script = script
         self.kitchen = script.kitchen
         self.taken_alone = script.taken_alone
         self.items: dict[ObjectNode, Item | None] = {}
         self.leaf_foods: set[str] = set()
         self.used: set[ObjectNode] = set()
         self.later: dict[ObjectNode, Item] = {}
+
+    def copy(self) -> Stage:
+        """Answer a stage on which everything stands as it does here."""
+        other = Stage(self.casting, self.script)
+        other.items, other.leaf_foods = self.items.copy(), self.leaf_foods.copy()
+        other.used, other.later = self.used.copy(), self.later.copy()
+        return other
 
     def perform(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Step | None:
         """Execute one unit; answer what happens, or ``None`` where nothing does."""

@@ -4,6 +4,7 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, script
 
 from foon_kg.kitchen import Kitchen
+from foon_kg.rehearsal import Rehearsal
 from foon_kg.replay import replay as replay_script
 from foon_kg.script import Casting, Item, Recast, Script
 
@@ -143,3 +144,12 @@ def test_nothing_appears_from_nowhere_and_every_input_is_there(dropped, renamed,
         there |= set(step.output_nodes)
     gone = dropped - set(renamed.values())
     assert not gone & {name for s in replayed.steps for name in names((*s.input_nodes, *s.output_nodes))}
+
+
+@given(st.lists(st.dictionaries(st.sampled_from([2, 5, 6, 7]), st.sampled_from(["olive", "leek"])), max_size=5))
+def test_what_was_rehearsed_before_changes_nothing(parties):
+    play = Script.of(script(*SALAD), KITCHEN)
+    rehearsal = Rehearsal(play, Casting({"salt": None}))
+    for joining in parties:
+        additions = {place: [Item(node(name), frozenset({("", name)}))] for place, name in joining.items()}
+        assert rehearsal.replay(additions) == replay_script(play, rehearsal.casting, additions)
