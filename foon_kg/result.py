@@ -8,7 +8,7 @@ in equality: ``seen_in`` names the units that know it.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal, Self, cast, get_args
+from typing import TYPE_CHECKING, Literal, Self, cast, get_args
 
 from foon_kg.errors import FoonError
 from foon_kg.json_fields import Fields, JsonObject
@@ -21,7 +21,11 @@ from foon_kg.model_json import (
     sighting_from_json,
     sighting_to_json,
 )
+from foon_kg.notebook import plan_html, steps_frame
 from foon_kg.progress import ProgressLine
+
+if TYPE_CHECKING:
+    import pandas as pd
 from foon_kg.shortage import ShortageError, remedy
 
 Origin = Literal["reference", "foon", "substituted"]
@@ -207,6 +211,14 @@ class PlanResult:
             tuple(map(Assumption.from_json, fields.nested_list("assumptions"))),
             tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
         )
+
+    def to_frame(self) -> pd.DataFrame:
+        """Answer the steps as a table of pandas, see :func:`~foon_kg.notebook.steps_frame`."""
+        return steps_frame(self.to_json())
+
+    def _repr_html_(self) -> str:
+        """Show the plan in a notebook."""
+        return plan_html(self.to_json())
 
     def to_subgraph(self) -> Subgraph:
         """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
