@@ -99,10 +99,13 @@ class _Attempt:
     def worth(self) -> tuple[float, ...]:
         """What decides between near ties, the lesser the better: overlap, then units, then confidence.
 
-        The last is how much confidence is lost by substitutions, all in all.
+        Overlap counts against a dish too: what it has beside (the bacon of another omelette) nobody asked for. The last
+        is how much confidence is lost by substitutions, all in all.
         """
         doubt = sum(1 - substitution.confidence for substitution in self.result.substitutions)
-        return -self.result.reference.overlap, len(self.result.units), round(doubt, 2)
+        overlap = self.result.reference.overlap
+        unasked = len(self.result.reference.goal.ingredients) - overlap
+        return -overlap, unasked, len(self.result.units), round(doubt, 2)
 
 
 class _Question:
