@@ -18,7 +18,7 @@ from importlib import resources
 from foon_kg.model import ObjectNode
 
 _WORD = re.compile(r"[^\W\d_]+")
-_IRREGULAR = {"halves": "half", "leaves": "leaf", "loaves": "loaf"}
+_IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
 _SHORT = 3

@@ -1,0 +1,162 @@
+"""Planning from what a person named as at hand: no tree takes anything else, and where there is none it is said why."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from kitchen_stories import SALAD, node, subgraph
+from planner.dishes import KITCHEN, SETTINGS, questions
+
+from foon_kg.errors import NoTreeError
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planner import plan
+from foon_kg.result import PlanFailure
+from foon_kg.shortage import ShortageError, nearest_first, remedy
+from foon_kg.snapshot import Snapshot
+from foon_kg.stock import StockedKitchen
+from foon_kg.validation import KnownFoon, TaskTree, check
+
+SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], KITCHEN)
+WANTED = Recipe(
+    "salad",
+    (RequiredIngredient("onion", "chopped"), RequiredIngredient("tomato", "diced"), RequiredIngredient("salt", "")),
+    "asked",
+)
+FOODS = ("onion", "tomato", "salt")
+UTENSILS = ("cutting board", "knife", "bowl", "spoon")
+
+
+def planned(*things, snapshot=SNAPSHOT, recipe=WANTED):
+    kitchen = StockedKitchen.of(KITCHEN, [node(thing) if isinstance(thing, str) else thing for thing in things])
+    return plan(snapshot, recipe, replace(SETTINGS, kitchen=kitchen))
+
+
+def refused(*things, **question):
+    with pytest.raises(ShortageError) as error:
+        planned(*things, **question)
+    return error.value
+
+
+def motions(result):
+    return [unit.motion_node for unit in result.units]
+
+
+def test_naming_all_that_a_dish_takes_changes_nothing():
+    assert planned(*FOODS, *UTENSILS).to_json() == plan(SNAPSHOT, WANTED, SETTINGS).to_json()
+
+
+def test_what_is_at_hand_chopped_is_not_chopped_again():
+    result = planned("onion(chopped)", "tomato", "salt")
+    assert "chop" in motions(planned("onion", "tomato", "salt"))
+    assert "chop" not in motions(result)
+    assert node("onion(chopped)") in result.kitchen
+    assert result.assumptions == ()
+
+
+def test_what_is_at_hand_whole_as_well_as_chopped_is_taken_chopped():
+    assert "chop" not in motions(planned("onion", "onion(chopped)", "tomato", "salt"))
+
+
+def test_a_missing_food_is_named_with_what_to_do_and_nothing_is_assumed():
+    error = refused("onion", "salt")
+    assert {thing.label for thing in error.missing} == {"tomato"}
+    assert (error.code, error.exit_code) == ("missing", 3)
+    assert "tomato" in error.message
+    assert error.hint.startswith("Buy tomato")
+
+
+def test_missing_utensils_are_named_nearest_to_the_dish_first():
+    error = refused("bowl")
+    assert [thing.label for thing in error.missing] == ["spoon", "cutting board", "knife"]
+    assert error.hint.startswith("Get a spoon; get a cutting board; get a knife")
+
+
+def test_what_is_missing_is_a_list_for_programs():
+    failure = PlanFailure.of(WANTED, refused("onion", "salt"))
+    (entry,) = failure.to_json()["error"]["missing"]
+    assert (entry["node"]["label"], entry["remedy"]) == ("tomato", "buy tomato")
+    assert PlanFailure.from_json(failure.to_json()) == failure
+
+
+def test_a_failure_for_another_reason_lists_nothing():
+    with pytest.raises(NoTreeError) as error:
+        plan(SNAPSHOT, replace(WANTED, dish_type="pie"), SETTINGS)
+    assert "missing" not in PlanFailure.of(WANTED, error.value).to_json()["error"]
+
+
+def test_another_dish_is_made_where_the_likeliest_takes_a_utensil_that_is_not_there():
+    plate = [line.replace("bowl", "plate") for line in SALAD]
+    both = Snapshot.of([subgraph("salad", "salad", *SALAD), subgraph("on a plate", "salad", *plate)], KITCHEN)
+    for vessel in ("bowl", "plate"):
+        result = planned("cutting board", "knife", "spoon", vessel, snapshot=both)
+        assert result.goal.container == vessel
+
+
+@pytest.mark.parametrize(
+    ("leaf", "what"),
+    [
+        ("tomato(whole)", "buy tomato"),
+        ("onion(chopped)", "have onion ready: chopped"),
+        ("egg mixture(beaten){egg,milk}", "buy or make egg mixture"),
+        ("shaker{salt}", "buy salt (shaker)"),
+        ("bowl(empty)", "get a bowl"),
+    ],
+)
+def test_every_missing_leaf_has_a_remedy(leaf, what):
+    assert remedy(node(leaf)) == what
+
+
+def test_the_nearest_leaf_is_the_one_with_the_fewest_units_between():
+    a, b, c, goal = map(node, ("a", "b", "c", "salad"))
+    units = [((a,), (node("x"),)), ((node("x"), b), (node("y"),)), ((node("y"), c), (goal,))]
+    assert nearest_first([a, b, c], units, goal) == (c, b, a)
+
+
+some_questions = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+
+
+@some_questions
+@given(questions(), st.data())
+def test_a_tree_takes_only_what_was_named_and_the_judge_agrees(question, data):
+    subgraphs, recipe = question
+    snapshot = Snapshot.of(subgraphs, KITCHEN)
+    try:
+        leaves = plan(snapshot, recipe, SETTINGS).kitchen
+    except NoTreeError:
+        return
+    named = data.draw(st.lists(st.sampled_from(leaves), min_size=1, unique=True))
+    kitchen = StockedKitchen.of(KITCHEN, named)
+    missing, result = (), None
+    try:
+        result = planned(*named, snapshot=snapshot, recipe=recipe)
+    except ShortageError as error:
+        missing = error.missing
+    except NoTreeError:
+        return
+    if result is None:
+        assert missing
+        assert all(kitchen.lacks(leaf) for leaf in missing)
+        return
+    assert not any(kitchen.lacks(leaf) for leaf in result.kitchen)
+    foon = KnownFoon.of(snapshot.units, snapshot.goals())
+    assert check(TaskTree.from_json(result.to_json()), foon, kitchen).sound
+
+
+@some_questions
+@given(questions(), st.randoms(use_true_random=False))
+def test_the_order_in_which_things_are_named_does_not_matter(question, random):
+    subgraphs, recipe = question
+    snapshot = Snapshot.of(subgraphs, KITCHEN)
+    things = [want.object for want in recipe.ingredients] + ["bowl", "pot", "frying pan", "knife", "cutting board"]
+
+    def answer(named):
+        try:
+            return planned(*named, snapshot=snapshot, recipe=recipe).to_json()
+        except NoTreeError as error:
+            return PlanFailure.of(recipe, error).to_json()
+
+    shuffled = random.sample(things, len(things))
+    assert answer(things) == answer(shuffled)
