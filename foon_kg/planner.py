@@ -80,6 +80,13 @@ class Planner:
         """Answer the goal that is most like ``recipe`` (algorithm 1), and what algorithm 3 is asked about it."""
         return _Question(self, recipe).reference_question()
 
+    def reference_tree(self, recipe: Recipe, goal: ObjectNode) -> tuple[KnownUnit, ...]:
+        """Answer the reference tree of ``goal`` for ``recipe``, as it was recorded: what a plan begins with.
+
+        Raises UsageError where ``goal`` is no goal for this recipe in this FOON.
+        """
+        return _Question(self, recipe).reference_tree(goal)
+
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Answer the tree, and why every required food is made as it is; raises as :func:`plan` does."""
         return _Question(self, recipe).explained()
@@ -135,6 +142,15 @@ class _Question:
         """Answer the likeliest goal, and the search for its reference tree."""
         ranked, workshop = next(self._goals_to_try())
         return ranked, SearchProblem(workshop.index, (ranked.goal.node,), wanted=self._wanted(ranked))
+
+    def reference_tree(self, goal: ObjectNode) -> tuple[KnownUnit, ...]:
+        """Answer the units of the reference tree of ``goal``."""
+        for ranked, workshop in self._goals_to_try():
+            if ranked.goal.node == goal:
+                return as_recorded(workshop.reference(goal, self._wanted(ranked)).units, ranked.goal.videos)
+        raise UsageError(
+            f"this FOON has no goal {goal} for {self._dish}", hint="Give the FOON of the plan with --files."
+        )
 
     def explained(self) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Answer the best tree, and why it is as it is."""
