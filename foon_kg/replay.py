@@ -327,6 +327,7 @@ class Stage:
             self.used.discard(node)
             if item is not None and same is None:
                 shown.append(item.node)
+                self.later.pop(item.node, None)  # it is there again as it was
         return list(dict.fromkeys(shown))
 
     def _left_behind(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> set[ObjectNode]:
