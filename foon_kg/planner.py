@@ -2,7 +2,7 @@
 
 The planner asks a :class:`~foon_kg.knowledge.KnowledgeView` four questions, each one round trip: the words of the
 FOON, the goals of the dish type, the units behind the likeliest goals and behind everything that may have to be made
-apart, and, only where none of these goals leads to a tree, the units behind the others.
+apart, and, only where none of these goals leads to a tree, the units behind more of them.
 """
 
 from __future__ import annotations
@@ -217,11 +217,10 @@ class _Question:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
         view, foods = self.planner.view, sorted({f for want in self.wants for f in self.equivalents.makings(want)})
-        for chunk in (ranked[:FIRST_GOALS], ranked[FIRST_GOALS:]):
-            if chunk:
-                units = view.behind([r.goal.node for r in chunk], foods)
-                workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary, memory=view.memory)
-                yield from ((goal, workshop) for goal in chunk)
+        for chunk in _in_growing_chunks(ranked):
+            units = view.behind([r.goal.node for r in chunk], foods)
+            workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary, memory=view.memory)
+            yield from ((goal, workshop) for goal in chunk)
 
     def _ranked_goals(self) -> Sequence[RankedGoal]:
         dish_type = self.recipe.dish_type
@@ -327,6 +326,14 @@ class _Question:
                 if self.equivalents.name_confidence(want.object, name) >= FAIR:
                     wanted.setdefault(name, number)
         return wanted
+
+
+def _in_growing_chunks(ranked: Sequence[RankedGoal]) -> Iterator[Sequence[RankedGoal]]:
+    """Answer the goals in chunks to look behind in one question each; there may be thousands, and few are needed."""
+    start, size = 0, FIRST_GOALS
+    while start < len(ranked):
+        yield ranked[start : start + size]
+        start, size = start + size, size * 2
 
 
 def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
