@@ -178,11 +178,10 @@ class Larder:
         return tuple(name for name in dict.fromkeys(names) if not self.kitchen.is_free(name))
 
     def lacking(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the foods of ``node`` for which there is none at hand, and its label where that is such a utensil."""
+        """Answer the foods of ``node`` for which there is none at hand, and the utensil that it is or stands in."""
         foods = tuple(name for name in self.names_in(node) if self.own_for(name) is None)
-        bare = self.kitchen.with_every_food().lacks(replace(node, ingredients=()))
-        absent = self.kitchen.is_utensil(node.label) and bare and not self._is_full_storage(node)
-        return (*foods, node.label) if absent else foods
+        utensil = node.label if self.kitchen.is_utensil(node.label) else node.container
+        return (*foods, utensil) if utensil and self._is_absent(utensil, node) else foods
 
     def mine(self, node: ObjectNode) -> ObjectNode:
         """Answer ``node`` with one's own foods in the place of those that they stand for; it lacks none."""
@@ -200,8 +199,12 @@ class Larder:
         sure = [own[1] for name in names if (own := self.own_for(name)) is not None]
         return round(sum(sure) / len(names), 2) if names else 0.0
 
-    def _is_full_storage(self, node: ObjectNode) -> bool:
-        return self.kitchen.is_storage(node.label) and bool(self.kitchen.foods_in(node))
+    def _is_absent(self, utensil: str, node: ObjectNode) -> bool:
+        """Say whether nobody has ``utensil``; storage comes with the food that is in it."""
+        if not self.kitchen.is_utensil(utensil) or (self.kitchen.is_storage(utensil) and self.names_in(node)):
+            return False
+        states = node.states if utensil == node.label else ()
+        return self.kitchen.with_every_food().lacks(ObjectNode(utensil, states))
 
     def _own_name(self, name: str) -> str:
         if self.kitchen.is_utensil(name) or self.kitchen.is_free(name):
