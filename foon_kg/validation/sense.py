@@ -59,13 +59,15 @@ def _inexhaustible(case: Case, node: ObjectNode, leaves: set[ObjectNode]) -> boo
 def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
     """Say whether an input that is not among the outputs is there all the same, and as it was.
 
-    No output may be the same thing in another form. A vessel stays where an output still lies in it; a food stays
-    where its vessel still holds it and the unit neither mixes nor heats.
+    No output may be the same thing in another form. A vessel stays where an output still lies in it, be it under a
+    shorter name (annotators write *in pan* of what lies in the cooking pan); a food stays where its vessel still holds
+    it and the unit neither mixes nor heats.
     """
     if any(other.label == node.label for other in unit.output_nodes):
         return False
     if not case.kitchen.is_food(node):
-        return any(other.container == node.label for other in unit.output_nodes)
+        names = {node.label, words(node.label)[-1]}
+        return any(other.container in names for other in unit.output_nodes)
     holds = any(other.label == node.container and node.label in other.ingredients for other in unit.output_nodes)
     return holds and not has_word(unit.motion, MIXES | HEATS)
 

@@ -60,6 +60,17 @@ class TestS1Fresh:
         tree["units"][1]["input_nodes"] += nodes("cutting board{tomato}")
         assert "S1" not in broken(with_kitchen(tree, *tree["units"]))
 
+    @pytest.mark.parametrize(("place", "stale"), [("pan", False), ("cooking_pan", False), ("pot", True)])
+    def test_a_cooking_pan_in_which_the_food_lies_on_is_as_it_was_though_foon_calls_it_a_pan(self, place, stale):
+        lines = (
+            f"cooking pan{{tomato}}; tomato(chopped)@in pan; spoon > stir > tomato(cooked)@in {place}; spoon",
+            f"cooking pan{{tomato}}; tomato(cooked)@in {place}; plate > pour > tomato(cooked)@on plate",
+        )
+        units = [unit(line, "stew", number) for number, line in enumerate(lines)]
+        tree = {"recipe": recipe("soup", "tomato cooked"), "goal": units[-1]["output_nodes"][0], "units": units}
+        report = check(TaskTree.from_json(tree), None)
+        assert [(f.unit, f.node.label) for f in report.of({"S1"})] == ([(1, "cooking pan")] if stale else [])
+
     def test_storage_is_not_used_up(self):
         tree = salad()
         tree["units"][3]["output_nodes"] = nodes("salad bowl{olive oil,tomato}", "olive oil(liquid)@in salad_bowl")
