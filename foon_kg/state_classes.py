@@ -23,7 +23,8 @@ from foon_kg.similarity.vectors import food_vectors
 STATES_VARIABLE = "FOON_KG_STATES"
 
 LISTED, BY_ADVERB, BY_WORD = 1.0, 0.9, 0.7
-"""How sure a class is that the table lists, or that the adverb or another word of the state tells (measured)."""
+"""How sure a class is that the table lists, or that the adverb (a place, too) or another word of the state tells
+(measured)."""
 
 _UNKNOWN = 0.1  # one class of twelve, and a little for the commonest
 _NEAREST = 5
@@ -42,6 +43,7 @@ class StateClasses:
     neighbours: Mapping[Pair, float]
     closer: Mapping[Pair, float]
     adverbs: Mapping[Pair, str]
+    places: Mapping[str, str]
     same_class: float
     otherwise: float
     _placed: dict[str, tuple[str, float]] = field(default_factory=dict)
@@ -55,12 +57,17 @@ class StateClasses:
     def guess(self, state: str) -> tuple[str, float]:
         """Answer the class of a state that the table does not list; benchmarks/similarity_states.py measures this."""
         said = self.state_in(state)
+        if state.partition(" ")[0] in self.places and not self._is_made(said):
+            return self.places[state.partition(" ")[0]], BY_ADVERB
         if said is None:
             return self._of_the_nearest(state)
         adverb, _, rest = said.partition(" ")
         if rest and (adverb, self.class_of.get(rest, "")) in self.adverbs:
             return self.adverbs[adverb, self.class_of[rest]], BY_ADVERB
         return self.class_of[canonical(said)], BY_WORD
+
+    def _is_made(self, said: str | None) -> bool:
+        return said is not None and self.class_of.get(canonical(said)) in self.processed
 
     def state_in(self, phrase: str) -> str | None:
         """Answer what :func:`foon_kg.states.state_in` answers."""
@@ -128,6 +135,7 @@ def _parsed(document: dict[str, Any]) -> StateClasses:
         neighbours={pair: row["similarity"] for row in document["neighbours"] for pair in permutations(row["classes"])},
         closer=closer,
         adverbs={(row["word"], row["from"]): row["to"] for row in document["adverbs"]},
+        places=dict.fromkeys(document["places"]["words"], document["places"]["class"]),
         same_class=document["same_class"],
         otherwise=document["otherwise"],
     )

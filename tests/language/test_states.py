@@ -57,6 +57,10 @@ def test_a_listed_state_is_certainly_in_its_class(state, expected):
         ("cut into cubes", "coarsely separated"),
         ("quickly fried", "cooked"),
         ("hand-torn", "coarsely separated"),
+        ("in pieces", "coarsely separated"),
+        ("with [rind]", "of a vessel or device"),
+        ("attached to [blender]", "of a vessel or device"),
+        ("covered [pot lid]", "shaped or dressed"),
     ],
 )
 def test_an_unseen_state_is_placed_by_its_words(state, expected):
