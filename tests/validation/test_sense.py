@@ -67,8 +67,8 @@ class TestS1Fresh:
             f"cooking pan{{tomato}}; tomato(cooked)@in {place}; plate > pour > tomato(cooked)@on plate",
         )
         units = [unit(line, "stew", number) for number, line in enumerate(lines)]
-        tree = {"recipe": recipe("soup", "tomato cooked"), "goal": units[-1]["output_nodes"][0], "units": units}
-        report = check(TaskTree.from_json(tree), None)
+        tree = salad() | {"recipe": recipe("soup", "tomato cooked"), "goal": units[-1]["output_nodes"][0]}
+        report = check(TaskTree.from_json(with_kitchen(tree, *units)), None)
         assert [(f.unit, f.node.label) for f in report.of({"S1"})] == ([(1, "cooking pan")] if stale else [])
 
     def test_storage_is_not_used_up(self):
