@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -14,7 +15,10 @@ from foon_kg.cli.console import Files, Quiet, examples, print_view, sayer
 from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from foon_kg.schedule import Schedule
+    from foon_kg.step_changes import StepChange
     from foon_kg.views.shown_tree import ShownTree
 
 EXAMPLES = examples(
@@ -22,6 +26,7 @@ EXAMPLES = examples(
     "foon show plan.json --svg --output tree.svg",
     "foon show plans.jsonl --line 3 --html -o tree.html",
     "foon show plan.json --schedule --hands 2 --svg -o schedule.svg",
+    "foon show plan.json --difference --files subgraphs/",
     "foon show plan.json --shopping",
 )
 
@@ -35,6 +40,9 @@ def show(
     png: Annotated[bool, typer.Option("--png", help="Draw the task tree as PNG.")] = False,
     html: Annotated[bool, typer.Option("--html", help="Make a page that stands on its own.")] = False,
     progress: Annotated[bool, typer.Option("--progress", help="Draw the progress lines instead of the tree.")] = False,
+    changes: Annotated[
+        bool, typer.Option("--difference", help="What became of the steps of the reference tree.")
+    ] = False,
     timetable: Annotated[
         bool, typer.Option("--schedule", help="Who does what when, by the times of the FOON's videos.")
     ] = False,
@@ -55,24 +63,24 @@ def show(
     Without an option the steps are printed in the terminal: objects plain, states green, motions red, ingredients that
     the FOON has never seen blue. --svg, --png and --html make a picture that needs nothing else.
 
-    Only --schedule asks a FOON (of --files, or the database): for the times at which videos show each motion.
+    Only --schedule and --difference ask a FOON (of --files, or the database): for the times at which videos show each
+    motion, and for the reference tree.
     """
     forms = [name for name, asked in (("svg", svg), ("png", png), ("html", html)) if asked]
     _at_most_one("forms", [f"--{form}" for form in forms])
-    matters = {"--progress": progress, "--schedule": timetable, "--shopping": shopping}
-    _at_most_one("matters", [option for option, asked in matters.items() if asked])
-    tree = shown_tree(result, line)
-    plan = _schedule(tree, hands, files, quiet=quiet) if timetable else None
-    if not forms:
-        _print(tree, plan, shopping=shopping, progress=progress)
-        return
-    if shopping or (html and (progress or timetable)):
+    matters = {"progress": progress, "schedule": timetable, "shopping": shopping, "difference": changes}
+    _at_most_one("matters", [f"--{matter}" for matter, asked in matters.items() if asked])
+    matter = next((matter for matter, asked in matters.items() if asked), "tree")
+    if (shopping and forms) or (html and matter != "tree"):
         raise UsageError(f"--{forms[0]} does not show that", hint="A page has the lists; ask for --svg or --png.")
-    if html:
-        _write(_page(tree, folded=not unfold).encode(), output)
-        return
-    drawn = _drawn(tree, plan, progress=progress, folded=not unfold)
-    _write(_pixels(drawn) if png else drawn.encode(), output)
+    shown = _Shown(shown_tree(result, line), matter, hands, files, quiet=quiet, folded=not unfold)
+    if not forms:
+        print_view(shown.printed())
+    elif html:
+        _write(shown.page().encode(), output)
+    else:
+        drawn = shown.drawn()
+        _write(_pixels(drawn) if png else drawn.encode(), output)
 
 
 def _at_most_one(what: str, asked: Sequence[str]) -> None:
@@ -120,51 +128,88 @@ def _of_json(value: object, where: str) -> ShownTree:
     return ShownTree.of_result(result)
 
 
-def _schedule(tree: ShownTree, hands: int, files: Sequence[Path] | None, *, quiet: bool) -> Schedule:
-    from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.durations import Durations
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.schedule import schedule
+@dataclass(frozen=True)
+class _Shown:
+    """A tree and what is asked to be seen of it (its ``matter``)."""
 
-    foon = whole_foon(files, sayer(quiet=quiet))
-    seen = [(known.unit.motion, sighting) for known in foon.units for sighting in known.seen_in]
-    own = [(unit.motion_node, sighting) for unit in tree.units for sighting in unit.seen_in]
-    return schedule(tree.units, tree.kitchen, Durations.of([*own, *seen]), Kitchen.default(), hands)
+    tree: ShownTree
+    matter: str
+    hands: int
+    files: Sequence[Path] | None
+    quiet: bool
+    folded: bool
 
+    def printed(self) -> RenderableType:
+        from foon_kg.kitchen import Kitchen
+        from foon_kg.shopping import shopping_list
+        from foon_kg.views.schedule import schedule_view, shopping_view
+        from foon_kg.views.step_changes import step_changes_view
+        from foon_kg.views.tree import progress_view, tree_view
 
-def _print(tree: ShownTree, plan: Schedule | None, *, shopping: bool, progress: bool) -> None:
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.shopping import shopping_list
-    from foon_kg.views.schedule import schedule_view, shopping_view
-    from foon_kg.views.tree import progress_view, tree_view
+        match self.matter:
+            case "schedule":
+                return schedule_view(self.tree, self.schedule())
+            case "difference":
+                return step_changes_view(self.tree, self.difference())
+            case "shopping":
+                return shopping_view(shopping_list(self.tree.kitchen, Kitchen.default()), tuple(self.tree.unseen))
+            case "progress":
+                return progress_view(self.tree)
+            case _:
+                return tree_view(self.tree)
 
-    if plan is not None:
-        print_view(schedule_view(tree, plan))
-    elif shopping:
-        print_view(shopping_view(shopping_list(tree.kitchen, Kitchen.default()), tuple(tree.unseen)))
-    else:
-        print_view(progress_view(tree) if progress else tree_view(tree))
-
-
-def _drawn(tree: ShownTree, plan: Schedule | None, *, progress: bool, folded: bool) -> str:
-    with pictures_extra():
-        if plan is not None:
+    def drawn(self) -> str:
+        with pictures_extra():
+            from foon_kg.kitchen import Kitchen
             from foon_kg.pictures.gantt import schedule_svg
+            from foon_kg.pictures.progress import progress_svg
+            from foon_kg.pictures.step_changes import step_changes_svg
+            from foon_kg.pictures.tree import tree_svg
 
-            return schedule_svg(tree, plan)
+            match self.matter:
+                case "schedule":
+                    return schedule_svg(self.tree, self.schedule())
+                case "difference":
+                    return step_changes_svg(self.tree, self.difference())
+                case "progress":
+                    return progress_svg(self.tree)
+                case _:
+                    return tree_svg(self.tree, Kitchen.default(), folded=self.folded)
+
+    def page(self) -> str:
+        with pictures_extra():
+            from foon_kg.kitchen import Kitchen
+            from foon_kg.pictures.page import page_of
+
+            return page_of(self.tree, Kitchen.default(), folded=self.folded)
+
+    def schedule(self) -> Schedule:
+        from foon_kg.cli.knowledge import whole_foon
+        from foon_kg.durations import Durations
         from foon_kg.kitchen import Kitchen
-        from foon_kg.pictures.progress import progress_svg
-        from foon_kg.pictures.tree import tree_svg
+        from foon_kg.schedule import schedule
 
-        return progress_svg(tree) if progress else tree_svg(tree, Kitchen.default(), folded=folded)
+        foon = whole_foon(self.files, sayer(quiet=self.quiet))
+        seen = [(known.unit.motion, sighting) for known in foon.units for sighting in known.seen_in]
+        own = [(unit.motion_node, sighting) for unit in self.tree.units for sighting in unit.seen_in]
+        durations = Durations.of([*own, *seen])
+        return schedule(self.tree.units, self.tree.kitchen, durations, Kitchen.default(), self.hands)
 
+    def difference(self) -> tuple[StepChange, ...]:
+        from foon_kg.cli.knowledge import open_knowledge
+        from foon_kg.planner import Planner
+        from foon_kg.settings import PlanSettings
+        from foon_kg.step_changes import step_changes
 
-def _page(tree: ShownTree, *, folded: bool) -> str:
-    with pictures_extra():
-        from foon_kg.kitchen import Kitchen
-        from foon_kg.pictures.page import page_of
-
-        return page_of(tree, Kitchen.default(), folded=folded)
+        plan = self.tree.result
+        if plan is None:
+            raise UsageError("FOON text does not say what its reference was", hint="Give a plan result (JSON).")
+        with open_knowledge(self.files, sayer(quiet=self.quiet)) as view:
+            reference = Planner(view, PlanSettings()).reference_tree(plan.recipe, plan.reference.goal)
+        if len(reference) != plan.reference.units:
+            told = f"this FOON's reference tree has {len(reference)} steps, and the plan's had {plan.reference.units}"
+            raise UsageError(told, hint="Give the FOON from which it was planned, or plan it anew.")
+        return step_changes(reference, self.tree.units)
 
 
 def _pixels(drawn: str) -> bytes:

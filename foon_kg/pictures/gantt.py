@@ -6,8 +6,9 @@ import altair as alt
 import vl_convert
 
 from foon_kg.schedule import Schedule, ScheduledStep
-from foon_kg.views.schedule import handled, summary
+from foon_kg.views.schedule import summary
 from foon_kg.views.shown_tree import ShownTree
+from foon_kg.views.words import handled
 
 ITSELF = "by itself"
 _COLOURS = ("#0969da", "#bf8700", "#8250df", "#1a7f37")
@@ -49,7 +50,7 @@ def _chart(tree: ShownTree, plan: Schedule) -> str:
 def _row(tree: ShownTree, step: ScheduledStep) -> dict[str, object]:
     unit = tree.units[step.place]
     return {
-        "step": f"{step.place + 1}  {unit.motion_node}  {handled(unit)}",
+        "step": f"{step.place + 1}  {unit.motion_node}  {handled(unit.input_nodes)}",
         "start": step.start,
         "end": step.end,
         "who": ITSELF if step.hands is None else _who(step.hands),

@@ -9,12 +9,10 @@ from rich.table import Table
 from rich.text import Text
 
 from foon_kg.durations import Duration
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
-from foon_kg.result import PlannedUnit
 from foon_kg.schedule import Schedule, ScheduledStep
 from foon_kg.views.shown_tree import ShownTree
-from foon_kg.views.words import ASIDE, motion_words, node_words, shown_inputs
+from foon_kg.views.words import ASIDE, handled, motion_words, node_words
 
 HANDS = ("cyan", "yellow", "magenta", "blue")
 
@@ -49,14 +47,6 @@ def clock(seconds: float) -> str:
     return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
 
 
-def handled(unit: PlannedUnit) -> str:
-    """Answer what a step is about: the foods it takes, or, where it takes none, all that it takes."""
-    kitchen = Kitchen.default()
-    nodes = shown_inputs(unit.input_nodes)
-    foods = [node for node in nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
-    return ", ".join(dict.fromkeys(node.label for node in foods or nodes))
-
-
 def _hands(step: ScheduledStep) -> Text:
     if step.hands is None:
         return Text("itself", ASIDE)
@@ -65,7 +55,7 @@ def _hands(step: ScheduledStep) -> Text:
 
 def _step(tree: ShownTree, step: ScheduledStep) -> Text:
     unit = tree.units[step.place]
-    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit))
+    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
 
 
 def _seen(duration: Duration | None) -> Text:

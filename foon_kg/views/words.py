@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from rich.text import Text
 
+from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 
 STATE = "green"
@@ -58,6 +59,14 @@ def shown_outputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
     """Leave out the same vessels, and what is only empty now, where anything else comes out."""
     shown = shown_inputs(nodes)
     return [node for node in shown if node.states != (EMPTY,) or node.ingredients] or shown
+
+
+def handled(inputs: Sequence[ObjectNode]) -> str:
+    """Answer what a step with these ``inputs`` is about: the foods, and what holds some; where none are, everything."""
+    kitchen = Kitchen.default()
+    nodes = shown_inputs(inputs)
+    foods = [node for node in nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
+    return ", ".join(dict.fromkeys(node.label for node in foods or nodes))
 
 
 def _told_by_others(vessel: ObjectNode, nodes: Sequence[ObjectNode]) -> bool:

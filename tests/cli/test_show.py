@@ -71,6 +71,7 @@ def test_what_is_no_tree_is_refused(tmp_path):
         (["--svg", "--progress"], b"<svg "),
         (["--png"], b"\x89PNG"),
         (["--html"], b"<!doctype html>"),
+        (["--svg", "--difference", "--files", str(demo_folder())], b"<svg "),
         (["--svg", "--schedule", "--hands", "2", "--files", str(demo_folder())], b"<svg "),
     ],
     ids=lambda value: " ".join(value[:3]) if isinstance(value, list) else "",
@@ -91,6 +92,26 @@ def test_a_timetable_says_who_does_what_when_and_how_often_that_was_seen(plans):
     assert "with 2 pairs of hands" in answer.stdout
     assert "one step after the other" in answer.stdout
     assert answer.stdout.splitlines()[1].split() == ["from", "to", "hands", "step", "seen"]
+
+
+def test_the_difference_to_the_reference_tree_is_told_step_by_step(plans):
+    answer = show(plans, "--difference", "--files", demo_folder(), "--quiet")
+    assert answer.exit_code == 0, answer.stderr
+    reference = json.loads(plans.read_text(encoding="utf-8").splitlines()[0])["reference"]["units"]
+    total = dict(part.split(" ", 1)[::-1] for part in answer.stdout.splitlines()[-1].rstrip(".").split(", "))
+    assert sum(int(total[change]) for change in ("kept", "changed", "left out")) == reference
+
+
+def test_foon_text_has_no_reference_to_differ_from():
+    answer = show(demo_folder() / "greek_salad.txt", "--difference", "--files", demo_folder())
+    assert answer.exit_code == 2
+    assert "does not say what its reference was" in answer.stderr
+
+
+def test_the_difference_needs_the_foon_of_the_plan(plans):
+    answer = show(plans, "--difference", "--files", demo_folder() / "hot_cocoa.txt")
+    assert answer.exit_code != 0
+    assert "hint:" in answer.stderr
 
 
 def test_a_shopping_list_has_foods_and_no_utensils(plans):
