@@ -158,16 +158,28 @@ class Integration:
 
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
-        for node, preparation in self.preparations.forms(want):
-            for place in self._slots(want, party):
-                addition = Addition(want, place, node, preparation)
-                if (want, place) in self.refused:
-                    continue
-                if place not in party.closed and self._arrives(addition, party):
-                    party.let_in(addition)
-                    return True
-                party.closed.add(place)
+        for raw_with_raw in (True, False):
+            for node, preparation in self.preparations.forms(want):
+                for place in self._slots(want, party):
+                    addition = Addition(want, place, node, preparation)
+                    if (want, place) in self.refused or (raw_with_raw and not self._suits(addition)):
+                        continue
+                    if place not in party.closed and self._arrives(addition, party):
+                        party.let_in(addition)
+                        return True
+                    party.closed.add(place)
         return False
+
+    def _suits(self, addition: Addition) -> bool:
+        """Say whether a food that was asked whole joins raw what is cooked later, and cooked what is not.
+
+        An egg is cracked into a dough and boiled for a salad. Where FOON knows but one of the two, that one suits.
+        """
+        want, made = addition.want, self.preparations.of(addition.want)
+        if not is_whole(want.state) or len({preparation.is_cooked for preparation in made}) < 2:  # noqa: PLR2004 - raw, cooked
+            return True
+        cooked = addition.preparation is not None and addition.preparation.is_cooked
+        return cooked != any(motions.heats(known.unit.motion) for known in self.script[addition.place :])
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
         """Answer the places where ``want`` may join, best first.

@@ -8,8 +8,9 @@ which the bacon is fried) are left out: nobody asked for them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
@@ -45,6 +46,11 @@ class Preparation:
         """How likely a cook would accept what the candidate stands for."""
         return self.candidate.confidence
 
+    @property
+    def is_cooked(self) -> bool:
+        """Whether a food that is sold raw was heated: an egg that was boiled before it was peeled."""
+        return any(motions.heats(step.motion) for step in self.steps)
+
 
 @dataclass(frozen=True)
 class Preparations:
@@ -67,7 +73,7 @@ class Preparations:
                     self._processed(want, self._leaves_given)
                 )
             elif is_whole(want.state):
-                found = list(self._opened(want))
+                found = [*self._opened(want), *self._parts(want)]
             else:
                 found = []
             self._made[want] = tuple(sorted(found, key=lambda made: (self._lacking(made), *_rank(made))))
@@ -138,6 +144,26 @@ class Preparations:
                 candidate = Candidate(want.object, state, 1.0, cast[1])
                 prepared = self._executed(want, state, candidate, script, cast[0])
                 yield from (preparation for preparation in prepared if shows(want, preparation.steps))
+
+    def _parts(self, want: RequiredIngredient) -> Iterator[Preparation]:
+        """Answer what a food becomes when it is opened, and is called after it: an egg its white and yolk."""
+        for label, state in self.equivalents.parts(want.object):
+            script = self.derive(Candidate(label, state, 1.0, 1.0))
+            lines = food_lines(script, self.kitchen) if script else {}
+            if not script or want.object not in lines or not opens_food(want.object, script[-1]):
+                continue
+            starts = {start for node in lines[want.object].leaves for start in node.states}
+            cast = self.equivalents.recast(want, starts, ())
+            made = [node for node in script[-1].unit.output_nodes if self.kitchen.is_food(node)]
+            if cast is None or not self.leaves_stand(lines[want.object], cast[0]) or len(made) > 1:
+                continue
+            casting = replace(self._alone(script, {want.object: cast[0]}), carried=frozenset({want.object}))
+            replayed = replay(Script.of(script, self.kitchen), casting)
+            item = replayed.items.get(made[0])
+            steps = tuple(needed(replayed.steps, item.node)) if item is not None else ()
+            if item is not None and want.object in item.node.ingredients and steps and shows(want, steps):
+                candidate = Candidate(want.object, state, 1.0, cast[1])
+                yield Preparation(want, item.node, steps, casting, candidate, stale(steps, self.kitchen))
 
     def _executed(
         self, want: RequiredIngredient, state: str, candidate: Candidate, script: Sequence[KnownUnit], recast: Recast

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from foon_kg.kitchen import Kitchen
+from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import RequiredIngredient
 from foon_kg.script import Recast
@@ -134,6 +134,12 @@ class Equivalents:
         rows = [row for row in self.vocabulary.foods if row.label == label and row.made and row.state]
         return tuple(row.state for row in sorted(rows, key=lambda row: (-row.made, row.state)))
 
+    def parts(self, food: str) -> tuple[tuple[str, str], ...]:
+        """Answer each (label, state) of FOON, raw, that is made and is called after ``food`` with more words, sorted."""
+        own = set(words(food))
+        rows = (row for row in self.vocabulary.foods if row.made and row.state and own < set(words(row.label)))
+        return tuple(sorted((r.label, r.state) for r in rows if self.kitchen.is_start_state(r.label, r.state)))
+
     def makings(self, want: RequiredIngredient) -> tuple[tuple[str, str], ...]:
         """Answer each (label, state) of FOON that may have to be made for ``want``, sorted.
 
@@ -141,5 +147,5 @@ class Equivalents:
         """
         if self.kitchen.is_start_state(want.object, want.state):
             states = (s for s in self.states_known(want.object) if not self.kitchen.is_start_state(want.object, s))
-            return tuple(sorted((want.object, state) for state in states))
+            return tuple(sorted({*((want.object, state) for state in states), *self.parts(want.object)}))
         return tuple(sorted({(candidate.label, candidate.state) for candidate in self.candidates(want)}))
