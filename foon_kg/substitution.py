@@ -135,7 +135,7 @@ class Equivalents:
         return tuple(row.state for row in sorted(rows, key=lambda row: (-row.made, row.state)))
 
     def parts(self, food: str) -> tuple[tuple[str, str], ...]:
-        """Answer each (label, state) of FOON, raw, that is made and is called after ``food`` with more words, sorted."""
+        """Answer each raw (label, state) that FOON makes and calls after ``food`` with more words, sorted."""
         own = set(words(food))
         rows = (row for row in self.vocabulary.foods if row.made and row.state and own < set(words(row.label)))
         return tuple(sorted((r.label, r.state) for r in rows if self.kitchen.is_start_state(r.label, r.state)))
