@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import random
 import resource
 import time
@@ -40,8 +41,33 @@ KINDS = "Salad Soup Cake Cookies Bread Muffins Pie Casserole Omelette Smoothie P
 MOODS = ("Easy ", "Grandma's ", "Best Ever ", "Quick ", "Spicy ", "Creamy ", "Grilled ", "Summer ", "Low-Fat ", "")
 QUANTITIES = ("1", "2", "3", "4", "1/2", "1/4", "3/4", "1 1/2", "½", "2-3", "8", "12", "")
 UNITS = ("cup", "cups", "tablespoons", "teaspoon", "ounces", "pound", "(14 ounce) can", "large", "small", "", "package")
-BEFORE = ("", "", "", "", "chopped", "finely chopped", "diced", "thinly sliced", "minced", "grated", "melted", "fresh", "dried")
-AFTER = ("", "", "", "", ", chopped", ", finely diced", ", to taste", ", drained and rinsed", ", peeled and cubed", " (optional)")
+BEFORE = (
+    "",
+    "",
+    "",
+    "",
+    "chopped",
+    "finely chopped",
+    "diced",
+    "thinly sliced",
+    "minced",
+    "grated",
+    "melted",
+    "fresh",
+    "dried",
+)
+AFTER = (
+    "",
+    "",
+    "",
+    "",
+    ", chopped",
+    ", finely diced",
+    ", to taste",
+    ", drained and rinsed",
+    ", peeled and cubed",
+    " (optional)",
+)
 STEPS = (
     "Heat the oven and butter a dish.",
     "Mix everything in a large bowl until no lumps are left.",
@@ -143,17 +169,22 @@ def load(folder: Path, parse: str) -> None:
     from foon_kg.graph import Connection, Neo4jGraph
     from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
     from foon_kg.loaders.recipe_collections import RecipeCollections
+    from foon_kg.recipe_lines import LineReader
     from foon_kg.server import connection_settings
 
     size = sum(file.stat().st_size for file in folder.glob("*.json"))
     settings = connection_settings()
-    with RecipeCollections([folder], lambda _: None) as collections, Connection(settings) as connection:
+    with (
+        RecipeCollections([folder], lambda _: None) as collections,
+        LineReader(os.cpu_count() or 1) as lines,
+        Connection(settings) as connection,
+    ):
         start = time.perf_counter()
         total = collections.check()
         print(f"{total:,} recipes, {size / 1e6:,.0f} MB; read to the end in {time.perf_counter() - start:.1f} s")
         prepare_for_recipes(connection)
         with Neo4jGraph(settings) as graph, graph.reading() as view:
-            reader = CollectionReader(labels_of(view.vocabulary()), full=parse == "full")
+            reader = CollectionReader(labels_of(view.vocabulary()), lines, parse == "full")
         rates = Rates(total)
         stored = load_recipes(connection, collections, reader.understand, stored=rates.add, version=reader.version)
         print(f"{stored}")

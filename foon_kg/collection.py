@@ -1,7 +1,8 @@
 """Recipes of a collection understood: which dish, which foods in which states.
 
-A collection that names the food of a line itself is believed, and only the state is read from the line, with the words
-of the state classes. The parser of recipe lines reads what that leaves, or everything.
+A collection that names the food of a line itself is believed, and only state and amount are read from the line: by the
+rules for plain lines, and where it is not plain the state alone, by the words of the state classes around the food. The
+parser of recipe lines reads what that leaves, or everything.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ from foon_kg.dish_classes import DishClass, dish_classes
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import DISH_TYPES
 from foon_kg.names import canonical
-from foon_kg.recipe_lines import read_recipe_lines
+from foon_kg.recipe_lines import LineReader, read_quickly
 from foon_kg.states import state_in
 
-READING = 1
+READING = 2
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
 _REMEMBERED = 200_000
@@ -31,11 +32,12 @@ _NEGLIGIBLE = frozenset({"", "s", "es", "ies"})
 class CollectionReader:
     """Understands recipes for a FOON whose foods go by ``labels`` (see :func:`labels_of`), many lines at a time.
 
-    With ``full`` every line goes through the parser. Lines come again and again in a collection; the last
-    200,000 different ones are remembered.
+    ``lines`` reads what the collection does not tell itself; with ``full`` every line. Lines come again and again in a
+    collection; the last 200,000 different ones are remembered.
     """
 
     labels: Mapping[str, str]
+    lines: LineReader = field(default_factory=LineReader)
     full: bool = False
     _known: dict[CollectedLine, CalledFor | None] = field(default_factory=dict)
 
@@ -70,20 +72,24 @@ class CollectionReader:
                 left.append(line)
             else:
                 self._known[line] = called
-        for line, read in zip(left, read_recipe_lines(line.text for line in left), strict=True):
+        for line, read in zip(left, self.lines.read([line.text for line in left]), strict=True):
             amount = (line.quantity or read.quantity, line.unit or read.unit)
             food = self._label(read.object) if read.object else None
             self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
 
     def _as_told(self, line: CollectedLine) -> CalledFor | None:
-        """Answer the food that the collection names with the state that the line says; ``None`` where it names none."""
-        if not line.detected:
+        """Answer the food that the collection names with what the line says of it; ``None`` where it names none."""
+        food = (line.detected or "").strip()
+        if not food:
             return None
-        food = line.detected.strip()
-        state = line.state or state_beside(food, line.text)
-        if not food or state is None:
+        if line.state:
+            return CalledFor(self._label(food), line.state, line.text, line.quantity, line.unit)
+        plain = read_quickly(line.text)
+        state = plain.state if plain else state_beside(food, line.text)
+        if state is None:
             return None
-        return CalledFor(self._label(food), state, line.text, line.quantity, line.unit)
+        amount = (line.quantity, line.unit) if line.quantity or plain is None else (plain.quantity, plain.unit)
+        return CalledFor(self._label(food), state, line.text, *amount)
 
     def _label(self, food: str) -> str:
         name = canonical(food)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -171,14 +172,19 @@ def _load(
     from foon_kg.collection import CollectionReader, labels_of
     from foon_kg.graph import Connection, Neo4jGraph
     from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+    from foon_kg.recipe_lines import LineReader
     from foon_kg.server import connection_settings
 
     settings = connection_settings(say)
     console = messages(quiet=quiet)
-    with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
+    with (
+        LineReader(os.cpu_count() or 1) as lines,
+        Connection(settings) as connection,
+        Progress(console=console, disable=not console.is_terminal) as progress,
+    ):
         prepare_for_recipes(connection)
         with Neo4jGraph(settings) as graph, graph.reading() as view:
-            reader = CollectionReader(labels_of(view.vocabulary()), full=full)
+            reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
         task = progress.add_task("Loading", total=total)
         return load_recipes(
             connection,
