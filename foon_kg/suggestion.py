@@ -20,13 +20,13 @@ from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.stock import StockedKitchen
 from foon_kg.substitution import FAIR
-from foon_kg.workshop import gap_cost, mixtures
+from foon_kg.workshop import ABSENT, gap_cost, mixtures
 
 LEAST_PROVEN = 20
 """So many of the cheaply ranked goals are proven at least; twice as many as are asked for, where that is more."""
 
 _MISSING = 100_000
-"""What the search pays for a food or a utensil that nobody has: more than for whatever is there in another form."""
+"""What the search pays for a food that nobody has: more than for whatever is there in another state."""
 
 _READY_MADE = 10
 """How many missing foods a missing mixture counts for, so that it is made of what is there, if there is a way."""
@@ -47,7 +47,7 @@ class Suggestion:
 
     ``missing`` are the foods and utensils that the tree takes and that are not there; ``assumed`` the leaves of which
     only the food is there, in another state; ``unused`` the foods at hand that it does not take. ``exact`` says that it
-    is proven that no tree of this goal lacks less (see ``docs/ties.md`` for the order).
+    is proven that no tree of this goal lacks less food (see ``docs/ties.md`` for the order).
     """
 
     goal: Goal
@@ -224,8 +224,11 @@ def _index(units: Sequence[KnownUnit], own: Larder) -> UnitIndex:
 
 def _cost(own: Larder, otherwise: Callable[[ObjectNode], int | None]) -> Callable[[ObjectNode], int]:
     def cost(node: ObjectNode) -> int:
-        lacking = sum(_READY_MADE if name in own.mixed else 1 for name in own.lacking(node))
-        return _MISSING * lacking + (otherwise(own.mine(node)) or 1)
+        lacking = [name for name in own.lacking(node) if not own.kitchen.is_utensil(name)]
+        if not lacking and own.lacking(node):
+            return ABSENT
+        foods = sum(_READY_MADE if name in own.mixed else 1 for name in lacking)
+        return _MISSING * foods + (otherwise(own.mine(node)) or 1)
 
     return cost
 

@@ -74,7 +74,7 @@ def gap_cost(
     return cost
 
 
-_ABSENT = 3
+ABSENT = 3
 """What a search pays for a utensil that is not among those a person named: not so much that it would rather assume that
 a food is processed already, for then it would be said that the food is missing, and not the utensil."""
 
@@ -98,7 +98,7 @@ class Workshop:
         self.index = UnitIndex.of(
             units,
             at_hand=self.kitchen.has,
-            gap_cost=lambda node: _ABSENT if self.kitchen.lacks(node) else cost(node),
+            gap_cost=lambda node: ABSENT if self.kitchen.lacks(node) else cost(node),
         )
         self.foon = KnownFoon.of(units, goals)
         self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}

@@ -147,5 +147,6 @@ def test_neo4j_and_memory_suggest_the_same(empty_graph):
     with Connection(empty_graph) as connection:
         load(connection, DEMO)
     with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
+        before = view.round_trips
         assert suggest(view, kitchen) == suggest(Snapshot.of(DEMO, KITCHEN), kitchen)
-        assert view.round_trips <= 4
+        assert view.round_trips == before + 3  # the goals, the words, and all that is behind the best
