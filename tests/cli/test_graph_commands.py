@@ -88,6 +88,15 @@ def test_the_figures_of_the_graph_are_those_of_its_files(database, folder):
     assert json.loads(of_graph.stdout) == json.loads(of_files.stdout)
 
 
+@pytest.mark.neo4j
+def test_the_equivalents_of_the_graph_are_those_of_its_files(database, folder):
+    foon("load", "foon", folder, "--bad-tolerance", 1)
+    of_graph = foon("similar", "shallot", "qwxyz", "--json")
+    of_files = foon("similar", "shallot", "qwxyz", "--json", "--files", folder)
+    assert of_graph.stdout == of_files.stdout
+    assert json.loads(of_graph.stdout.splitlines()[0])["nearest"][0]["name"] == "onion"
+
+
 def test_stats_count_each_distinct_thing_once(tmp_path):
     (tmp_path / "one.txt").write_text(GOOD, encoding="utf-8")
     (tmp_path / "two.txt").write_text(GOOD, encoding="utf-8")
