@@ -21,23 +21,35 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from pathlib import Path
 
+from foon_kg.collection import CollectionReader, labels_of
+from foon_kg.graph import Connection, Neo4jGraph
+from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.loaders.recipe_collections import RecipeCollections
+from foon_kg.recipe_lines import LineReader
+from foon_kg.server import connection_settings
+
 FOODS = """
-salt, sugar, butter, flour, eggs, milk, water, onion, garlic cloves, olive oil, black pepper, vegetable oil, vanilla extract,
-lemon juice, brown sugar, baking powder, baking soda, cream cheese, parmesan cheese, cheddar cheese, sour cream, chicken breasts,
-ground beef, tomatoes, carrots, celery, potatoes, green onions, red onion, bell pepper, cilantro, parsley, basil, thyme, oregano,
-cumin, paprika, cinnamon, nutmeg, ginger, soy sauce, worcestershire sauce, mayonnaise, ketchup, dijon mustard, honey, vinegar,
-balsamic vinegar, white wine, chicken broth, heavy cream, yogurt, mozzarella, feta, bacon, ham, shrimp, salmon, tuna, rice, pasta,
-spaghetti, egg noodles, bread crumbs, tortillas, lettuce, spinach, kale, cabbage, cucumber, avocado, corn, peas, green beans,
-black beans, kidney beans, lentils, chickpeas, mushrooms, zucchini, eggplant, broccoli, cauliflower, asparagus, apples, bananas,
-strawberries, blueberries, raspberries, oranges, limes, lemons, pineapple, mango, peaches, raisins, walnuts, pecans, almonds,
-cashews, peanut butter, chocolate chips, cocoa powder, coconut milk, maple syrup, cornstarch, gelatin, powdered sugar, lime juice,
-orange juice, cayenne pepper, chili powder, curry powder, bay leaves, rosemary, sage, dill, mint, sesame oil, sesame seeds, tofu,
-edamame, quinoa, couscous, bulgur, polenta, goat cheese, blue cheese, ricotta cheese, cottage cheese, half-and-half, buttermilk,
-shallots, leeks, fennel, radishes, beets, turnips, parsnips, sweet potatoes, butternut squash, pumpkin puree, tomato paste,
-tomato sauce, hot sauce, horseradish, capers, olives, anchovies, artichoke hearts, pine nuts, dates, figs, apricots, cherries,
-plums, pears, grapes, kiwi, watermelon, cantaloupe, rum, vodka, tequila, gin, jicama, kohlrabi, tamarind, sumac, harissa, miso
+salt, sugar, butter, flour, eggs, milk, water, onion, garlic cloves, olive oil, black pepper, vegetable oil, vanilla
+extract, lemon juice, brown sugar, baking powder, baking soda, cream cheese, parmesan cheese, cheddar cheese, sour
+cream, chicken breasts, ground beef, tomatoes, carrots, celery, potatoes, green onions, red onion, bell pepper,
+cilantro, parsley, basil, thyme, oregano, cumin, paprika, cinnamon, nutmeg, ginger, soy sauce, worcestershire sauce,
+mayonnaise, ketchup, dijon mustard, honey, vinegar, balsamic vinegar, white wine, chicken broth, heavy cream, yogurt,
+mozzarella, feta, bacon, ham, shrimp, salmon, tuna, rice, pasta, spaghetti, egg noodles, bread crumbs, tortillas,
+lettuce, spinach, kale, cabbage, cucumber, avocado, corn, peas, green beans, black beans, kidney beans, lentils,
+chickpeas, mushrooms, zucchini, eggplant, broccoli, cauliflower, asparagus, apples, bananas, strawberries,
+blueberries, raspberries, oranges, limes, lemons, pineapple, mango, peaches, raisins, walnuts, pecans, almonds,
+cashews, peanut butter, chocolate chips, cocoa powder, coconut milk, maple syrup, cornstarch, gelatin, powdered sugar,
+lime juice, orange juice, cayenne pepper, chili powder, curry powder, bay leaves, rosemary, sage, dill, mint, sesame
+oil, sesame seeds, tofu, edamame, quinoa, couscous, bulgur, polenta, goat cheese, blue cheese, ricotta cheese, cottage
+cheese, half-and-half, buttermilk, shallots, leeks, fennel, radishes, beets, turnips, parsnips, sweet potatoes,
+butternut squash, pumpkin puree, tomato paste, tomato sauce, hot sauce, horseradish, capers, olives, anchovies,
+artichoke hearts, pine nuts, dates, figs, apricots, cherries, plums, pears, grapes, kiwi, watermelon, cantaloupe, rum,
+vodka, tequila, gin, jicama, kohlrabi, tamarind, sumac, harissa, miso
 """
-KINDS = "Salad Soup Cake Cookies Bread Muffins Pie Casserole Omelette Smoothie Punch Chicken Pasta Stir-Fry Sauce Rice Delight".split()
+KINDS = (
+    "Salad", "Soup", "Cake", "Cookies", "Bread", "Muffins", "Pie", "Casserole", "Omelette", "Smoothie",
+    "Punch", "Chicken", "Pasta", "Stir-Fry", "Sauce", "Rice", "Delight",
+)  # fmt: skip
 MOODS = ("Easy ", "Grandma's ", "Best Ever ", "Quick ", "Spicy ", "Creamy ", "Grilled ", "Summer ", "Low-Fat ", "")
 QUANTITIES = ("1", "2", "3", "4", "1/2", "1/4", "3/4", "1 1/2", "½", "2-3", "8", "12", "")
 UNITS = ("cup", "cups", "tablespoons", "teaspoon", "ounces", "pound", "(14 ounce) can", "large", "small", "", "package")
@@ -95,6 +107,7 @@ class Kitchen:
         self._shares = list(accumulate(1 / rank for rank in range(1, len(self._foods) + 1)))
 
     def food(self) -> str:
+        """Answer one food; the first are the commonest."""
         return self._random.choices(self._foods, cum_weights=self._shares)[0]
 
     def line(self) -> tuple[str, str, bool]:
@@ -165,13 +178,6 @@ def make(folder: Path, count: int, seed: int) -> None:
 
 def load(folder: Path, parse: str) -> None:
     """Load, and print the rate of each tenth."""
-    from foon_kg.collection import CollectionReader, labels_of
-    from foon_kg.graph import Connection, Neo4jGraph
-    from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
-    from foon_kg.loaders.recipe_collections import RecipeCollections
-    from foon_kg.recipe_lines import LineReader
-    from foon_kg.server import connection_settings
-
     size = sum(file.stat().st_size for file in folder.glob("*.json"))
     settings = connection_settings()
     with (
@@ -202,11 +208,13 @@ class Rates:
         self._marks: list[tuple[int, float]] = []
 
     def add(self, report: Sequence) -> None:
+        """Take down that the recipes of ``report`` are stored."""
         before, self._done = self._done, self._done + len(report)
         if before // self._tenth != self._done // self._tenth:
             self._marks.append((self._done, time.perf_counter() - self._start))
 
     def show(self) -> None:
+        """Print the rate over all, and of each tenth."""
         seconds = time.perf_counter() - self._start
         print(f"{self._done:,} recipes in {seconds:.1f} s: {self._done / seconds:,.0f} a second")
         for (done, at), rate in zip(self._marks, self._rates(), strict=True):
