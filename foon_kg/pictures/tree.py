@@ -66,11 +66,11 @@ class _Picture:
 
     def drawn(self) -> ET.Element:
         width, height = self.layout.size
-        wide = max(width, _legend_width(), text_width(self.tree.title, 18)) + 2 * _EDGE
+        wide = max(width, _legend_width(self.tree), text_width(self.tree.title, 18)) + 2 * _EDGE
         root = picture(wide, height + _HEAD + _EDGE, f"Task tree: {self.tree.title}")
         _arrow_head(root)
         write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
-        _draw_legend(root)
+        _draw_legend(root, self.tree)
         stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {_HEAD})")
         for arrow in self.scene.arrows:
             self._draw_arrow(stage, arrow)
@@ -196,13 +196,27 @@ def _arrow_head(root: ET.Element) -> None:
     element(marker, "path", {"d": "M0 0.5L8 4L0 7.5Z"}, "way-end")
 
 
-def _legend_width() -> float:
-    return sum(text_width(text, 11) + 40 for _, text in _LEGEND)
+def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
+    """Answer what a reader of this tree meets; FOON text has no reference to differ from."""
+    origins = {unit.origin for unit in tree.units}
+    there = {
+        "kitchen": True,
+        "object": True,
+        "motion": tree.result is not None,
+        "changed": "substituted" in origins,
+        "added": "foon" in origins,
+        "unseen-box": bool(tree.unseen),
+    }
+    return [(kind, text) for kind, text in _LEGEND if there[kind]]
 
 
-def _draw_legend(root: ET.Element) -> None:
+def _legend_width(tree: ShownTree) -> float:
+    return sum(text_width(text, 11) + 40 for _, text in _legend(tree))
+
+
+def _draw_legend(root: ET.Element, tree: ShownTree) -> None:
     x = _EDGE
-    for kind, text in _LEGEND:
+    for kind, text in _legend(tree):
         shape: dict[str, object] = {"x": x, "y": 46, "width": 16, "height": 11, "rx": 3}
         if kind in {"unseen-box", "changed"}:
             shape["stroke-dasharray"] = "3 2"

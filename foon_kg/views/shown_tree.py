@@ -31,7 +31,7 @@ class ShownTree:
     def of_result(cls, result: PlanResult) -> Self:
         """Look at a plan."""
         title = result.recipe.title or result.recipe.id or result.recipe.dish_type
-        return cls(title, result.units, result.goal, result.kitchen, result.progress_lines, result)
+        return cls(title, result.units, result.goal, result.kitchen, _named_lines(result), result)
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph) -> Self:
@@ -68,6 +68,17 @@ def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:
         leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in made))
         made.update(unit.output_nodes)
     return tuple(leaves)
+
+
+def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
+    """Answer the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
+    if any(step.object for line in result.progress_lines for step in line.steps):
+        return result.progress_lines
+    kitchen = Kitchen.default().with_foods(wanted.object for wanted in result.recipe.ingredients)
+    tree = [unit.as_unit() for unit in result.units]
+    named = progress_lines(tree, result.goal, result.recipe.ingredients, kitchen)
+    found = {line: line for line in named}  # equal lines may differ in the names alone
+    return tuple(found.get(line, line) for line in result.progress_lines)
 
 
 def _lines_of_leaves(

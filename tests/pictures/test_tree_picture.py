@@ -18,7 +18,7 @@ from foon_kg.pictures.png import png_of
 from foon_kg.pictures.progress import progress_svg
 from foon_kg.pictures.scene import MotionBox, ObjectBox, scene_of
 from foon_kg.pictures.tree import tree_svg
-from foon_kg.result import PlannedUnit
+from foon_kg.result import PlannedUnit, PlanResult
 from foon_kg.views.shown_tree import ShownTree
 
 KITCHEN = Kitchen.default()
@@ -133,6 +133,14 @@ def test_the_progress_picture_has_a_row_for_each_line_with_its_motions():
         assert {line.ingredient, f"~{line.ingredient}"} & set(words)
     motions = [f"{step.motion} →" for line in tree.lines for step in line.steps]
     assert [text for text in words if text.endswith(" →")] == motions
+
+
+@every_demo_recipe
+def test_a_plan_that_was_read_back_shows_the_same_progress(name):
+    plan = demo_plan(name)
+    again = ShownTree.of_result(PlanResult.from_json(plan.to_json()))
+    told = [[step.object for step in line.steps] for line in again.lines]
+    assert told == [[step.object for step in line.steps] for line in plan.progress_lines]
 
 
 def test_a_png_is_as_large_as_asked():
