@@ -15,12 +15,13 @@ from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.lines import FoodLine, food_lines, held_names
+from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
 from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
+from foon_kg.reading import Reading
 from foon_kg.rehearsal import Rehearsal
-from foon_kg.script import Casting, Item, Recast, Replayed, Script, Step
+from foon_kg.script import Casting, Item, Recast, Replayed, Step
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
 
@@ -60,18 +61,21 @@ class Integration:
     """Places of the script at which a food may not join: the judge would not have it there."""
     _rehearsals: list[Rehearsal] = field(default_factory=list, repr=False)
 
+    @cached_property
+    def _reading(self) -> Reading:
+        return self.preparations.readings.of(self.script)
+
     def _rehearsal(self, casting: Casting) -> Rehearsal:
         """Answer what was rehearsed with ``casting``, by this integration or the one that it repairs."""
         known = next((rehearsal for rehearsal in self._rehearsals if rehearsal.casting == casting), None)
         if known is None:
-            script = self._rehearsals[0].script if self._rehearsals else Script.of(self.script, self.kitchen)
-            known = Rehearsal(script, casting)
+            known = Rehearsal(self._reading.play, casting)
             self._rehearsals.append(known)
         return known
 
     def run(self) -> FinalTree:
         """Answer the final tree; what could not be brought into it is ``missing``."""
-        lines = food_lines(self.script, self.kitchen)
+        lines = self._reading.lines
         played = self._play_lines(lines)
         casting = self._casting(lines, played)
         casting, played = self._keep_what_arrives(casting, lines, played)
@@ -126,8 +130,7 @@ class Integration:
     def _casting(
         self, lines: Mapping[str, FoodLine], played: Mapping[RequiredIngredient, tuple[str, Recast]]
     ) -> Casting:
-        names = {*lines, *held_names(self.script, self.kitchen)}
-        foods: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
+        foods: dict[str, Recast | None] = dict.fromkeys(self._reading.names)
         foods |= dict(played.values())
         return Casting(foods, goal=self.goal)
 

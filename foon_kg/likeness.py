@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from foon_kg.errors import UsageError
@@ -41,7 +41,9 @@ class Likeness:
     def __call__(self, required: str, known: str) -> float:
         """Answer :meth:`own`, but 1 for a substitute that a person chose; others are then barely fair at best."""
         sure = self.own(required, known)
-        like = self.chosen.get(canonical(required)) if self.chosen else None
+        if not self.chosen:
+            return sure
+        like = self.chosen.get(canonical(required))
         if like is None:
             return sure
         if canonical(known) == like:
@@ -50,15 +52,21 @@ class Likeness:
 
     def own(self, required: str, known: str) -> float:
         """Answer how likely a cook is to accept ``known`` for ``required`` (0..1), whatever was chosen."""
-        if required == known:
-            return 1.0
-        if required not in self.rows:
-            values = self.similarity.matrix([required], self.labels)[0].tolist()
-            self.rows[required] = dict(zip(self.labels, values, strict=True))
-        row = self.rows[required]
-        if known not in row:
-            row[known] = float(self.similarity.matrix([required], [known])[0, 0])
-        return row[known]
+        row = self.rows.get(required)
+        if row is None:
+            self.learn([required])
+            row = self.rows[required]
+        sure = row.get(known)
+        if sure is None:
+            sure = row[known] = float(self.similarity.matrix([required], [known])[0, 0])
+        return sure
+
+    def learn(self, foods: Iterable[str]) -> None:
+        """Work out at once what every food of the FOON is worth in the place of each of ``foods``."""
+        new = [food for food in dict.fromkeys(foods) if food not in self.rows]
+        if new:
+            for food, values in zip(new, self.similarity.matrix(new, self.labels).tolist(), strict=True):
+                self.rows[food] = {**dict(zip(self.labels, values, strict=True)), food: 1.0}
 
     def _choose(self, substitute: Substitute) -> None:
         food, like = canonical(substitute.food), canonical(substitute.like)

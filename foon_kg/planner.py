@@ -10,19 +10,18 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
 from foon_kg.goals import RankedGoal, near_ties, rank_goals
 from foon_kg.integration import FinalTree, Integration
-from foon_kg.kitchen import words
+from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
-from foon_kg.ordering import as_recorded
 from foon_kg.outcome import plan_result, with_progress
-from foon_kg.preparation import Preparations
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
@@ -71,6 +70,26 @@ class Planner:
         self.vocabulary = view.vocabulary()
         self.likeness = Likeness(settings.similarity, self.vocabulary, settings.substitutes)
         self.whole = None if units is None else Workshop(units, view.goals(), settings, self.vocabulary)
+        self._equivalents: list[Equivalents] = []
+
+    @cached_property
+    def known_foods(self) -> frozenset[str]:
+        """Answer the foods of the FOON, each word in the singular."""
+        return frozenset(" ".join(words(row.label)) for row in self.vocabulary.foods)
+
+    def equivalents_for(self, foods: Sequence[str]) -> Equivalents:
+        """Answer what the FOON's words stand for in the kitchen of a recipe that asks for ``foods``.
+
+        Recipes with equal kitchens share it, and so what was worked out in it.
+        """
+        # water that is asked is taken once, for the dish, and not for washing beside it (sense, S4)
+        kitchen = kitchen_without(self.settings.kitchen, (*self.settings.avoided, *foods)).with_foods(foods)
+        self.likeness.learn(foods)
+        known = next((e for e in self._equivalents if _same_kitchen(e.kitchen, kitchen)), None)
+        if known is None:
+            known = Equivalents(self.vocabulary, kitchen, self.likeness, state_similarity, self.likeness.own)
+            self._equivalents.append(known)
+        return known
 
     def plan(self, recipe: Recipe) -> PlanResult:
         """Answer the task tree that makes ``recipe``; raises as :func:`plan` does."""
@@ -123,16 +142,10 @@ class _Question:
         self.settings = planner.settings
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         self.wants = _wants(self.recipe)
-        asked = [want.object for want in self.wants]
-        # water that is asked is taken once, for the dish, and not for washing beside it (sense, S4)
-        kitchen = kitchen_without(self.settings.kitchen, (*self.settings.avoided, *asked))
-        self.kitchen = kitchen.with_foods(asked)
+        self.equivalents = planner.equivalents_for([want.object for want in self.wants])
+        self.kitchen = self.equivalents.kitchen
         self.vocabulary = planner.vocabulary
         self._near = 1
-        self._made_in: tuple[Workshop, Preparations] | None = None
-        self.equivalents = Equivalents(
-            self.vocabulary, self.kitchen, planner.likeness, state_similarity, planner.likeness.own
-        )
 
     def answer(self) -> PlanResult:
         """Answer the best tree, with its progress lines."""
@@ -147,7 +160,7 @@ class _Question:
         """Answer the units of the reference tree of ``goal``."""
         for ranked, workshop in self._goals_to_try():
             if ranked.goal.node == goal:
-                return as_recorded(workshop.reference(goal, self._wanted(ranked)).units, ranked.goal.videos)
+                return workshop.script(workshop.reference(goal, self._wanted(ranked)), ranked.goal.videos)
         raise UsageError(
             f"this FOON has no goal {goal} for {self._dish}", hint="Give the FOON of the plan with --files."
         )
@@ -243,17 +256,16 @@ class _Question:
             fitting,
             self.wants,
             name_confidence=self.equivalents.name_confidence,
-            known_foods=frozenset(" ".join(words(row.label)) for row in self.vocabulary.foods),
+            known_foods=self.planner.known_foods,
             dish_type=dish_type or None,
         )
 
     def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> _Attempt:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
-        script = as_recorded(reference.units, ranked.goal.videos)
-        integration = Integration(
-            script, goal, self.wants, self.equivalents, self.kitchen, self._preparations(workshop)
-        )
+        script = workshop.script(reference, ranked.goal.videos)
+        preparations = workshop.preparations(self.equivalents)
+        integration = Integration(script, goal, self.wants, self.equivalents, self.kitchen, preparations)
         best = attempt = self._judged(integration, ranked, reference, workshop.foon)
         for _ in range(MOST_REPAIRS):
             blamed = attempt.integration.blamed(attempt.tree, attempt.report.of(_REPAIRED)) - integration.refused
@@ -301,11 +313,6 @@ class _Question:
             hint="Ask for another dish type, or avoid less.",
         )
 
-    def _preparations(self, workshop: Workshop) -> Preparations:
-        if self._made_in is None or self._made_in[0] is not workshop:
-            self._made_in = (workshop, Preparations(self.equivalents, self.kitchen, workshop.derive, workshop.make))
-        return self._made_in[1]
-
     def _faults(self, attempt: _Attempt, ranked: RankedGoal) -> tuple[int, int]:
         """Answer how many rules of the contract and how many measures of sense are broken.
 
@@ -326,6 +333,11 @@ class _Question:
                 if self.equivalents.name_confidence(want.object, name) >= FAIR:
                     wanted.setdefault(name, number)
         return wanted
+
+
+def _same_kitchen(one: Kitchen, other: Kitchen) -> bool:
+    """Whether two kitchens of one planner are the same: recipes may differ in no more than this."""
+    return one.free_foods == other.free_foods and one.utensils == other.utensils
 
 
 def _in_growing_chunks(ranked: Sequence[RankedGoal]) -> Iterator[Sequence[RankedGoal]]:

@@ -9,14 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.lines import FoodLine, food_lines, held_names, opens_food
+from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played
+from foon_kg.reading import Readings
 from foon_kg.replay import replay
-from foon_kg.script import Casting, Recast, Script, Step
+from foon_kg.script import Casting, Recast, Step
 from foon_kg.substitution import Candidate, Equivalents
 
 Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
@@ -54,13 +56,18 @@ class Preparation:
 
 @dataclass(frozen=True)
 class Preparations:
-    """The ways to have the foods of one recipe ready; each is worked out once."""
+    """The ways to have foods ready in one kitchen; each is worked out once, for whatever recipe."""
 
     equivalents: Equivalents
     kitchen: Kitchen
     derive: Derive
     make: Make
     _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def readings(self) -> Readings:
+        """The scripts read in this kitchen."""
+        return Readings(self.kitchen)
 
     def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
         """Answer the ways to make ``want``, best first.
@@ -91,7 +98,7 @@ class Preparations:
         if not script:
             return ()
         casting = self._alone(script, {})
-        replayed = replay(Script.of(script, self.kitchen), casting)
+        replayed = replay(self.readings.of(script).play, casting)
         item = replayed.items.get(node)
         if item is None or item.node != node:
             return ()
@@ -99,8 +106,7 @@ class Preparations:
 
     def _alone(self, script: Sequence[KnownUnit], foods: Mapping[str, Recast]) -> Casting:
         """Answer the casting in which just these foods play, and every other one is dropped."""
-        names = {*food_lines(script, self.kitchen), *held_names(script, self.kitchen)}
-        dropped: dict[str, Recast | None] = {name: None for name in names if not self.kitchen.is_free(name)}
+        dropped: dict[str, Recast | None] = dict.fromkeys(self.readings.of(script).names)
         return Casting(dropped | dict(foods))
 
     def leaves_stand(self, line: FoodLine, recast: Recast) -> bool:
@@ -121,7 +127,7 @@ class Preparations:
     def _processed(self, want: RequiredIngredient, stands: Callable[[FoodLine, Recast], bool]) -> Iterator[Preparation]:
         for candidate in self.equivalents.candidates(want):
             script = self.derive(candidate)
-            line = food_lines(script, self.kitchen).get(candidate.label) if script else None
+            line = self.readings.of(script).lines.get(candidate.label) if script else None
             if not script or line is None:
                 continue
             cast = self.equivalents.recast(want, [candidate.state], line.made_by)
@@ -135,7 +141,7 @@ class Preparations:
             script = self.derive(Candidate(want.object, state, 1.0, 1.0))
             if not script or not any(opens_food(want.object, known) for known in script):
                 continue
-            line = food_lines(script, self.kitchen).get(want.object)
+            line = self.readings.of(script).lines.get(want.object)
             if line is None:
                 continue
             starts = {start for node in line.leaves for start in node.states}
@@ -149,7 +155,7 @@ class Preparations:
         """Answer what a food becomes when it is opened, and is called after it: an egg its white and yolk."""
         for label, state in self.equivalents.parts(want.object):
             script = self.derive(Candidate(label, state, 1.0, 1.0))
-            lines = food_lines(script, self.kitchen) if script else {}
+            lines = self.readings.of(script).lines if script else {}
             if not script or want.object not in lines or not opens_food(want.object, script[-1]):
                 continue
             starts = {start for node in lines[want.object].leaves for start in node.states}
@@ -158,7 +164,7 @@ class Preparations:
             if cast is None or not self.leaves_stand(lines[want.object], cast[0]) or len(made) > 1:
                 continue
             casting = replace(self._alone(script, {want.object: cast[0]}), carried=frozenset({want.object}))
-            replayed = replay(Script.of(script, self.kitchen), casting)
+            replayed = replay(self.readings.of(script).play, casting)
             item = replayed.items.get(made[0])
             steps = tuple(needed(replayed.steps, item.node)) if item is not None else ()
             if item is not None and want.object in item.node.ingredients and steps and shows(want, steps):
@@ -170,7 +176,7 @@ class Preparations:
     ) -> Iterator[Preparation]:
         """Execute ``script``; its last unit must leave the food, as it is called now, in ``state``."""
         casting = self._alone(script, {candidate.label: recast})
-        replayed = replay(Script.of(script, self.kitchen), casting)
+        replayed = replay(self.readings.of(script).play, casting)
         for target in script[-1].unit.output_nodes:
             item = replayed.items.get(target)
             if target.label != candidate.label or candidate.state not in target.states or item is None:

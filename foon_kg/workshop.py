@@ -8,10 +8,12 @@ from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
+from foon_kg.ordering import as_recorded
+from foon_kg.preparation import Preparations
 from foon_kg.restoration import restored
 from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.settings import PlanSettings
-from foon_kg.substitution import Candidate
+from foon_kg.substitution import Candidate, Equivalents
 from foon_kg.validation import KnownFoon
 
 # What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
@@ -105,6 +107,8 @@ class Workshop:
         self.explored = Explored()
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
         self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
+        self.prepared: list[Preparations] = []
+        self.recorded: dict[tuple[tuple[str, ...], tuple[str, ...]], tuple[KnownUnit, ...]] = {}
 
     def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
         """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
@@ -115,6 +119,21 @@ class Workshop:
                 problem, self.memory, time_limit=self.time_limit, explored=self.explored
             )
         return self.references[key]
+
+    def script(self, reference: ReferenceTree, videos: tuple[str, ...]) -> tuple[KnownUnit, ...]:
+        """Answer the units of ``reference`` in the order of the ``videos`` of its goal."""
+        key = (tuple(known.unit.key for known in reference.units), videos)
+        if key not in self.recorded:
+            self.recorded[key] = as_recorded(reference.units, videos)
+        return self.recorded[key]
+
+    def preparations(self, equivalents: Equivalents) -> Preparations:
+        """Answer the ways to have foods ready; recipes with the same ``equivalents`` share what was made so far."""
+        known = next((made for made in self.prepared if made.equivalents is equivalents), None)
+        if known is None:
+            known = Preparations(equivalents, equivalents.kitchen, self.derive, self.make)
+            self.prepared.append(known)
+        return known
 
     def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:
         """Answer the fewest units that make a food in a state, or ``None`` where nothing does."""

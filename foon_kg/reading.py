@@ -1,0 +1,51 @@
+"""A script as it is read in one kitchen: what every recipe asks of it that is brought into it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from foon_kg.kitchen import Kitchen
+from foon_kg.lines import FoodLine, food_lines, held_names
+from foon_kg.model import KnownUnit
+from foon_kg.script import Script
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """One script: its ``units`` in their order, each question answered once."""
+
+    units: Sequence[KnownUnit]
+    kitchen: Kitchen
+
+    @cached_property
+    def lines(self) -> Mapping[str, FoodLine]:
+        """The lines of the foods that the script takes from the kitchen."""
+        return food_lines(self.units, self.kitchen)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """The foods that are there from the start, by themselves or in vessels, and cost something to have."""
+        names = {*self.lines, *held_names(self.units, self.kitchen)}
+        return frozenset(name for name in names if not self.kitchen.is_free(name))
+
+    @cached_property
+    def play(self) -> Script:
+        """The script, ready to be executed."""
+        return Script.of(self.units, self.kitchen)
+
+
+@dataclass(frozen=True, eq=False)
+class Readings:
+    """The scripts that were read in one kitchen so far."""
+
+    kitchen: Kitchen
+    _known: dict[tuple[str, ...], Reading] = field(default_factory=dict, repr=False)
+
+    def of(self, units: Sequence[KnownUnit]) -> Reading:
+        """Answer the reading of ``units``, known or new."""
+        key = tuple(known.unit.key for known in units)
+        if key not in self._known:
+            self._known[key] = Reading(units, self.kitchen)
+        return self._known[key]
