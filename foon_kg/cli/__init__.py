@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import sys
 from typing import Annotated
 
 import typer
@@ -69,7 +70,13 @@ app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
 app.add_typer(server.app)
 
 
+_LEFT_OUT = ("pandas", "pyarrow")
+"""What the Neo4j driver imports wherever it is installed, to answer data frames, which no command asks it for."""
+
+
 def main() -> None:
     """Run ``foon`` (the entry point of the installed program)."""
     gc.set_threshold(100_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
+    for name in _LEFT_OUT:  # importing them takes longer than connecting, asking and planning together
+        sys.modules.setdefault(name, None)  # type: ignore[arg-type] # None is how Python says: not here
     app()
