@@ -31,4 +31,4 @@ def words_of(node: ObjectNode) -> str:
 
 def comment(text: str) -> str:
     """Answer ``text`` as a comment to the end of the line."""
-    return "; " + " ".join(text.split())
+    return "; " + " ".join("".join(c if c.isprintable() else " " for c in text).split())

@@ -1,0 +1,120 @@
+"""DOT, Mermaid and GraphML say the same graph: one node an object and a unit, one edge an input and an output."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+
+import networkx
+import pydot
+import pytest
+from exports.odd_trees import of_file, trees
+from hypothesis import given, settings
+from kitchen_stories import SALAD, subgraph
+
+from foon_kg.errors import FormatError
+from foon_kg.exports.dot import write_dot
+from foon_kg.exports.graph import BipartiteGraph
+from foon_kg.exports.graphml import write_graphml
+from foon_kg.exports.mermaid import write_mermaid
+from foon_kg.kitchen import Kitchen
+from foon_kg.snapshot import Snapshot
+
+MERMAID_NODE = re.compile(r'  (\w+)(\(\[|\[)"((?:[\w ,.()\-+*\'/!]|#\d+;)*)"(\]\)|\]):::(food|utensil|goal|motion)')
+MERMAID_EDGE = re.compile(r"  (\w+) (-->|==>) (\w+)")
+
+
+def shape(tree):
+    """The nodes and edges that a tree has, counted without any help of the exports."""
+    objects = {node for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    edges = sum(len(k.unit.input_nodes) + len(k.unit.output_nodes) for k in tree.units)
+    return len(objects | set(tree.kitchen)), len(tree.units), edges
+
+
+def parsed_mermaid(text):
+    """Read a flowchart strictly: every line has to be one that is known."""
+    first, title, last, kind, *lines = text.splitlines()
+    assert (first, last, kind) == ("---", "---", "flowchart TD")
+    nodes, edges = {}, []
+    for line in lines:
+        if line.startswith("  classDef "):
+            continue
+        if node := MERMAID_NODE.fullmatch(line):
+            nodes[node[1]] = (html.unescape(re.sub(r"#(\d+);", r"&#\1;", node[3])), node[5])
+        else:
+            edge = MERMAID_EDGE.fullmatch(line)
+            assert edge, line
+            edges.append((edge[1], edge[3], edge[2] == "==>"))
+    return json.loads(title.removeprefix("title: ")), nodes, edges
+
+
+@settings(max_examples=25, deadline=None)
+@given(trees)
+def test_a_flowchart_has_the_graph_and_every_name(tree):
+    title, nodes, edges = parsed_mermaid(write_mermaid(BipartiteGraph.of_tree(tree)))
+    objects, units, count = shape(tree)
+    motions = [text for text, kind in nodes.values() if kind == "motion"]
+    assert title == tree.title
+    assert (len(nodes), len(motions), len(edges)) == (objects + units, units, count)
+    assert [text.removesuffix("*") for text in motions] == [k.unit.motion.removesuffix("*") for k in tree.units]
+    assert {str(node) for node in tree.nodes} <= {text for text, _ in nodes.values()}
+    assert {end for edge in edges for end in edge[:2]} <= nodes.keys()
+
+
+@settings(max_examples=25, deadline=None)
+@given(trees)
+def test_graphml_gives_networkx_every_field(tree):
+    graph = networkx.parse_graphml(write_graphml(BipartiteGraph.of_tree(tree)))
+    objects, units, count = shape(tree)
+    found = [data for _, data in graph.nodes(data=True) if data["kind"] != "motion"]
+    assert (graph.number_of_nodes(), graph.number_of_edges()) == (objects + units, count)
+    read = {
+        (d["label"], *map(tuple, map(json.loads, (d["states"], d["ingredients"]))), d.get("relation"), d.get("container"))
+        for d in found
+    }
+    assert read >= {(n.label, n.states, n.ingredients, n.relation, n.container) for n in tree.nodes}
+    assert len(read) == objects
+    motions = [graph.nodes[f"m{place}"] for place in range(1, units + 1)]
+    assert [(m["motion"], m["accepts_any"]) for m in motions] == [(k.unit.motion, k.unit.accepts_any) for k in tree.units]
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning:pydot")  # its own use of pyparsing
+@settings(max_examples=8, deadline=None)
+@given(trees)
+def test_dot_is_read_by_a_parser_of_dot(tree):
+    (graph,) = pydot.graph_from_dot_data(write_dot(BipartiteGraph.of_tree(tree)))
+    objects, units, count = shape(tree)
+    nodes = {node.get_name(): node for node in graph.get_nodes() if re.fullmatch(r"[om]\d+", node.get_name())}
+    assert (len(nodes), len(graph.get_edges())) == (objects + units, count)
+    labels = {unquoted(node.get("label")) for node in nodes.values()}
+    assert {str(node) for node in tree.nodes} <= labels
+
+
+def unquoted(text):
+    assert text[0] == text[-1] == '"'
+    return re.sub(r"\\(.)", r"\1", text[1:-1])
+
+
+def test_colours_tell_goal_foods_utensils_and_motions_and_what_moves_is_thick():
+    text = write_dot(BipartiteGraph.of_tree(of_file(subgraph("salad", "salad", *SALAD))))
+    assert text.count("#f2c14e") == 1
+    assert text.count("#e06666") == len(SALAD)
+    assert '[label="knife", shape=ellipse, fillcolor="#d5ecdb", peripheries=2]' in text
+    assert '[label="onion (chopped; in bowl)", shape=ellipse, fillcolor="#8bc99b"]' in text
+
+
+def test_a_whole_foon_is_one_graph_in_which_videos_meet():
+    lines = ("onion(whole); knife > chop > onion(chopped)", "onion(chopped) > fry > soup{onion}")
+    foon = Snapshot.of([subgraph("a", "soup", *lines), subgraph("b", "soup", *lines)], Kitchen.default())
+    graph = networkx.parse_graphml(write_graphml(BipartiteGraph.of_foon(foon)))
+    assert (graph.number_of_nodes(), graph.number_of_edges()) == (6, 5)
+    chop = next(data for _, data in graph.nodes(data=True) if data.get("motion") == "chop")
+    assert [seen["video"] for seen in json.loads(chop["seen_in"])] == ["a", "b"]
+    assert networkx.is_directed_acyclic_graph(graph)
+
+
+def test_control_characters_are_refused_where_xml_cannot_hold_them():
+    tree = of_file(subgraph("x", "soup", "onion\x07 > fry > soup{onion}"))
+    with pytest.raises(FormatError, match=r"U\+0007"):
+        write_graphml(BipartiteGraph.of_tree(tree))
