@@ -122,11 +122,23 @@ class _Stages:
                 yield _Stage(place, node)
 
     def firsts(self, food: str) -> list[list[_Stage]]:
-        """Answer the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others."""
+        """Answer the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others.
+
+        Last come inputs that no unit outputs, but that lie where an earlier unit put such a thing: tea that was poured
+        into the blender and is taken from there without its state is the same tea.
+        """
         held = [stage for stage in self.uses if stage != self.goal and _names(stage.node, food)]
         made = [stage for stage in held if stage.made_by != _KITCHEN]
         begun = [s for s in made if not any(_names(node, food) for node in self.units[s.made_by].input_nodes)]
-        return [[stage for stage in held if stage.made_by == _KITCHEN], begun]
+        kitchen = [stage for stage in held if stage.made_by == _KITCHEN]
+        again = [stage for stage in kitchen if self._was_put_there(stage)]
+        return [[stage for stage in kitchen if stage not in again], begun, again]
+
+    def _was_put_there(self, leaf: _Stage) -> bool:
+        before = self.units[: self.uses[leaf][0]]
+        outputs = (node for unit in before for node in unit.output_nodes)
+        place = (leaf.node.label, leaf.node.container)
+        return place[1] is not None and any((node.label, node.container) == place for node in outputs)
 
 
 class _Cost(NamedTuple):

@@ -124,6 +124,20 @@ def test_what_became_part_of_a_broth_stays_with_the_broth_and_not_with_the_egg_t
     assert egg.steps[-1].object == "egg"
 
 
+def test_tea_that_was_poured_into_the_blender_is_the_tea_in_the_blender_though_its_state_was_not_written_again():
+    tea, again = node("tea", ["liquid"], (), "glass"), node("tea", (), (), "blender")
+    full, smoothie = node("blender", (), ["tea"]), node("smoothie", (), ["tea"])
+    tree = (
+        unit([node("tea bag"), node("water", ["hot"])], "brew", [tea]),
+        unit([tea], "pour", [full, node("tea", ["liquid"], (), "blender")]),
+        unit([full, again], "blend", [smoothie]),
+    )
+    (line,) = lines(tree, smoothie, ("tea", ""))
+    assert [step.motion for step in line.steps] == ["pour", "blend"]
+    (line,) = lines(tree[2:], smoothie, ("tea", ""))
+    assert told(line) == [("tea", (), "in", "blender", "blend")]
+
+
 def test_a_food_that_is_not_in_the_tree_has_an_empty_line():
     (line,) = lines(OMELETTE_TREE, OMELETTE, ("prune", "whole"))
     assert (line.steps, line.end_product) == ((), None)
