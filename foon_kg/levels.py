@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant
@@ -30,22 +30,36 @@ def node_at(node: ObjectNode, level: Level) -> ObjectNode:
     return ObjectNode(node.label) if level is Level.OBJECTS else replace(node, ingredients=())
 
 
-def unit_at(unit: FunctionalUnit, level: Level) -> FunctionalUnit:
-    """Answer what is left of ``unit`` at ``level``: the same motion; object nodes that have become one count once."""
-    if level is Level.INGREDIENTS:
-        return unit
-    return replace(unit, inputs=_side_at(unit.inputs, level), outputs=_side_at(unit.outputs, level))
+@dataclass(frozen=True)
+class Leveller:
+    """Answers nodes and units as they are at ``level``; each node that becomes one is one value, hashed once."""
 
+    level: Level
+    _nodes: dict[ObjectNode, ObjectNode] = field(default_factory=dict)
+    _distinct: dict[ObjectNode, ObjectNode] = field(default_factory=dict)
 
-def _side_at(side: tuple[Participant, ...], level: Level) -> tuple[Participant, ...]:
-    found: dict[ObjectNode, Participant] = {}
-    for participant in side:
-        node = node_at(participant.node, level)
-        before = found.get(node)
-        moving = participant.moving or (before is not None and before.moving)
-        dish_type = participant.dish_type or (before.dish_type if before else None)
-        found[node] = Participant(node, moving, dish_type)
-    return tuple(found.values())
+    def node(self, node: ObjectNode) -> ObjectNode:
+        """Answer what is left of ``node``."""
+        if node not in self._nodes:
+            found = node_at(node, self.level)
+            self._nodes[node] = self._distinct.setdefault(found, found)
+        return self._nodes[node]
+
+    def unit(self, unit: FunctionalUnit) -> FunctionalUnit:
+        """Answer what is left of ``unit``: the same motion; object nodes that have become one count once."""
+        if self.level is Level.INGREDIENTS:
+            return unit
+        return replace(unit, inputs=self._side(unit.inputs), outputs=self._side(unit.outputs))
+
+    def _side(self, side: tuple[Participant, ...]) -> tuple[Participant, ...]:
+        found: dict[ObjectNode, Participant] = {}
+        for participant in side:
+            node = self.node(participant.node)
+            before = found.get(node)
+            moving = participant.moving or (before is not None and before.moving)
+            dish_type = participant.dish_type or (before.dish_type if before else None)
+            found[node] = Participant(node, moving, dish_type)
+        return tuple(found.values())
 
 
 def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
@@ -53,8 +67,9 @@ def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
     if level is Level.INGREDIENTS:
         return tuple(sorted(units, key=lambda known: known.unit.key))
     groups: defaultdict[str, list[KnownUnit]] = defaultdict(list)
+    leveller = Leveller(level)
     for known in units:
-        unit = unit_at(known.unit, level)
+        unit = leveller.unit(known.unit)
         groups[unit.key].append(KnownUnit(unit, known.seen_in))
     return tuple(_one(groups[key]) for key in sorted(groups))
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 from dataclasses import dataclass, field
 
 from foon_kg.classic_retrieval.goal import RetrievalView
 from foon_kg.kitchen import Kitchen
-from foon_kg.levels import Level, node_at, units_at
+from foon_kg.levels import Level, Leveller, units_at
 from foon_kg.model import KnownUnit, ObjectNode
 
 
@@ -32,19 +32,26 @@ def part_behind(view: RetrievalView, goals: Collection[ObjectNode], level: Level
     """
     fetch = _Fetch(view, level, kitchen)
     fetch.search(goals)
-    while waiting := fetch.unsearched({node_at(node, level) for node in goals}):
+    forms = set(map(fetch.leveller.node, goals))
+    while waiting := fetch.unsearched(forms):
         fetch.search(waiting)
-    found = units_at(fetch.units.values(), level)
+    found = units_at((fetch.units[key] for key in sorted(fetch.needed)), level)
     nodes = {node for known in found for node in known.unit.input_nodes}
-    forms = {node_at(node, level) for node in goals}
     return PartBehind(
-        tuple(sorted(forms, key=lambda node: node.sort_key)), found, frozenset(filter(fetch.is_at_hand, nodes | forms))
+        tuple(sorted(forms, key=lambda node: node.sort_key)),
+        found,
+        frozenset(node for node in nodes | forms if fetch.is_at_hand(node)),
     )
 
 
 @dataclass(eq=False)
 class _Fetch:
-    """What was fetched so far: ``forms`` holds, for each node of the level, the object nodes that it stands for."""
+    """What was fetched so far.
+
+    ``forms`` holds, for each node of the level, the object nodes that it stands for; ``makers``, the units that
+    output it with their inputs at the level. ``needed`` are the units that may take part in making the goals.
+    ``at_hand`` remembers what the kitchen was asked.
+    """
 
     view: RetrievalView
     level: Level
@@ -52,37 +59,50 @@ class _Fetch:
     units: dict[str, KnownUnit] = field(default_factory=dict)
     searched: set[ObjectNode] = field(default_factory=set)
     forms: defaultdict[ObjectNode, set[ObjectNode]] = field(default_factory=lambda: defaultdict(set))
+    makers: defaultdict[ObjectNode, list[tuple[str, set[ObjectNode]]]] = field(
+        default_factory=lambda: defaultdict(list)
+    )
+    needed: set[str] = field(default_factory=set)
     labels: set[str] = field(default_factory=set)
+    at_hand: dict[ObjectNode, bool] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.leveller = Leveller(self.level)
+        self.default = Kitchen.default()
 
     def search(self, nodes: Collection[ObjectNode]) -> None:
         """Fetch the units behind ``nodes``; what they take in and the default kitchen has not was searched as well."""
-        default = Kitchen.default()
         self.searched.update(nodes)
+        fresh = set(nodes)
         for known in self.view.behind(nodes):
-            self.units[known.unit.key] = known
-            self.searched.update(node for node in known.unit.input_nodes if not default.has(node))
-        self._learn_forms({node for known in self.units.values() for node in known.unit.input_nodes} | set(nodes))
+            if known.unit.key not in self.units:
+                self.units[known.unit.key] = known
+                fresh.update(known.unit.input_nodes)
+                inputs = set(map(self.leveller.node, known.unit.input_nodes))
+                for made in known.unit.output_nodes:
+                    self.makers[self.leveller.node(made)].append((known.unit.key, inputs))
+        self.searched.update(node for node in fresh - self.searched if not self.default.has(node))
+        self._learn_forms(fresh)
 
-    def unsearched(self, goals: Iterable[ObjectNode]) -> list[ObjectNode]:
+    def unsearched(self, goals: Collection[ObjectNode]) -> list[ObjectNode]:
         """Answer the object nodes that may be needed for ``goals`` and behind which nobody looked, sorted."""
-        makers: defaultdict[ObjectNode, list[KnownUnit]] = defaultdict(list)
-        for known in units_at(self.units.values(), self.level):
-            for node in known.unit.output_nodes:
-                makers[node].append(known)
-        needed = list(goals)
-        seen = set(needed)
+        needed, seen = list(goals), set(goals)
         for form in needed:  # grows while it is read
-            inputs = {node for known in makers[form] for node in known.unit.input_nodes} - seen
-            seen |= inputs
-            needed += [node for node in inputs if not self.is_at_hand(node)]
+            for unit, inputs in self.makers[form]:
+                self.needed.add(unit)
+                fresh = inputs - seen
+                seen |= fresh
+                needed += [node for node in fresh if not self.is_at_hand(node)]
         waiting = {node for form in needed for node in self.forms[form]} - self.searched
         return sorted(waiting, key=lambda node: node.sort_key)
 
     def is_at_hand(self, form: ObjectNode) -> bool:
         """Whether the kitchen has one of the object nodes that ``form`` stands for."""
-        return any(map(self.kitchen.has, self.forms[form]))
+        if form not in self.at_hand:
+            self.at_hand[form] = any(map(self.kitchen.has, self.forms[form]))
+        return self.at_hand[form]
 
-    def _learn_forms(self, nodes: Iterable[ObjectNode]) -> None:
+    def _learn_forms(self, nodes: Collection[ObjectNode]) -> None:
         if self.level is Level.INGREDIENTS:
             for node in nodes:
                 self.forms[node] = {node}
@@ -90,4 +110,4 @@ class _Fetch:
         fresh = {node.label for node in nodes} - self.labels
         self.labels |= fresh
         for node in self.view.called(sorted(fresh)) if fresh else ():
-            self.forms[node_at(node, self.level)].add(node)
+            self.forms[self.leveller.node(node)].add(node)
