@@ -101,7 +101,7 @@ def suggest(
     *,
     most: int = 10,
     similarity: Similarity | None = None,
-    time_limit: float | None = 2.0,
+    time_limit: float | None = 20.0,
 ) -> Suggestions:
     """Answer the at most ``most`` dishes that can best be made of what ``kitchen`` names.
 

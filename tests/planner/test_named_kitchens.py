@@ -10,10 +10,15 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 
+from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError
+from foon_kg.graph import Connection, Neo4jGraph, load
+from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.planner import plan
+from foon_kg.planner import Planner, plan
 from foon_kg.result import PlanFailure
+from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
+from foon_kg.settings import PlanSettings
 from foon_kg.shortage import ShortageError, nearest_first, remedy
 from foon_kg.snapshot import Snapshot
 from foon_kg.stock import StockedKitchen
@@ -160,3 +165,32 @@ def test_the_order_in_which_things_are_named_does_not_matter(question, random):
 
     shuffled = random.sample(things, len(things))
     assert answer(things) == answer(shuffled)
+
+
+DEMO = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
+ASKED = [
+    Recipe("salad", (RequiredIngredient("onion", "chopped"), RequiredIngredient("tomato", "chopped"))),
+    Recipe("", (RequiredIngredient("egg", "beaten"), RequiredIngredient("onion", "chopped"))),
+]
+
+
+@pytest.mark.neo4j
+def test_neo4j_and_memory_plan_and_enumerate_the_same_in_a_named_kitchen(empty_graph):
+    snapshot = Snapshot.of(DEMO, KITCHEN)
+    things = ("onion(chopped)", "tomato", "egg", "knife", "cutting board", "salad bowl", "bowl", "spoon", "whisk")
+    own = replace(PlanSettings(), kitchen=StockedKitchen.of(KITCHEN, [node(thing) for thing in things]))
+
+    def answers(view):
+        planner = Planner(view, own)
+        for recipe in ASKED:
+            ranked, problem = planner.reference_question(recipe)
+            yield ranked, enumerate_paths(with_gaps_of(problem, retrieve(problem)), limit=20)
+            try:
+                yield planner.plan(recipe).to_json()
+            except NoTreeError as error:
+                yield PlanFailure.of(recipe, error).to_json()
+
+    with Connection(empty_graph) as connection:
+        load(connection, DEMO)
+    with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
+        assert list(answers(view)) == list(answers(snapshot))

@@ -137,7 +137,7 @@ def test_a_dish_of_the_demo_is_suggested_first_to_who_has_all_of_its_foods():
     snapshot = Snapshot.of(DEMO, KITCHEN)
     goal = next(goal for goal in snapshot.goals("salad") if goal.node.label == "greek salad")
     kitchen = StockedKitchen.of(KITCHEN, [node(name) for name in goal.ingredients])
-    first = suggest(snapshot, kitchen, most=3).found[0]
+    first = suggest(snapshot, kitchen, most=3, time_limit=None).found[0]
     assert (first.goal, first.missing, first.unused) == (goal, (), ())
 
 
@@ -148,5 +148,6 @@ def test_neo4j_and_memory_suggest_the_same(empty_graph):
         load(connection, DEMO)
     with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
         before = view.round_trips
-        assert suggest(view, kitchen) == suggest(Snapshot.of(DEMO, KITCHEN), kitchen)
+        in_memory = suggest(Snapshot.of(DEMO, KITCHEN), kitchen, time_limit=None)
+        assert suggest(view, kitchen, time_limit=None) == in_memory
         assert view.round_trips == before + 3  # the goals, the words, and all that is behind the best
