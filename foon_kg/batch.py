@@ -23,7 +23,7 @@ from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Substitute
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.planner import Planner
-from foon_kg.recipes import IngredientWords, ReadRecipe, read_recipe, recipe_of
+from foon_kg.recipes import IngredientWords, ReadRecipe, read_recipe, recipe_of, with_states
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 
@@ -36,15 +36,19 @@ _ROUNDS = 4
 
 @dataclass(frozen=True)
 class Question:
-    """A recipe still to be read: its file, or a dish type and ingredients in words."""
+    """A recipe still to be read: its file, a dish type and ingredients in words, or ``given`` but without all states."""
 
     path: Path | None = None
     dish_type: str = ""
     texts: tuple[str, ...] = ()
+    given: Recipe | None = None
 
     def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
         """Answer the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
-        read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
+        if self.given is not None:
+            read = with_states(self.given, words)
+        else:
+            read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
         recipe, notes = without_avoided(read.recipe, avoided)
         return ReadRecipe(recipe, (*read.notes, *notes))
 
@@ -58,6 +62,8 @@ class Question:
     @property
     def stand_in(self) -> Recipe:
         """Answer what is known of the recipe before it is read, or where it cannot be."""
+        if self.given is not None:
+            return self.given
         return Recipe(self.dish_type, (), id=None if self.path is None else self.path.stem)
 
 

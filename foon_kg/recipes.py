@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -128,6 +128,15 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> R
     """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``."""
     read = [words.read(text) for text in texts]
     return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+
+
+def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
+    """Answer ``recipe`` with a state for each food: its own, else the usual one, which is noted."""
+    stated = [words.with_state(wanted) for wanted in recipe.ingredients]
+    return ReadRecipe(
+        replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
+        tuple(n for _, notes in stated for n in notes),
+    )
 
 
 def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:

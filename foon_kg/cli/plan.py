@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, examples, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.errors import UsageError
-from foon_kg.model import DISH_TYPES
+from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 
 if TYPE_CHECKING:
     from foon_kg.batch import Question
@@ -23,6 +23,7 @@ EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
     'foon plan "beaten egg" "chopped onion" --kitchen kitchen.txt',
     "foon plan recipe.json --json",
+    "foon plan --recipe 000018c8a5 --recipe 000033e39b",
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
     "foon plan recipe.json --enumerate --most 5000",
@@ -34,7 +35,7 @@ def _dish_types(incomplete: str) -> list[str]:
 
 
 Wanted = Annotated[
-    list[str],
+    list[str] | None,
     typer.Argument(
         metavar="INGREDIENT|RECIPE...",
         help="Ingredients, state first (“chopped onion”), or recipe files (JSON) or folders.",
@@ -48,6 +49,10 @@ Dish = Annotated[
         help="The dish type: salad, soup, …; else the one most like these ingredients.",
         autocompletion=_dish_types,
     ),
+]
+RecipeIds = Annotated[
+    list[str] | None,
+    typer.Option("--recipe", metavar="ID", help="Plan this recipe of those that foon load recipes brought in."),
 ]
 Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
 Explain = Annotated[bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")]
@@ -75,8 +80,9 @@ Most = Annotated[
 
 
 def plan(  # noqa: PLR0917 - each parameter is an option of its own
-    wanted: Wanted,
+    wanted: Wanted = None,
     dish: Dish = None,
+    recipe: RecipeIds = None,
     kitchen: KitchenFile = None,
     as_json: Json = False,
     foon: Foon = False,
@@ -114,9 +120,9 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
-    questions = _questions(wanted, dish)
-    _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     say = sayer(quiet=quiet)
+    questions = _questions(wanted or [], dish, recipe or [], say)
+    _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with knowledge_for(files, len(questions), say) as view:
         at_hand = kitchen_of(kitchen, view.vocabulary(), say)
         wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand)
@@ -150,14 +156,37 @@ def _substitute(text: str) -> Substitute:
     return Substitute(food, like)
 
 
-def _questions(wanted: Sequence[str], dish_type: str | None) -> list[Question]:
+def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str], say: Say) -> list[Question]:
     """Answer what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
     from foon_kg.batch import Question
     from foon_kg.recipes import recipe_files
 
+    if bool(wanted) == bool(ids):
+        raise UsageError("say what to plan: ingredients, recipe files or --recipe ID", hint="See foon plan --help.")
+    if ids:
+        return [Question(given=recipe) for recipe in _stored_recipes(ids, dish_type, say)]
     if dish_type is None and any(map(_looks_like_a_file, wanted)):
         return [Question(path) for path in recipe_files(Path(name) for name in wanted)]
     return [Question(dish_type=dish_type or "", texts=tuple(wanted))]
+
+
+def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:
+    """Answer recipes of the graph: as the asked dish type, else as their sure one, else as any."""
+    from foon_kg.graph import Connection
+    from foon_kg.graph.recipes import stored_recipe
+    from foon_kg.server import connection_settings
+
+    with Connection(connection_settings(say)) as connection:
+        stored = [stored_recipe(connection, recipe_id) for recipe_id in ids]
+    return [
+        Recipe(
+            dish_type or next((dish.name for dish in one.dish_classes if dish.sure), ""),
+            tuple(RequiredIngredient(called.object, called.state) for called in one.ingredients),
+            one.id,
+            one.title or None,
+        )
+        for one in stored
+    ]
 
 
 def _looks_like_a_file(name: str) -> bool:
@@ -171,5 +200,5 @@ def _one_only(questions: Sequence[Question], alone: dict[str, bool], output: Pat
         raise UsageError(
             f"{option} prints one tree, and these are {len(questions)} recipes", hint="Ask for them one by one."
         )
-    if output is not None and any(question.path is None and not question.dish_type for question in questions):
+    if output is not None and any(not question.stand_in.dish_type and question.path is None for question in questions):
         raise UsageError("--output needs to know the dish type", hint="Say --dish TYPE.")

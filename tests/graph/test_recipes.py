@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe
 from foon_kg.collection import CollectionReader
+from foon_kg.demo import demo_folder
 from foon_kg.dish_classes import DishClass
 from foon_kg.errors import UsageError
 from foon_kg.graph import Connection, Neo4jGraph, load, remove
@@ -27,6 +28,7 @@ from foon_kg.graph.recipes import (
     wanted_foods,
 )
 from foon_kg.kitchen import Kitchen
+from foon_kg.loaders import read_paths
 
 pytestmark = pytest.mark.neo4j
 
@@ -235,6 +237,23 @@ def test_the_command_loads_reports_and_draws(environment, layer1, tmp_path):
     table = json.loads(foon("recipes", "--json").stdout)
     assert table["dish_types"] == [{"dish_type": "soup", "recipes": 4, "ingredients": 4, "unseen": 4}]
     assert json.loads(foon("recipes", "--unseen", 1, "--json").stdout)[0]["food"] == "onion"
+
+
+def test_a_recipe_of_the_graph_is_planned_by_its_id(environment, connection):
+    load(connection, [result.subgraph for result in read_paths([demo_folder()])])
+    bring(connection, [recipe(1, "tomato", "cucumber"), recipe(2, "onion", title="Delight")])
+    planned = json.loads(foon("plan", "--recipe", "r001", "--json").stdout)
+    assert planned["recipe"]["id"] == "r001"
+    assert planned["recipe"]["dish_type"] == "salad"
+    assert {wanted["object"] for wanted in planned["recipe"]["ingredients"]} == {"tomato", "cucumber"}
+    assert planned["units"]
+    asked = json.loads(foon("plan", "--recipe", "r002", "--dish", "soup", "--json").stdout)
+    assert asked["recipe"]["dish_type"] == "soup"
+
+
+@pytest.mark.parametrize("words", [[], ["chopped onion", "--recipe", "r001"], ["--recipe", "nowhere"]])
+def test_what_is_to_be_planned_must_be_said_once_and_be_there(environment, connection, words):
+    assert foon("plan", *words).exit_code == 2
 
 
 @pytest.mark.parametrize(
