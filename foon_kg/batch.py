@@ -36,7 +36,7 @@ _ROUNDS = 4
 
 @dataclass(frozen=True)
 class Question:
-    """A recipe still to be read: its file, a dish type and ingredients in words, or ``given`` but without all states."""
+    """A recipe still to be read: its file, a dish type and ingredients in words, or ``given`` without all states."""
 
     path: Path | None = None
     dish_type: str = ""

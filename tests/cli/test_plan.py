@@ -132,7 +132,7 @@ def test_no_tree_is_exit_code_3_with_a_reason_and_a_hint(foon):
         (["nowhere.json"], "there is no file or folder nowhere.json"),
         (["--dish", "salad", " "], "an ingredient is empty"),
         ([*SALAD, "--json", "--foon"], "--json and --foon ask for two forms of one answer"),
-        (["--dish", "salad"], "Missing argument"),
+        (["--dish", "salad"], "say what to plan"),
         (["--fish", "salad", "onion"], "No such option"),
     ],
 )
