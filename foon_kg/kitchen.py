@@ -69,6 +69,11 @@ class Kitchen:
         """Answer the kitchen in which every food that shops sell is at hand."""
         return self
 
+    @property
+    def food_names(self) -> tuple[str, ...]:
+        """The foods that a person named as being at hand, sorted; free foods apart."""
+        return ()
+
     def lacks(self, _: ObjectNode) -> bool:
         """Whether a leaf is missing from what a person named as being at hand; never where nobody named anything."""
         return False

@@ -25,7 +25,7 @@ from foon_kg.outcome import plan_result, with_progress
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
-from foon_kg.shortage import ShortageError, named, nearest_first, remedies
+from foon_kg.shortage import nearest_first, shortage
 from foon_kg.states import state_similarity
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
@@ -187,7 +187,7 @@ class _Question:
         if found:
             _, best = min(found, key=lambda row: row[0])
             if best.missing:
-                raise self._shortage(best)
+                raise shortage(best.missing, best.result.goal, self.kitchen, self.planner.likeness.own)
             if not best.report.sound:
                 raise self._refusal(best.report)
             return best
@@ -204,16 +204,6 @@ class _Question:
         """Whether no further goal need be tried: there is a tree without a fault, or many whose leaves are there."""
         faults = [rank[:3] for rank, _ in found]
         return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
-
-    def _shortage(self, attempt: _Attempt) -> ShortageError:
-        """Say which leaves of the tree that lacks the fewest are not in the kitchen that a person named."""
-        foods = [node for node in attempt.missing if self.kitchen.is_food(node)]
-        leave = f", or leave {foods[0].label} out" if foods else ""
-        return ShortageError(
-            f"the kitchen lacks {named(attempt.missing)} for {attempt.result.goal.label}",
-            missing=attempt.missing,
-            hint=f"{remedies(attempt.missing, self.kitchen)}{leave}; or name it in the kitchen file where it is there.",
-        )
 
     def _refusal(self, report: Report) -> NoTreeError:
         """Say why even the best tree is none: no tree that breaks the contract is ever answered."""

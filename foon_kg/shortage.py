@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
@@ -20,6 +20,32 @@ class ShortageError(NoTreeError):
     def __init__(self, message: str, *, missing: tuple[ObjectNode, ...], hint: str = "", code: str = "") -> None:
         super().__init__(message, hint=hint, code=code)
         self.missing = missing
+
+
+LIKE = 0.5
+"""From this confidence on a food at hand is proposed instead of a missing one."""
+
+
+def shortage(
+    missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
+) -> ShortageError:
+    """Answer the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+
+    ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
+    """
+    food = next((node.label for node in missing if kitchen.is_food(node)), None)
+    leave = "" if food is None else f", or leave {food} out{_there_like(food, kitchen, alike)}"
+    return ShortageError(
+        f"the kitchen lacks {named(missing)} for {goal.label}",
+        missing=missing,
+        hint=f"{remedies(missing, kitchen)}{leave}; or name it in the kitchen file where it is there.",
+    )
+
+
+def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float]) -> str:
+    sure = [(alike(food, name), name) for name in kitchen.food_names]
+    confidence, name = max(sure, key=lambda row: row[0], default=(0.0, ""))
+    return f", or ask for {name} instead ({confidence:.2f} like it)" if confidence >= LIKE else ""
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:

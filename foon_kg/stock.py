@@ -52,6 +52,11 @@ class StockedKitchen(Kitchen):
         """Answer the kitchen with the same utensils and every food that shops sell."""
         return replace(self, foods_named=None)
 
+    @property
+    def food_names(self) -> tuple[str, ...]:
+        """The foods that were named, sorted; free foods apart."""
+        return tuple(sorted({thing.label for thing in self.foods_named or () if not self.is_free(thing.label)}))
+
     def lacks(self, node: ObjectNode) -> bool:
         """Whether ``node`` is nothing that was named, wherever it stands now."""
         return not (self._has_utensil(node) if self.is_utensil(node.label) else self._has_food(node))

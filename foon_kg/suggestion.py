@@ -145,8 +145,7 @@ class Larder:
     @classmethod
     def of(cls, kitchen: StockedKitchen, similarity: Similarity, mixed: frozenset[str]) -> Larder:
         """Answer the larder that ``kitchen`` names; raises UsageError where that is none."""
-        things = kitchen.foods_named or ()
-        foods = tuple(sorted({thing.label for thing in things if not kitchen.is_free(thing.label)}))
+        foods = kitchen.food_names
         if not foods:
             raise UsageError(
                 "no food is at hand", hint="Name foods, as in foon suggest egg “chopped onion”, or a --kitchen file."

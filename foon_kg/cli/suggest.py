@@ -34,7 +34,7 @@ def suggest(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Name the dishes that can best be made of the foods at hand, over all dish types.
+    """Name the dishes that the foods at hand make best, of all types.
 
     Of each dish: what it takes of yours (and what of yours stands for what, how surely), what is missing, what would
     have to be ready in another state, and what is left over. This is proven: it is said of the reference tree that

@@ -73,6 +73,11 @@ def test_a_missing_food_is_named_with_what_to_do_and_nothing_is_assumed():
     assert error.hint.startswith("Buy tomato")
 
 
+def test_a_food_at_hand_that_is_like_the_missing_one_is_proposed():
+    assert "or ask for leek instead (0.80 like it)" in refused("leek", "tomato", "salt").hint
+    assert "instead" not in refused("egg", "tomato", "salt").hint
+
+
 def test_missing_utensils_are_named_nearest_to_the_dish_first():
     error = refused("bowl")
     assert [thing.label for thing in error.missing] == ["spoon", "cutting board", "knife"]
