@@ -163,12 +163,10 @@ class VerbCostRow:
 
 
 @dataclass(frozen=True)
-class GoalRow:
-    """A goal node of a dish type, and the videos that make it."""
+class GoalsRow:
+    """All goals at once: their nodes, dish types, and the videos that make them."""
 
-    node: NodeRow
-    dish_type: str
-    videos: list[str]
+    goals: list[tuple[NodeRow, str, list[str]]]
 
 
 def node_of(row: NodeRow) -> ObjectNode:
