@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import islice
 
 from foon_kg.integration import FinalTree
 from foon_kg.kitchen import Kitchen
@@ -187,11 +188,12 @@ def _states_made_by(casting: Casting, food: str, known: str, required: str) -> I
 
 
 def _confidence(options: Sequence[tuple[str, float]], name: str) -> float:
-    return round(dict(options).get(name, FAIR), 4)
+    return round(next((sure for other, sure in options if other == name), FAIR), 4)
 
 
 def _others(options: Sequence[tuple[str, float]], chosen: str) -> tuple[Alternative, ...]:
-    return tuple(Alternative(name, round(sure, 4)) for name, sure in options if name != chosen)[:MOST_ALTERNATIVES]
+    others = ((name, sure) for name, sure in options if name != chosen)
+    return tuple(Alternative(name, round(sure, 4)) for name, sure in islice(others, MOST_ALTERNATIVES))
 
 
 def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[PlannedUnit], kitchen: Kitchen) -> Iterator[Assumption]:

@@ -8,7 +8,7 @@ somebody has to make (a whole potato for a sliced one): that would claim work th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from foon_kg.kitchen import Kitchen, words
@@ -51,6 +51,7 @@ class Equivalents:
     name_confidence: Callable[[str, str], float]
     state_similarity: Callable[[str, str], float]
     own_confidence: Callable[[str, str], float] | None = None
+    _labels_like: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
         """Say how well the FOON's state ``known`` stands for ``required`` of ``food``; 0 where it must not."""
@@ -113,9 +114,12 @@ class Equivalents:
 
     def labels_like(self, food: str) -> tuple[tuple[str, float], ...]:
         """Answer the foods of FOON with their confidence as equivalents of ``food``, surest first."""
-        labels = sorted({row.label for row in self.vocabulary.foods} - {food})
-        confidence = self.own_confidence or self.name_confidence
-        return tuple(sorted(((n, confidence(food, n)) for n in labels), key=lambda r: (-r[1], r[0])))
+        if food not in self._labels_like:
+            labels = {row.label for row in self.vocabulary.foods} - {food}
+            confidence = self.own_confidence or self.name_confidence
+            rows = sorted(((name, confidence(food, name)) for name in labels), key=lambda row: (-row[1], row[0]))
+            self._labels_like[food] = tuple(rows)
+        return self._labels_like[food]
 
     def states_like(self, food: str, required: str, label: str) -> tuple[tuple[str, float], ...]:
         """Answer the states of the known food ``label`` that may stand for ``required`` of ``food``, surest first."""

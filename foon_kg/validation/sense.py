@@ -75,8 +75,9 @@ def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
 def joinings(case: Case) -> tuple[Joining, ...]:
     """Answer where each required food joins others, as often as it comes to them anew; free foods never do."""
     found = []
+    asked = {name for name in case.required_names if not case.kitchen.is_free(name)}
     for place, unit in enumerate(case.tree.units):
-        for food in sorted(name for name in case.required_names if not case.kitchen.is_free(name)):
+        for food in sorted(asked & case.names_of(unit.input_nodes)):
             nodes = tuple(node for node in unit.input_nodes if singular(node.label) == food)
             if _comes_alone(case, unit, food) and _is_with_others(case, unit, food):
                 found.append(Joining(food, place, nodes))
