@@ -24,6 +24,7 @@ _SHAPES = {"leaf": "leaves"} | {
 _IRREGULAR = {"freeze": "frozen", "grind": "ground", "tear": "torn", "break": "broken", "cut": "cut"}
 _PLACES = frozenset({"in", "inside", "on", "over", None})
 _ROOMS = frozenset({"freezer", "fridge", "microwave", "oven", "refrigerator"})
+_HEATING = frozenset({"bake", "boil", "cook", "heat"})
 _FEW = 3
 _COGNATE = 3
 
@@ -177,9 +178,10 @@ class _Reading:
         found: list[str] = []
         for label in dict.fromkeys(node.label for node in self._food_made):
             after = [node for node in self._food_made if node.label == label]
-            before = {state for node in self._foods if node.label == label for state in node.states}
-            if len(after) == 1 and (before or self._verb in {"cook", "bake", "boil", "heat"}):
-                found += [state for state in after[0].states if state not in before]
+            before = [node for node in self._foods if node.label == label]
+            known = {state for node in before for state in node.states}
+            if len(after) == 1 and (before or self._verb in _HEATING):
+                found += [state for state in after[0].states if state not in known]
         return self._in_words(found)
 
     def _until_utensil(self, node: ObjectNode) -> str:
