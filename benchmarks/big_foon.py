@@ -89,7 +89,7 @@ def other_cuisine(subgraph: Subgraph, number: int, names: dict[str, str]) -> Sub
     @cache
     def node_in(node: ObjectNode) -> ObjectNode:
         container = renamed(node.container) if node.container else node.container
-        used = KITCHEN.is_utensil(node.label) and not node.ingredients and not KITCHEN.has(node)
+        used = KITCHEN.is_utensil(node.label) and not KITCHEN.foods_in(node) and not KITCHEN.has(node)
         states = (*node.states, f"used in {made_up(number)}") if used else node.states
         return ObjectNode(renamed(node.label), states, tuple(map(renamed, node.ingredients)), node.relation, container)
 

@@ -83,9 +83,18 @@ def test_a_read_finds_its_nodes_by_index_or_says_why_it_scans(session, query):
 
 
 @pytest.mark.neo4j
-def test_the_units_behind_a_node_are_found_by_a_search_that_visits_each_node_once(session):
-    behind = next(query for query in READS if query.name == "behind")
-    assert "VarLengthExpand(Pruning,BFS,All)" in set(operators(explained(session, behind)[1].plan))
+@pytest.mark.parametrize("name", ["behind", "forget_plans"])
+def test_what_is_behind_or_before_a_node_is_found_by_a_search_that_visits_each_node_once(session, name):
+    query = next(query for query in catalogue() if query.name == name)
+    assert "VarLengthExpand(Pruning,BFS,All)" in set(operators(explained(session, query)[1].plan))
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize("name", ["known_units", "goals", "remembered", "remember", "forget_plans"])
+def test_nodes_are_sought_by_their_keys_and_names(session, name):
+    query = next(query for query in catalogue() if query.name == name)
+    found = set(operators(explained(session, query)[1].plan))
+    assert any(operator.startswith("NodeUniqueIndexSeek") for operator in found)
 
 
 @every_query
