@@ -6,13 +6,17 @@ import json
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from foons import foons
+from hypothesis import HealthCheck, given, settings
 from kitchen_stories import CHOP_ONION, SALAD, subgraph
 
 from foon_kg import workshop
 from foon_kg.errors import UsageError
 from foon_kg.graph import Connection, Neo4jGraph, load, remove
 from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.graph.remembering import keep_trees
 from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import RetrievedTree
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planner import plan
 from foon_kg.search import recall
@@ -137,6 +141,26 @@ def test_replacing_the_video_of_a_dish_throws_its_tree_out_and_nothing_dangles(c
     load(connection, [subgraph("salad", "salad", *SALAD[:3])])
     assert kept(connection) == []
     assert ask_freely(connection, "MATCH (p) WHERE p:Plan OR p:Change RETURN count(*)").rows == ((0,),)
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(foons(("a", "b")), foons(("b", "c")))
+def test_just_those_trees_go_that_have_a_new_or_a_lost_unit_behind_them(connection, first, later):
+    load(connection, first)
+    was = Snapshot.of(first, Kitchen.default())
+    nodes = {node for known in was.units for node in known.unit.output_nodes}
+    keep_trees(connection, [RetrievedTree(node.key, "", node.key, (), ()) for node in nodes])
+    load(connection, later)
+    names = {subgraph.name for subgraph in later}
+    now = Snapshot.of([*later, *(s for s in first if s.name not in names)], Kitchen.default())
+    left = {key for (key,) in ask_freely(connection, "MATCH (p:Plan)-[:ANSWERS]->() RETURN p.key").rows}
+    assert left == {node.key for node in nodes if units_behind(was, node) == units_behind(now, node)}
+    remove(connection, [subgraph.name for subgraph in now.subgraphs])
+    assert ask_freely(connection, "MATCH (n) RETURN labels(n)").rows == ((["Foon"],),)
+
+
+def units_behind(snapshot, node):
+    return [known.unit.key for known in snapshot.behind([node])]
 
 
 def test_a_video_that_shows_only_known_units_keeps_every_tree(connection, graph):
