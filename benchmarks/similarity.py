@@ -170,7 +170,8 @@ def main() -> None:
     report(sets, known)
     weights = fit(sets).round(DECIMALS).tolist()
     for judged in (judged for judged in all_sets if judged.set_name == AFTERWARDS):
-        _report_half(judged, np.array(weights), known, "all")
+        answers = _report_half(judged, np.array(weights), known, "all")
+        reliability(answers[judged.counts], judged.accepted[judged.counts])
     if write:
         document = {
             "about": "Weights of the evidence for one food standing for another; made by benchmarks/similarity.py.",
