@@ -22,7 +22,7 @@ from foon_kg.stock import StockedKitchen
 from foon_kg.substitution import FAIR
 from foon_kg.workshop import ABSENT, gap_cost, mixtures
 
-LEAST_PROVEN = 20
+LEAST_PROVEN = 10
 """So many of the cheaply ranked goals are proven at least; twice as many as are asked for, where that is more."""
 
 _MISSING = 100_000
