@@ -20,8 +20,9 @@ def weights(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Store how hard motions are for a robot: 0 for one that always succeeds, 1 for one that never does.
+    """Store how hard motions are for a robot.
 
+    0 is for a motion that always succeeds, 1 for one that never does.
     The file takes the place of all weights from before, or nothing is changed. Units that are loaded later get theirs
     from it too. foon retrieve --by success asks for them.
     """

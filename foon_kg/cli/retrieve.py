@@ -51,9 +51,9 @@ def retrieve(
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
-    """Retrieve the best task tree of a goal from what is at hand: classic retrieval, as robots need it.
+    """Retrieve the shortest or likeliest tree of a goal.
 
-    Every step is a unit of the FOON and nothing is substituted. The tree is the best there is, for any node that fits
+    This is classic retrieval, as robots need it: from what is at hand, every step is a unit of the FOON and nothing is substituted. The tree is the best there is, for any node that fits
     the goal, and proven: enumerating all of them would give the same. At level 1 an object is its label, at level 2 its
     states and place count as well, at level 3 its ingredients too.
 
