@@ -53,9 +53,10 @@ def retrieve(
 ) -> None:
     """Retrieve the shortest or likeliest tree of a goal.
 
-    This is classic retrieval, as robots need it: from what is at hand, every step is a unit of the FOON and nothing is substituted. The tree is the best there is, for any node that fits
-    the goal, and proven: enumerating all of them would give the same. At level 1 an object is its label, at level 2 its
-    states and place count as well, at level 3 its ingredients too.
+    This is classic retrieval, as robots need it: from what is at hand, every step is a unit of the FOON and nothing
+    is substituted. The tree is the best there is, for any node that fits the goal, and proven: enumerating all of
+    them would give the same. At level 1 an object is its label, at level 2 its states and place count as well, at
+    level 3 its ingredients too.
 
     Weights say how hard a motion is for a robot, from 0 to 1; a unit succeeds with 1 less its weight, a tree with the
     product of its units. A motion without a weight counts 0.5, and the answer names it.
