@@ -15,7 +15,7 @@ from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
-from foon_kg.lines import FoodLine
+from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
 from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
@@ -37,6 +37,14 @@ class Addition:
 
 
 @dataclass(frozen=True)
+class MadeApart:
+    """A food that plays a line of the reference from ``leaves`` on, and is made by ``preparation`` until then."""
+
+    leaves: tuple[ObjectNode, ...]
+    preparation: Preparation
+
+
+@dataclass(frozen=True)
 class FinalTree:
     """A tree that was executed: its steps in order, each with the casting that it was played with."""
 
@@ -45,6 +53,7 @@ class FinalTree:
     lines: Mapping[RequiredIngredient, str]
     additions: tuple[Addition, ...]
     missing: tuple[RequiredIngredient, ...]
+    made_apart: Mapping[RequiredIngredient, MadeApart] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -94,10 +103,11 @@ class Integration:
             for line in lines.values():
                 name = self.equivalents.name_confidence(want.object, line.label)
                 cast = self._cast(want, line) if name >= FAIR else None
-                if cast is None or not self.preparations.leaves_stand(line, cast[0]):
+                role = self._role(want, line, cast[0]) if cast is not None else None
+                if cast is None or role is None:
                     continue
                 if not self._is_made_better(want, name * cast[1]):
-                    offers.append((-name * cast[1], number, line.label, cast[0]))
+                    offers.append((-name * cast[1], number, line.label, role))
         offers.sort(key=lambda offer: offer[:3])
         played: dict[RequiredIngredient, tuple[str, Recast]] = {}
         taken: set[str] = set()
@@ -108,6 +118,23 @@ class Integration:
             played[want] = (label, recast)
             taken.add(label)
         return played
+
+    def _role(self, want: RequiredIngredient, line: FoodLine, recast: Recast) -> Recast | None:
+        """Answer how ``want`` plays a line whose leaves are at hand, or can be made apart and come in their place."""
+        if self.preparations.leaves_stand(line, recast):
+            return recast
+        made = next((made for made in self.preparations.of(want) if not made.stale), None)
+        takers = [self._taker(leaf) for leaf in line.leaves]
+        if made is None or len(takers) > 1 or (want, takers[0]) in self.refused or not self._is_open(takers[0]):
+            return None
+        return replace(recast, ready=dict.fromkeys(line.leaves, made.node))
+
+    def _taker(self, node: ObjectNode) -> int:
+        return next(place for place, known in enumerate(self.script) if node in known.unit.input_nodes)
+
+    def _is_open(self, place: int) -> bool:
+        unit = self.script[place].unit
+        return motions.accepts_any(unit.motion, star=unit.accepts_any)
 
     def _cast(self, want: RequiredIngredient, line: FoodLine) -> tuple[Recast, float] | None:
         """How a line plays a food: a processed state must be there still where the food joins others (sense, S7)."""
@@ -161,11 +188,11 @@ class Integration:
 
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
-        for raw_with_raw in (True, False):
+        for only_suitable in (True, False):
             for node, preparation in self.preparations.forms(want):
                 for place in self._slots(want, party):
                     addition = Addition(want, place, node, preparation)
-                    if (want, place) in self.refused or (raw_with_raw and not self._suits(addition)):
+                    if (want, place) in self.refused or (only_suitable and not self._suits(addition, party)):
                         continue
                     if place not in party.closed and self._arrives(addition, party):
                         party.let_in(addition)
@@ -173,16 +200,21 @@ class Integration:
                     party.closed.add(place)
         return False
 
-    def _suits(self, addition: Addition) -> bool:
-        """Say whether a food that was asked whole joins raw what is cooked later, and cooked what is not.
+    def _suits(self, addition: Addition, party: _Party) -> bool:
+        """Say whether a food is ready as it should be for what comes, and takes nothing that another one took (S1).
 
-        An egg is cracked into a dough and boiled for a salad. Where FOON knows but one of the two, that one suits.
+        A food that was asked whole joins raw what is cooked later, and cooked what is not: an egg is cracked into a
+        dough and boiled for a salad. Where FOON knows but one of the two, that one suits.
         """
-        want, made = addition.want, self.preparations.of(addition.want)
-        if not is_whole(want.state) or len({preparation.is_cooked for preparation in made}) < 2:  # noqa: PLR2004 - raw, cooked
+        made = self.preparations.of(addition.want)
+        if addition.preparation is None:
+            return not made
+        if any(addition.preparation.clashes(other.preparation) for other in party.additions if other.preparation):
+            return False
+        if not is_whole(addition.want.state) or len({preparation.is_cooked for preparation in made}) == 1:
             return True
-        cooked = addition.preparation is not None and addition.preparation.is_cooked
-        return cooked != any(motions.heats(known.unit.motion) for known in self.script[addition.place :])
+        cooked_later = any(motions.heats(known.unit.motion) for known in self.script[addition.place :])
+        return addition.preparation.is_cooked != cooked_later
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
         """Answer the places where ``want`` may join, best first.
@@ -212,10 +244,14 @@ class Integration:
         return tuple(
             place
             for place in places
-            if place <= last
-            and motions.accepts_any(self.script[place].unit.motion, star=self.script[place].unit.accepts_any)
-            and self._receives(self.script[place])
+            if place <= last and self._is_open(place) and self._receives(self.script[place])
+            if not self._prepares(place)
         )
+
+    def _prepares(self, place: int) -> bool:
+        """Say whether a unit brings a food to where it is cut or peeled: nothing joins it before that (sense, S3)."""
+        moved = {node.label for node in self.script[place].unit.input_nodes if self.kitchen.is_food(node)}
+        return any(opens_food(label, known) for known in self.script[place + 1 :] for label in moved)
 
     def _mixes_or_heats(self, place: int) -> bool:
         motion = self.script[place].unit.motion
@@ -248,7 +284,9 @@ class Integration:
         places = {
             step.place for step in steps if step.place < len(self.script) and step.known == self.script[step.place]
         }
-        return frozenset((addition.want, addition.place) for addition in tree.additions if addition.place in places)
+        joined = [(addition.want, addition.place) for addition in tree.additions]
+        joined += [(want, self._taker(leaf)) for want, made in tree.made_apart.items() for leaf in made.leaves]
+        return frozenset((want, place) for want, place in joined if place in places)
 
     # ---- the whole
 
@@ -276,13 +314,28 @@ class Integration:
             if addition.preparation is not None:
                 own = [(step, addition.preparation.casting) for step in addition.preparation.steps]
                 prepared.setdefault(addition.place, []).extend(own)
+        made_apart = self._made_apart(played)
+        for entry in made_apart.values():
+            own = [(step, entry.preparation.casting) for step in entry.preparation.steps]
+            prepared.setdefault(min(map(self._taker, entry.leaves)), []).extend(own)
         ordered: list[Played] = []
         for step in steps:
             ordered += prepared.get(step.place, [])
             ordered.append((step, casting))
         furnished = [*self._turned_on(ordered), *ordered]
         lines = {want: label for want, (label, _) in played.items()}
-        return FinalTree(goal, fresh_order(tuple(once(furnished))), lines, tuple(additions), tuple(missing))
+        order = fresh_order(tuple(once(furnished)))
+        return FinalTree(goal, order, lines, tuple(additions), tuple(missing), made_apart)
+
+    def _made_apart(
+        self, played: Mapping[RequiredIngredient, tuple[str, Recast]]
+    ) -> dict[RequiredIngredient, MadeApart]:
+        found = {}
+        for want, (_, recast) in played.items():
+            made = next((made for made in self.preparations.of(want) if made.node in recast.ready.values()), None)
+            if made is not None:
+                found[want] = MadeApart(tuple(recast.ready), made)
+        return found
 
     def _turned_on(self, steps: Sequence[Played]) -> Iterator[Played]:
         """Answer the steps that make utensils hot or on that nobody made so, where FOON knows how (contract, C6)."""

@@ -53,6 +53,21 @@ class Preparation:
         """Whether a food that is sold raw was heated: an egg that was boiled before it was peeled."""
         return any(motions.heats(step.motion) for step in self.steps)
 
+    def clashes(self, other: Preparation) -> bool:
+        """Say whether a step of each uses up the same food, and they are not the same step."""
+        own, theirs = self._used_up, other._used_up
+        return any(theirs.get(node, step) != step for node, step in own.items())
+
+    @cached_property
+    def _used_up(self) -> dict[ObjectNode, tuple[object, ...]]:
+        """For each food that a step uses up, what is done in that step."""
+        return {
+            node: (frozenset(step.input_nodes), step.motion, frozenset(step.output_nodes))
+            for step in self.steps
+            for node in step.input_nodes
+            if node not in step.output_nodes and node.label == self.want.object
+        }
+
 
 @dataclass(frozen=True)
 class Preparations:

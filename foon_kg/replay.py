@@ -120,22 +120,36 @@ class Stage:
         return item
 
     def _leaf(self, node: ObjectNode, beside: frozenset[str]) -> Item | None:
-        inside = [(name, self._name_now(name)) for name in node.ingredients]
-        atoms = {(name, now) for name, now in inside if now is not None}
-        names = tuple(now for _, now in atoms)
         if not self._is_food(node):
-            if not node.ingredients:
-                return Item(node)
-            if not atoms and self.kitchen.is_storage(node.label):
-                return None
-            if not self.kitchen.is_storage(node.label) and not set(self.kitchen.foods_in(node)) <= beside:
-                return Item(emptied(node))  # nobody filled it, so it is taken empty
-            return Item(changed(node, ingredients=names), frozenset(atoms)) if atoms else Item(emptied(node))
+            return self._leaf_vessel(node, beside)
+        inside = self._atoms_in(node)
+        names = tuple(now for _, now in inside)
         self.leaf_foods.add(node.label)
+        recast = self.casting.foods.get(node.label)
         if self._name_now(node.label) is None:
             return None
-        current = self._recast(node, names)
-        return Item(current, frozenset(atoms | {(node.label, current.label)}))
+        made_apart = recast is not None and node in recast.ready
+        current = recast.ready[node] if recast is not None and made_apart else self._recast(node, names)
+        return Item(current, inside | {(node.label, current.label)})
+
+    def _leaf_vessel(self, node: ObjectNode, beside: frozenset[str]) -> Item | None:
+        if not node.ingredients:
+            return Item(node)
+        roles = (self.casting.foods.get(name) for name in node.ingredients)
+        left = any(role is not None and role.comes_from_elsewhere(node) for role in roles)
+        atoms = frozenset() if left else self._atoms_in(node)
+        if self.kitchen.is_storage(node.label):
+            return self._holding(node, atoms) if atoms else None
+        if not set(self.kitchen.foods_in(node)) <= beside or not atoms:
+            return Item(emptied(node))  # nobody filled it, so it is taken empty
+        return self._holding(node, atoms)
+
+    def _holding(self, node: ObjectNode, atoms: frozenset[Atom]) -> Item:
+        return Item(changed(node, ingredients=tuple(now for _, now in atoms)), atoms)
+
+    def _atoms_in(self, node: ObjectNode) -> frozenset[Atom]:
+        inside = ((name, self._name_now(name)) for name in node.ingredients)
+        return frozenset((name, now) for name, now in inside if now is not None)
 
     def _name_now(self, name: str) -> str | None:
         recast = self.casting.foods.get(name, _AS_IT_IS)
@@ -282,7 +296,7 @@ class Stage:
         if not named:
             return Item(emptied(node))
         if node in self.taken_alone:
-            named |= {now for _, now in (*inside, *kept) if now in self.casting.carried}
+            named |= {now for name, now in (*inside, *kept) if not name or now in self.casting.carried}
         return Item(changed(node, ingredients=named), frozenset(inside | kept))
 
     def _known(self, name: str, here: _Moment) -> bool:

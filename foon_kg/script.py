@@ -27,11 +27,18 @@ class Recast:
     """How a food of the script appears now: under another label, in other states, by other motions.
 
     ``states`` maps a state of the script to the state now; the key ``""`` gives a state to nodes that name none.
+    ``ready`` maps leaves of the script to nodes that are made apart and come in their place: onion that the script
+    has chopped in a bowl comes from the board on which it is chopped.
     """
 
     label: str
     states: Mapping[str, str] = field(default_factory=dict)
     motions: Mapping[str, str] = field(default_factory=dict)
+    ready: Mapping[ObjectNode, ObjectNode] = field(default_factory=dict)
+
+    def comes_from_elsewhere(self, vessel: ObjectNode) -> bool:
+        """Say whether what the script has in ``vessel`` from the start is made apart now, and lies somewhere else."""
+        return any(leaf.container == vessel.label != node.container for leaf, node in self.ready.items())
 
     def states_of(self, node: ObjectNode) -> tuple[str, ...]:
         """Answer the states in which ``node`` appears now."""
