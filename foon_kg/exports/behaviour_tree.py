@@ -51,6 +51,7 @@ def _action_names(motions: Iterable[str]) -> dict[str, str]:
     names: dict[str, str] = {}
     for motion in motions:
         wanted = "".join(word.capitalize() for word in slug(motion).split("_")) + "Motion"
+        wanted = wanted if wanted[0].isalpha() else f"Do{wanted}"
         name, count = wanted, 1
         while name in names.values():
             count += 1

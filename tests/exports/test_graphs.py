@@ -70,13 +70,20 @@ def test_graphml_gives_networkx_every_field(tree):
     found = [data for _, data in graph.nodes(data=True) if data["kind"] != "motion"]
     assert (graph.number_of_nodes(), graph.number_of_edges()) == (objects + units, count)
     read = {
-        (d["label"], *map(tuple, map(json.loads, (d["states"], d["ingredients"]))), d.get("relation"), d.get("container"))
+        (
+            d["label"],
+            *map(tuple, map(json.loads, (d["states"], d["ingredients"]))),
+            d.get("relation"),
+            d.get("container"),
+        )
         for d in found
     }
     assert read >= {(n.label, n.states, n.ingredients, n.relation, n.container) for n in tree.nodes}
     assert len(read) == objects
     motions = [graph.nodes[f"m{place}"] for place in range(1, units + 1)]
-    assert [(m["motion"], m["accepts_any"]) for m in motions] == [(k.unit.motion, k.unit.accepts_any) for k in tree.units]
+    assert [(m["motion"], m["accepts_any"]) for m in motions] == [
+        (k.unit.motion, k.unit.accepts_any) for k in tree.units
+    ]
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning:pydot")  # its own use of pyparsing

@@ -67,7 +67,9 @@ def test_a_unit_is_said_as_a_cook_would(line, said):
     assert sentence(unit(line), KITCHEN) == said
 
 
-@pytest.mark.parametrize(("names", "said"), [((), ""), (("a",), "a"), (("a", "b", "a"), "a and b"), ("abc", "a, b and c")])
+@pytest.mark.parametrize(
+    ("names", "said"), [((), ""), (("a",), "a"), (("a", "b", "a"), "a and b"), ("abc", "a, b and c")]
+)
 def test_names_are_listed_once_with_an_and(names, said):
     assert listed(names) == said
 
@@ -94,7 +96,13 @@ def plan(**changes):
         "reference": ReferenceSummary(salad, 8, 2, exact=True),
         "goal": salad,
         "units": tuple(PlannedUnit.of(step, "foon", seen) for step in steps),
-        "kitchen": (node("knife"), node("onion(whole)"), node("salt(granulated)@shaker"), node("bowl(empty)"), node("knife")),
+        "kitchen": (
+            node("knife"),
+            node("onion(whole)"),
+            node("salt(granulated)@shaker"),
+            node("bowl(empty)"),
+            node("knife"),
+        ),
     }
     return ExportedTree.of_plan(PlanResult(**fields | changes))
 
