@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -6,7 +8,7 @@ from kitchen_stories import SALAD, node, script
 from foon_kg.kitchen import Kitchen
 from foon_kg.rehearsal import Rehearsal
 from foon_kg.replay import replay as replay_script
-from foon_kg.script import Casting, Item, Recast, Script
+from foon_kg.script import Casting, Item, Recast, Script, emptied
 
 KITCHEN = Kitchen.default()
 SALAD_MADE = node("salad(mixed){onion,salt,tomato}@bowl")
@@ -153,3 +155,53 @@ def test_what_was_rehearsed_before_changes_nothing(parties):
     for joining in parties:
         additions = {place: [Item(node(name), frozenset({("", name)}))] for place, name in joining.items()}
         assert rehearsal.replay(additions) == replay_script(play, rehearsal.casting, additions)
+
+
+def test_a_food_made_apart_comes_in_the_place_of_the_leaf_and_its_bowl_is_left_alone():
+    units = script(
+        "pot(empty); bowl{leek}; leek(chopped)@bowl > pour > pot{leek}; leek(chopped)@pot",
+        "pot{leek}; leek(chopped)@pot > fry > leek(fried)@pot",
+    )
+    on_board = node("leek(chopped)@on cutting_board")
+    recast = Recast("leek", ready={node("leek(chopped)@bowl"): on_board})
+    first, last = replay(units, Casting({"leek": recast}), KITCHEN).steps
+    assert first.input_nodes == (node("pot(empty)"), on_board)
+    assert last.output_nodes == (node("leek(fried)@pot"),)
+
+
+BAKED = (
+    "tin(empty); dough(kneaded){flour} > place > tin{dough}; dough(kneaded){flour}@tin",
+    "tin{dough}; dough(kneaded){flour}@tin; oven(on) > insert > tin{dough}@in oven; oven(on){tin}",
+    "oven(on){tin}; dough(kneaded){flour}@tin > bake > bread(baked){flour}@tin",
+)
+
+
+def test_what_goes_into_the_oven_in_its_tin_is_still_there_to_be_baked():
+    kitchen = replace(KITCHEN, utensils=KITCHEN.utensils | {"tin"})
+    replayed = replay(script(*BAKED), Casting({"dough": Recast("dough")}), kitchen)
+    assert [step.place for step in replayed.steps] == [0, 1, 2]
+
+
+def test_only_a_vessel_that_is_taken_without_its_food_tells_what_is_in_the_food():
+    units = script(
+        "bowl{mush}; mush(mixed){leek}@bowl > stir > bowl{mush}; mush(stirred){leek}@bowl",
+        "bowl{mush}; plate(empty) > pour > plate{mush}; mush(stirred){leek}@plate",
+        "plate{mush}; mush(stirred){leek}@plate > serve > mush(served){leek}@plate",
+    )
+    assert Script.of(units, KITCHEN).taken_alone == {node("bowl{mush}")}
+
+
+def test_a_pan_that_nobody_greased_is_not_greased():
+    assert emptied(node("pan(greased,hot){butter}")) == node("pan(empty,hot)")
+
+
+def test_the_goal_keeps_its_name_and_names_the_food_that_stands_for_it():
+    units = script("beefsteak(raw); grill(on) > grill > beefsteak(grilled)@on grill")
+    goal = node("beefsteak(grilled)@on grill")
+    replayed = replay(units, Casting({"beefsteak": Recast("venison")}, goal=goal), KITCHEN)
+    assert replayed.items[goal].node == node("beefsteak(grilled){venison}@on grill")
+
+
+def test_a_cup_out_of_which_nothing_comes_is_not_poured():
+    units = script("pot{salt}; cup{water} > pour > pot{salt,water}; cup(empty)")
+    assert replay(units, Casting({"salt": Recast("salt")}), KITCHEN).steps == ()
