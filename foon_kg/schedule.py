@@ -1,15 +1,15 @@
 """Who does what when: a task tree for one or more pairs of hands.
 
 Resource-constrained scheduling by serial schedule generation (Kelley, 1963): one step after another is put at the
-earliest time at which everything it waits for is done, a pair of hands is free, and each utensil it uses is free. That
-is tried in several orders, and the shortest schedule is kept. With every order of steps the method would find the
-shortest there is; whether the one found is the shortest is told where a bound proves it.
+earliest time at which everything it waits for is done, a pair of hands is free, and each utensil it uses is free. Some
+order of the steps gives the shortest schedule there is. Several are tried, and the best is bettered by taking single
+steps earlier or later for as long as that helps. Whether the schedule is the shortest is told where a bound proves it.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from foon_kg.durations import Duration, Durations
@@ -28,6 +28,13 @@ WITHOUT_HANDS = frozenset({
 
 UNTIMED = 4.0
 """Seconds for a step where nothing at all was ever timed: the median of the public FOON's sightings."""
+
+
+MOST_TRIES = 400
+"""How many orders are tried at most to better a schedule."""
+
+_HANDS = ""  # beside the names of utensils: what nearly every step uses
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -70,14 +77,35 @@ def schedule(
     if hands < 1:
         raise UsageError(f"{hands} pairs of hands cannot cook", hint="Ask for one pair of hands or more.")
     work = _Work.of(units, leaves, durations, kitchen, hands)
-    rules: tuple[Callable[[int], tuple[float, ...]], ...] = (
-        lambda i: (-work.tails[i], i),
-        lambda i: (i,),
-        lambda i: (-work.tails[i] if work.handless[i] else 0.0, i),
-        lambda i: (-work.followers[i], i),
-        lambda i: (-work.seconds[i], i),
+    places = range(len(units))
+    orders = (
+        sorted(places, key=lambda i: (-work.tails[i], i)),
+        list(places),
+        sorted(places, key=lambda i: (not work.handless[i], -work.tails[i], i)),
+        sorted(places, key=lambda i: (-work.followers[i], i)),
+        sorted(places, key=lambda i: (-work.seconds[i], i)),
     )
-    return min((work.scheduled(rule) for rule in rules), key=lambda one: one.length)
+    order = _bettered(min(orders, key=lambda order: work.length(work.starts(order))), work)
+    return work.told(work.starts(order))
+
+
+def _bettered(order: list[int], work: _Work) -> list[int]:
+    """Take single steps elsewhere in the order of precedence for as long as that makes the schedule shorter."""
+    length, tries = work.length(work.starts(order)), MOST_TRIES
+    moves = [(step, to) for step in range(len(order)) for to in (0, *range(len(order)))]
+    better = True
+    while better and length > work.bound and tries > 0:
+        better = False
+        for step, to in moves:
+            if tries <= 0 or length <= work.bound:
+                break
+            tries -= 1
+            rest = [place for place in order if place != step]
+            other = [*rest[:to], step, *rest[to:]]
+            shorter = work.length(work.starts(other))
+            if shorter < length:
+                order, length, better = other, shorter, True
+    return order
 
 
 @dataclass(frozen=True)
@@ -89,8 +117,7 @@ class _Work:
     tails: Sequence[float]
     followers: Sequence[int]
     uses: Sequence[frozenset[str]]
-    there: Counter[str]
-    hands: int
+    there: Mapping[str, int]
 
     @classmethod
     def of(
@@ -110,48 +137,66 @@ class _Work:
             for earlier in before[place]:
                 tails[earlier] = max(tails[earlier], seconds[earlier] + tails[place])
                 behind[earlier] |= behind[place] | {place}
-        uses = [frozenset(n.label for n in unit.input_nodes if kitchen.is_utensil(n.label)) for unit in units]
-        there = Counter(node.label for node in set(leaves))
         handless = [unit.motion_node in WITHOUT_HANDS for unit in units]
-        return cls(known, seconds, handless, before, tails, [len(b) for b in behind], uses, there, hands)
+        uses = [
+            frozenset(node.label for node in unit.input_nodes if kitchen.is_utensil(node.label))
+            | (frozenset() if alone else {_HANDS})
+            for unit, alone in zip(units, handless, strict=True)
+        ]
+        have = Counter(node.label for node in set(leaves))
+        there = {name: max(have[name], 1) for name in sorted(frozenset[str]().union(*uses))} | {_HANDS: hands}
+        return cls(known, seconds, handless, before, tails, [len(b) for b in behind], uses, there)
 
-    def scheduled(self, rule: Callable[[int], tuple[float, ...]]) -> Schedule:
-        """Put the steps in by ``rule`` (least first), each as early as it can be."""
-        steps: dict[int, ScheduledStep] = {}
-        while len(steps) < len(self.seconds):
-            ready = [i for i in range(len(self.seconds)) if i not in steps and self.before[i] <= steps.keys()]
-            step = self._earliest(min(ready, key=rule), list(steps.values()))
-            steps[step.place] = step
-        length = max((step.end for step in steps.values()), default=0.0)
-        ordered = tuple(sorted(steps.values(), key=lambda step: (step.start, step.place)))
-        return Schedule(ordered, self.hands, length, sum(self.seconds), length <= self._bound() + 1e-9)
+    def starts(self, order: Sequence[int]) -> dict[int, float]:
+        """Answer when each step begins when they are put in as ``order`` ranks those that are ready."""
+        starts: dict[int, float] = {}
+        waiting = list(order)
+        while waiting:
+            place = next(i for i in waiting if self.before[i] <= starts.keys())
+            waiting.remove(place)
+            starts[place] = self._earliest(place, starts)
+        return starts
 
-    def _earliest(self, place: int, others: Sequence[ScheduledStep]) -> ScheduledStep:
-        ready = max((other.end for other in others if other.place in self.before[place]), default=0.0)
-        starts = sorted({ready, *(other.end for other in others if other.end > ready)})
-        for start in starts:
-            during = [o for o in others if o.start < start + self.seconds[place] and o.end > start]
-            hands = self._free_hands(place, during)
-            if hands != self.hands and self._utensils_free(place, during):
-                break
-        one = None if self.handless[place] else hands
-        return ScheduledStep(place, start, start + self.seconds[place], one, self.known[place])
-
-    def _free_hands(self, place: int, during: Sequence[ScheduledStep]) -> int:
-        """Answer the first free pair of hands; as many as there are stands for none."""
-        if self.handless[place]:
-            return 0
-        busy = {other.hands for other in during}
-        return next((pair for pair in range(self.hands) if pair not in busy), self.hands)
-
-    def _utensils_free(self, place: int, during: Sequence[ScheduledStep]) -> bool:
-        # those at once with this step need not be so with each other; counting them all errs on the safe side
-        return all(
-            sum(label in self.uses[other.place] for other in during) < max(self.there[label], 1)
-            for label in self.uses[place]
+    def _earliest(self, place: int, starts: Mapping[int, float]) -> float:
+        ready = max((starts[i] + self.seconds[i] for i in self.before[place]), default=0.0)
+        ends = {start + self.seconds[i] for i, start in starts.items()}
+        return next(
+            start for start in sorted({ready, *(e for e in ends if e > ready)}) if self._fits(place, start, starts)
         )
 
-    def _bound(self) -> float:
-        """Answer what no schedule can beat: the longest chain of steps, and the work shared by all hands."""
-        work = sum(s for s, alone in zip(self.seconds, self.handless, strict=True) if not alone)
-        return max([work / self.hands, *self.tails])
+    def _fits(self, place: int, start: float, starts: Mapping[int, float]) -> bool:
+        """Whether there is enough of all that a step uses for as long as it takes: hands and utensils."""
+        end = start + self.seconds[place]
+        during = [i for i, began in starts.items() if began < end and began + self.seconds[i] > start]
+        for name in self.uses[place]:
+            users = [i for i in during if name in self.uses[i]]
+            for moment in (start, *(starts[i] for i in users if starts[i] > start)):
+                if sum(starts[i] <= moment < starts[i] + self.seconds[i] for i in users) >= self.there[name]:
+                    return False
+        return True
+
+    def length(self, starts: Mapping[int, float]) -> float:
+        """Answer when the last step is done."""
+        return max((start + self.seconds[i] for i, start in starts.items()), default=0.0)
+
+    @property
+    def bound(self) -> float:
+        """What no schedule can beat: the longest chain of steps, and the work for each thing shared by all of it."""
+        shared = [
+            sum(s for s, uses in zip(self.seconds, self.uses, strict=True) if name in uses) / count
+            for name, count in self.there.items()
+        ]
+        return max([0.0, *shared, *self.tails]) + _ROUNDING
+
+    def told(self, starts: Mapping[int, float]) -> Schedule:
+        """Answer the schedule, with a pair of hands for every step: whichever is free, the first if it may choose."""
+        free = [0.0] * self.there[_HANDS]
+        steps = []
+        for place, start in sorted(starts.items(), key=lambda one: (one[1], one[0])):
+            end, pair = start + self.seconds[place], None
+            if not self.handless[place]:
+                pair = next(i for i, since in enumerate(free) if since <= start)
+                free[pair] = end
+            steps.append(ScheduledStep(place, start, end, pair, self.known[place]))
+        length = self.length(starts)
+        return Schedule(tuple(steps), len(free), length, sum(self.seconds), length <= self.bound)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from foon_kg.views.shown_tree import ShownTree
 
 EXAMPLES = examples(
-    "foon plan recipe.json --json | foon show -",
+    "foon show plan.json",
     "foon show plan.json --svg --output tree.svg",
     "foon show plans.jsonl --line 3 --html -o tree.html",
     "foon show plan.json --schedule --hands 2 --svg -o schedule.svg",
