@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -72,8 +73,15 @@ class Core:
         gaps = steps & ((1 << len(self.gap_nodes)) - 1)
         return sum(self.costs[gap] for gap in bits_of(gaps)) if gaps else 0
 
+    @cached_property
+    def has_foods(self) -> bool:
+        """Whether any step has a wanted food."""
+        return any(self.foods)
+
     def foods_of(self, steps: int) -> int:
         """Answer the set of the wanted foods that occur in the set ``steps``."""
+        if not self.has_foods:
+            return 0
         found = 0
         for step in bits_of(steps):
             found |= self.foods[step]
@@ -88,41 +96,55 @@ def bits_of(mask: int) -> Iterator[int]:
         mask ^= low
 
 
-def core_behind(problem: SearchProblem, goal: int) -> Core:
-    """Collect everything that may take part in making the node ``goal`` (its number in the index)."""
-    return _numbered(problem, goal, *_behind(problem, goal, problem.index.producers[goal]))
+def core_behind(problem: SearchProblem, goal: int, *, limit: float = math.inf) -> Core:
+    """Collect everything that may take part in making the node ``goal`` (its number in the index).
+
+    With a ``limit`` that is everything that may be in a tree whose gaps cost no more; nothing may be available then.
+    """
+    return _numbered(problem, goal, _behind(problem, goal, problem.index.producers[goal], limit), limit)
 
 
-def core_behind_any(problem: SearchProblem, goals: Iterable[int]) -> Core:
+def core_behind_any(problem: SearchProblem, goals: Iterable[int], *, limit: float = math.inf) -> Core:
     """Collect everything that may take part in making one of the nodes ``goals``, whichever it is.
 
     The goal of the core is ``ANY_GOAL``: every unit makes it that makes one of ``goals``. These are nodes like others,
     and so a tree of this core may take one of them to make the same one again.
     """
     makers = sorted({unit for goal in goals for unit in problem.index.producers[goal]})
-    return _numbered(problem, ANY_GOAL, *_behind(problem, ANY_GOAL, makers), makers=frozenset(makers))
+    found = _behind(problem, ANY_GOAL, makers, limit)
+    return _numbered(problem, ANY_GOAL, found, limit, makers=frozenset(makers))
 
 
-def _behind(problem: SearchProblem, goal: int, makers: Iterable[int]) -> tuple[set[int], set[int]]:
+def _behind(problem: SearchProblem, goal: int, makers: Iterable[int], limit: float) -> tuple[set[int], set[int]]:
     """Answer the nodes and the units behind ``goal``, which ``makers`` make."""
     index = problem.index
     there = {index.number_of[node] for node in problem.available if node in index.number_of}
-    nodes, units, waiting = {goal}, set(makers), list(makers)
+    dearest = None if limit == math.inf else index.dearest_inputs
+    nodes, units = {goal}, {maker for maker in makers if dearest is None or dearest[maker] <= limit}
+    waiting = list(units)
     for unit in waiting:  # grows while it is read
         for node in index.inputs[unit]:
             if node not in nodes and not index.at_hand[node] and node not in there:
                 nodes.add(node)
                 fresh = [maker for maker in index.producers[node] if maker not in units]
+                if dearest is not None:
+                    fresh = [maker for maker in fresh if dearest[maker] <= limit]
                 units.update(fresh)
                 waiting.extend(fresh)
     return nodes, units
 
 
 def _numbered(
-    problem: SearchProblem, goal: int, nodes: set[int], units: set[int], *, makers: frozenset[int] = frozenset()
+    problem: SearchProblem,
+    goal: int,
+    found: tuple[set[int], set[int]],
+    limit: float,
+    *,
+    makers: frozenset[int] = frozenset(),
 ) -> Core:
-    index = problem.index
-    gaps = [node for node in sorted(nodes, reverse=True) if node != goal and index.gap_costs[node] is not None]
+    index, (nodes, units) = problem.index, found
+    costs = {node: cost for node in nodes if node != goal and (cost := index.gap_costs[node]) is not None}
+    gaps = sorted((node for node, cost in costs.items() if cost <= limit), reverse=True)
     falling = sorted(units, reverse=True)
     place = {node: number for number, node in enumerate(sorted(nodes))}
     get = place.get
@@ -139,8 +161,8 @@ def _numbered(
         gap_nodes=tuple(gaps),
         units=tuple(falling),
         inputs=((),) * len(gaps) + tuple(local(index.inputs[unit]) for unit in falling),
-        outputs=tuple(local([gap]) for gap in gaps) + tuple(map(made, falling)),
-        costs=tuple(index.gap_costs[gap] or 0 for gap in gaps),
+        outputs=tuple((place[gap],) for gap in gaps) + tuple(map(made, falling)),
+        costs=tuple(costs[gap] for gap in gaps),
         foods=foods_of_steps(index, gaps, falling, problem.wanted),
     )
 

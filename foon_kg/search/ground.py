@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from foon_kg.search.core import Core, bits_of, core_behind, core_behind_any, foods_of_steps
 from foon_kg.search.deadline import Deadline
-from foon_kg.search.penalty import within_least_penalty
+from foon_kg.search.penalty import LeastPenalty, within_least_penalty
 from foon_kg.search.problem import ReferenceTree, SearchProblem
 from foon_kg.search.reduction import Reduced
 from foon_kg.search.unit_index import UnitIndex
+
+_AT_FIRST, _THEN = 4, 16
+"""How many times what the dearest gap costs at least is looked at first, and then, for all the gaps of a tree."""
 
 Goals = tuple[int, ...]
 """The numbers of nodes in an index, any one of which is to be made."""
@@ -33,10 +37,10 @@ class Ground:
     def behind(cls, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
         """Look behind ``goals``, whatever the problem wants; ``None`` where nothing makes any of them."""
         nothing = SearchProblem(problem.index, problem.targets, available=problem.available)
-        core = core_behind(nothing, goals[0]) if len(goals) == 1 else core_behind_any(nothing, goals)
-        least = within_least_penalty(core, deadline)
-        if least is None:
+        found = _within_limits(nothing, goals, deadline)
+        if found is None:
             return None
+        core, least = found
         reduced = Reduced.of(core, least.penalty, least.steps)
         needed = bits_of(reduced.landmarks.steps_of_node[reduced.core.goal])
         certain = _labels(problem.index, reduced.core, needed)
@@ -76,6 +80,25 @@ class Explored:
         if ground is None or ground.is_proven:
             self.grounds[goals] = ground
         return ground
+
+
+def _within_limits(problem: SearchProblem, goals: Goals, deadline: Deadline) -> tuple[Core, LeastPenalty] | None:
+    """Find the least penalty among what may be in trees that cost little, and only else among all: most do."""
+    index = problem.index
+    makers = {unit for goal in goals for unit in index.producers[goal]}
+    least = 0 if problem.available else min((index.dearest_inputs[unit] for unit in makers), default=math.inf)
+    if least == math.inf:
+        return None
+    for limit in (math.inf,) if problem.available else (_AT_FIRST * least, _THEN * least, math.inf):
+        core = (
+            core_behind(problem, goals[0], limit=limit)
+            if len(goals) == 1
+            else core_behind_any(problem, goals, limit=limit)
+        )
+        found = within_least_penalty(core, deadline)
+        if found is not None and found.penalty <= limit:
+            return core, found
+    return None
 
 
 def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
+from heapq import heapify, heappop, heappush
 
 from foon_kg.model import KnownUnit, ObjectNode
 
@@ -65,6 +68,42 @@ class UnitIndex:
             ),
             units_naming=_units_naming(kept),
         )
+
+    @cached_property
+    def least_penalties(self) -> tuple[float, ...]:
+        """Answer for each node what having it costs at least, in gaps: infinite where nothing makes it.
+
+        The dearest input of a unit counts, and the cheapest way to a node: h^max, by Dijkstra's algorithm.
+        """
+        users: list[list[int]] = [[] for _ in self.nodes]
+        missing = [0] * len(self.units)
+        least = [0 if there else math.inf for there in self.at_hand]
+        waiting = [(cost, node) for node, cost in enumerate(self.gap_costs) if cost is not None]
+        for unit, nodes in enumerate(self.inputs):
+            for node in nodes:
+                if not self.at_hand[node]:
+                    users[node].append(unit)
+                    missing[unit] += 1
+            if not missing[unit]:
+                waiting += [(0, node) for node in self.outputs[unit]]
+        heapify(waiting)
+        while waiting:
+            cost, node = heappop(waiting)
+            if cost >= least[node]:
+                continue
+            least[node] = cost
+            for unit in users[node]:
+                missing[unit] -= 1
+                if not missing[unit]:
+                    for made in self.outputs[unit]:
+                        heappush(waiting, (cost, made))
+        return tuple(least)
+
+    @cached_property
+    def dearest_inputs(self) -> tuple[float, ...]:
+        """Answer for each unit what its dearest input costs at least, in gaps."""
+        least = self.least_penalties
+        return tuple(max((least[node] for node in nodes), default=0) for nodes in self.inputs)
 
 
 def _makes_something(known: KnownUnit) -> bool:
