@@ -186,6 +186,9 @@ class Stage:
 
     def _all_stay(self, here: _Moment) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""
+        goal = self.casting.goal
+        if goal in here.scene.outputs and not any(node.label == goal.label for node in here.scene.inputs):
+            return False  # with what is left the dish is made, and gets its name
         places = {(node.label, node.container) for node in here.scene.outputs}
         left = [node for node in here.scene.acted if node in here.present]
         return all((node.label, node.container) in places for node in left)

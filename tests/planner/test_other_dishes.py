@@ -67,9 +67,7 @@ def test_where_there_is_no_tree_the_reason_and_a_way_out_are_told(answers):
         assert failure.hint
 
 
-@pytest.mark.parametrize(
-    "dish_type", "bread cake chicken cookie noodle pasta pizza rice sandwich soup stir-fry".split()
-)
+@pytest.mark.parametrize("dish_type", WITH_GOALS)
 def test_a_dish_type_with_goals_in_the_foon_gives_trees(answers, dish_type):
     assert any(isinstance(answer, PlanResult) for answer in answers if answer.recipe.dish_type == dish_type)
 
