@@ -84,7 +84,7 @@ def show(title: str, rows: Sequence[dict[str, float]]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--units", type=int, nargs="*", default=[2_000, 20_000, 200_000])
+    parser.add_argument("--units", type=int, nargs="*", default=[2_000, 20_000])
     parser.add_argument("--recipes", type=int, default=12)
     parser.add_argument("--loaded", action="store_true")
     options = parser.parse_args()
