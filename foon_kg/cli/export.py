@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from foon_kg.exports.files import ExportFile
 
 EXAMPLES = examples(
-    "foon plan recipe.json --json | foon export - --format markdown",
+    "foon export plan.json --format markdown",
     "foon export plan.json --output salad.dot",
     "foon export plans.jsonl --format pddl --output problems/",
     "foon export --format csv --output import/",
@@ -59,7 +59,7 @@ def export(
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
-    """Write a task tree, or the whole FOON, in the format of another program.
+    """Write task trees, or the whole FOON, for other programs.
 
     \b
     foon            FOON text; a whole FOON is one file a video

@@ -17,7 +17,8 @@ from foon_kg.exports.notation import node_text
 from foon_kg.model import ObjectNode
 
 NOTATION = re.compile(
-    r"(?P<label>[^;(){}\[\]]*?)(?: \((?P<states>[^)]*)\))?(?: \{(?P<inside>[^}]*)\})?(?: \[(?P<relation>[^:\]]*): (?P<place>[^\]]*)\])?"
+    r"(?P<label>[^;(){}\[\]]*?)(?: \((?P<states>[^)]*)\))?(?: \{(?P<inside>[^}]*)\})?"
+    r"(?: \[(?P<relation>[^:\]]*): (?P<place>[^\]]*)\])?"
 )
 NOT_IN_NAMES = set("<>&\"'/\\:*?|.{}();,")
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 from exports.odd_trees import ODD, of_file
 from kitchen_stories import SALAD, subgraph
@@ -55,7 +57,7 @@ def test_names_that_hold_marks_of_pddl_are_read_all_the_same(judged):
     nodes = [ObjectNode(name, (name,), (name,), name, name) for name in (*ODD, "object", "and", ";")]
     units = [
         FunctionalUnit((Participant(before),), before.label, (Participant(after),))
-        for before, after in zip(nodes, nodes[1:], strict=False)
+        for before, after in itertools.pairwise(nodes)
     ]
     last = units[-1]
     units[-1] = FunctionalUnit(last.inputs, last.motion, (Participant(nodes[-1], dish_type="salad"),))
