@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from foon_kg.loaders.recipe_collections import RecipeCollections
 
 EXAMPLES = examples(
-    "foon load recipes recipe1m/                          # layer1.json, with det_ingrs.json if it lies beside",
+    "foon load recipes recipe1m/",
     "foon load recipes recipes.csv --report notices.jsonl",
     "foon load recipes recipe1m/ --parse full",
 )
@@ -57,9 +57,10 @@ def recipes(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Load collections of recipes: Recipe1M+, our own recipe files, CSV or Parquet.
+    """Load collections of recipes: Recipe1M+, CSV, Parquet, our own.
 
-    Every file is read to its end first: one that is broken loads nothing. Then the recipes come in many transactions of
+    A folder with a layer1.json is Recipe1M+; det_ingrs.json and recipes_with_nutritional_info.json are read with it if
+    they lie beside. Every file is read to its end first: one that is broken loads nothing. Then the recipes come in many transactions of
     whole recipes each; a load that was stopped goes on where it was when it is started again, and what is there already
     changes nothing. Recipes of one id are there once.
     """

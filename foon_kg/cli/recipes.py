@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from foon_kg.graph.recipes import StoredRecipe
 
 EXAMPLES = examples(
-    "foon recipes                                        # how many a dish type, and how much of them is unseen",
-    "foon recipes --unseen 20                            # what to annotate next",
+    "foon recipes",
+    "foon recipes --unseen 20",
     "foon recipes --sample 5 --dish salad --seed 7",
     "foon recipes --id 000018c8a5",
 )
@@ -35,9 +35,10 @@ def recipes(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Count the recipes that were loaded: how many a dish type, how many ingredients, how many of them unseen.
+    """Count, draw and show the recipes that were loaded.
 
-    An ingredient is unseen where no unit of the FOON has that food. Only the sure dish type of a recipe counts.
+    Without an option: how many recipes a dish type has, how many ingredients they call for, and how many of these are
+    unseen. With --unseen N: what to annotate next. An ingredient is unseen where no unit of the FOON has that food. Only the sure dish type of a recipe counts.
     """
     from foon_kg.errors import UsageError
     from foon_kg.graph import Connection

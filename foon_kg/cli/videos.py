@@ -27,7 +27,10 @@ def diff(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Show what loading files would change: units that are new, known from other videos, or gone. Changes nothing."""
+    """Show what loading files would change in the FOON.
+
+    Units that are new, known from other videos, as before, or gone; and objects never seen before. Changes nothing.
+    """
     from foon_kg.loaders import Severity, read_paths
 
     say = sayer(quiet=quiet)
@@ -59,7 +62,10 @@ def remove(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Take videos out of the FOON, with the units that no other video shows. All of them, or none."""
+    """Take videos out of the FOON.
+
+    With them go the units that no other video shows. All of the named videos are taken out, or none.
+    """
     from foon_kg.graph import Connection
     from foon_kg.graph import remove as remove_videos
     from foon_kg.graph.differences import losses
