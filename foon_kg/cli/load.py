@@ -86,9 +86,9 @@ def videos(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Load newly annotated videos: plain tables that a person writes while watching, and subgraph files.
+    """Load newly annotated videos: plain tables, subgraphs.
 
-    A table has a row a step: start,end,motion,inputs,outputs, and dish where the row makes the dish. Things are written
+    A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row makes the dish. Things are written
     like "onion (chopped) on cutting board; bowl {salt}", with semicolons between them. All of it is loaded, or nothing.
     """
     from foon_kg.loaders.video_tables import read_videos

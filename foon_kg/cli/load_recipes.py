@@ -57,10 +57,12 @@ def recipes(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Load collections of recipes: Recipe1M+, CSV, Parquet, our own.
+    """Load collections: Recipe1M+, CSV, Parquet.
 
     A folder with a layer1.json is Recipe1M+; det_ingrs.json and recipes_with_nutritional_info.json are read with it if
-    they lie beside. Every file is read to its end first: one that is broken loads nothing. Then the recipes come in many transactions of
+    they lie beside. Tables and our own recipe files are read by their endings.
+
+    Every file is read to its end first: one that is broken loads nothing. Then the recipes come in many transactions of
     whole recipes each; a load that was stopped goes on where it was when it is started again, and what is there already
     changes nothing. Recipes of one id are there once.
     """

@@ -38,7 +38,8 @@ def recipes(
     """Count, draw and show the recipes that were loaded.
 
     Without an option: how many recipes a dish type has, how many ingredients they call for, and how many of these are
-    unseen. With --unseen N: what to annotate next. An ingredient is unseen where no unit of the FOON has that food. Only the sure dish type of a recipe counts.
+    unseen. With --unseen N: what to annotate next. An ingredient is unseen where no unit of the FOON has that food.
+    Only the sure dish type of a recipe counts.
     """
     from foon_kg.errors import UsageError
     from foon_kg.graph import Connection
