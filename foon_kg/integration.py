@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from foon_kg import motions
-from foon_kg.kitchen import Kitchen
+from foon_kg.kitchen import Kitchen, words
 from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
@@ -24,6 +24,8 @@ from foon_kg.rehearsal import Rehearsal
 from foon_kg.script import Casting, Item, Recast, Replayed, Step
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
+
+_MEASURES = frozenset({"jigger", "measuring", "scoop", "spoon", "tablespoon", "teaspoon"})
 
 
 @dataclass(frozen=True)
@@ -86,8 +88,8 @@ class Integration:
         """Answer the final tree; what could not be brought into it is ``missing``."""
         lines = self._reading.lines
         played = self._play_lines(lines)
-        casting = self._casting(lines, played)
-        casting, played = self._keep_what_arrives(casting, lines, played)
+        casting = self._casting(played)
+        casting, played = self._keep_what_arrives(casting, played)
         party = _Party(casting, lines)
         missing = [want for want in self.wants if want not in played and not self._add(want, party)]
         additions = party.additions
@@ -154,9 +156,7 @@ class Integration:
     def _can_be_opened(self, want: RequiredIngredient) -> bool:
         return bool(self.preparations.of(want))
 
-    def _casting(
-        self, lines: Mapping[str, FoodLine], played: Mapping[RequiredIngredient, tuple[str, Recast]]
-    ) -> Casting:
+    def _casting(self, played: Mapping[RequiredIngredient, tuple[str, Recast]]) -> Casting:
         foods: dict[str, Recast | None] = dict.fromkeys(self._reading.names)
         foods |= dict(played.values())
         return Casting(foods, goal=self.goal)
@@ -164,7 +164,6 @@ class Integration:
     def _keep_what_arrives(
         self,
         casting: Casting,
-        lines: Mapping[str, FoodLine],
         played: dict[RequiredIngredient, tuple[str, Recast]],
     ) -> tuple[Casting, dict[RequiredIngredient, tuple[str, Recast]]]:
         """Give up lines that do not reach the goal in the wanted state, one round after the other."""
@@ -175,7 +174,7 @@ class Integration:
             if not lost:
                 return casting, played
             played = {want: role for want, role in played.items() if want not in lost}
-            casting = self._casting(lines, played)
+            casting = self._casting(played)
 
     def _executed(self, replayed: Replayed) -> tuple[list[Step], Item | None]:
         """Answer the steps that lead to the goal, and what the goal has become."""
@@ -219,9 +218,9 @@ class Integration:
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
         """Answer the places where ``want`` may join, best first.
 
-        Best is where a food like it joins in the reference; then the place that a dropped food left open, so that
-        the way of the reference is kept; then a unit that happens anyway; then the latest. After the last unit that
-        mixes or heats nothing joins (sense, S2).
+        Never into what only measures another food, if it can be helped. Best is where a food like it joins in the
+        reference; then the place that a dropped food left open, so that the way of the reference is kept; then a unit
+        that happens anyway; then the latest. After the last unit that mixes or heats nothing joins (sense, S2).
         """
         if party.alive is None:
             steps, _ = self._executed(self._replay_with(party.casting, party.additions))
@@ -229,6 +228,7 @@ class Integration:
         return sorted(
             self._open_places,
             key=lambda place: (
+                self._measures(place),
                 -self._likeness(want, place, party.lines),
                 place not in party.left_open,
                 place not in (party.alive or ()),
@@ -247,6 +247,12 @@ class Integration:
             if place <= last and self._is_open(place) and self._receives(self.script[place])
             if not self._prepares(place)
         )
+
+    def _measures(self, place: int) -> bool:
+        """Say whether a unit only brings a food into a measure or onto a spoon."""
+        outputs = self.script[place].unit.output_nodes
+        filled = [n for n in outputs if n.ingredients and not self.kitchen.is_food(n)]
+        return bool(filled) and all(not _MEASURES.isdisjoint(words(node.label)) for node in filled)
 
     def _prepares(self, place: int) -> bool:
         """Say whether a unit brings a food to where it is cut or peeled: nothing joins it before that (sense, S3)."""
