@@ -88,8 +88,9 @@ def videos(
 ) -> None:
     """Load newly annotated videos: plain tables, subgraphs.
 
-    A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row makes the dish. Things are written
-    like "onion (chopped) on cutting board; bowl {salt}", with semicolons between them. All of it is loaded, or nothing.
+    A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row
+    makes the dish. Things are written like "onion (chopped) on cutting board; bowl {salt}", with semicolons between
+    them. All of it is loaded, or nothing.
     """
     from foon_kg.loaders.video_tables import read_videos
 
