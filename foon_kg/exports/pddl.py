@@ -54,7 +54,8 @@ def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> Planning
 def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> PlanningProblem:
     """Answer the problem of making a dish, called ``goal``, with all that a FOON knows and what ``kitchen`` has.
 
-    Where several goal nodes have that label, any of them will do. Raises :class:`~foon_kg.errors.UsageError` where
+    At hand is what the kitchen of a search has, and what the contract lets be a leaf (C6) where no unit makes it. Where
+    several goal nodes have that label, any of them will do. Raises :class:`~foon_kg.errors.UsageError` where
     none has it.
     """
     goals = tuple(dict.fromkeys(known.node for known in foon.goals() if known.node.label == goal))
@@ -63,9 +64,20 @@ def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> P
         raise UsageError(f"no dish of this FOON is called “{goal}”", hint=f"It knows {labels or 'none'}.")
     kitchen = kitchen or foon.kitchen
     units = [known.unit for known in foon.units]
-    at_hand = [node for node in sorted(nodes_of(units), key=lambda node: node.sort_key) if kitchen.has(node)]
+    at_hand = sorted(_at_hand(units, kitchen), key=lambda node: node.sort_key)
     writer = _Writer.of(goal, units, at_hand, goals, kitchen)
     return PlanningProblem(writer.domain(), writer.problem())
+
+
+def _at_hand(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> set[ObjectNode]:
+    made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
+    found = {node for node in nodes_of(units) if kitchen.has(node)}
+    for unit in units:
+        for node in unit.input_nodes:
+            beside = [other for other in unit.input_nodes if other != node]
+            if node not in made and not kitchen.lacks(node) and kitchen.may_be_leaf(node, beside):
+                found.add(node)
+    return found
 
 
 @dataclass(frozen=True)

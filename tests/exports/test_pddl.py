@@ -156,3 +156,16 @@ def test_nothing_is_used_up():
     tree = ExportedTree.of_subgraph(subgraph("salad", "salad", *SALAD), KITCHEN)
     assert "(not" not in tree_to_pddl(tree).domain
     assert node("onion(whole)") in tree.kitchen
+
+
+def test_a_vessel_that_nobody_fills_is_at_hand_beside_its_food_and_a_mixture_that_nobody_makes_is_not():
+    foon = Snapshot.of(
+        [
+            subgraph("a", "soup", "bowl{onion}; onion(whole)@bowl > boil > soup{onion}@pot"),
+            subgraph("b", "salad", "egg mixture{egg,milk} > toss > salad{egg}@plate"),
+        ],
+        KITCHEN,
+    )
+    soup, salad = (Problem(foon_to_pddl(foon, goal)) for goal in ("soup", "salad"))
+    assert any(soup.reaches_the_goal_by([step]) for step in soup.actions)
+    assert not any(salad.reaches_the_goal_by([step]) for step in salad.actions)
