@@ -298,7 +298,7 @@ class Stage:
             named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
         if not named:
             return Item(emptied(node))
-        if node in self.taken_alone:
+        if node in self.taken_alone and self.kitchen.foods_in(node):
             named |= {now for name, now in (*inside, *kept) if not name or now in self.casting.carried}
         return Item(changed(node, ingredients=named), frozenset(inside | kept))
 
