@@ -69,12 +69,16 @@ class Question:
 
 @dataclass(frozen=True)
 class Wishes:
-    """How all recipes are to be planned (see :class:`~foon_kg.settings.PlanSettings`), and whether to say why."""
+    """How all recipes are to be planned (see :class:`~foon_kg.settings.PlanSettings`), and whether to say why.
+
+    ``time_limit`` (seconds) is for the search of each reference tree.
+    """
 
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
     explain: bool = False
     kitchen: Kitchen = field(default_factory=Kitchen.default)
+    time_limit: float | None = 20.0
 
 
 @dataclass(frozen=True)
@@ -91,7 +95,9 @@ class Cook:
     """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
 
     def __init__(self, view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit] | None = None) -> None:
-        settings = PlanSettings(wishes.kitchen, substitutes=wishes.substitutes, avoided=wishes.avoided)
+        settings = PlanSettings(
+            wishes.kitchen, time_limit=wishes.time_limit, substitutes=wishes.substitutes, avoided=wishes.avoided
+        )
         self.wishes = wishes
         self.words = IngredientWords(view.vocabulary(), Kitchen.default())
         self.planner = Planner(view, settings, units)

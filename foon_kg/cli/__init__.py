@@ -13,11 +13,14 @@ from foon_kg.cli import (
     check,
     cypher,
     demo,
+    draft,
     export,
     load,
+    mcp,
     plan,
     recipes,
     retrieve,
+    serve,
     server,
     show,
     similar,
@@ -62,11 +65,14 @@ app.command(epilog=export.EXAMPLES)(export.export)
 app.command(epilog=suggest.EXAMPLES)(suggest.suggest)
 app.command(epilog=similar.EXAMPLES)(similar.similar)
 app.add_typer(load.app)
+app.add_typer(draft.app)
 app.command(epilog=recipes.EXAMPLES)(recipes.recipes)
 app.command(epilog=videos.DIFF_EXAMPLES)(videos.diff)
 app.command(epilog=videos.REMOVE_EXAMPLES)(videos.remove)
 app.command(epilog=stats.EXAMPLES)(stats.stats)
 app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
+app.command(epilog=serve.EXAMPLES)(serve.serve)
+app.command(epilog=mcp.EXAMPLES)(mcp.mcp)
 app.add_typer(server.app)
 
 

@@ -124,6 +124,11 @@ class GraphView:
         return MotionCosts(dict(zip(row.motions, row.costs, strict=True)))
 
     @property
+    def edition(self) -> str | None:
+        """The name of the edition that this view reads; ``None`` where the graph does not tell editions apart."""
+        return self._edition.name
+
+    @property
     def memory(self) -> GraphView:
         """The graph itself keeps reference trees."""
         return self

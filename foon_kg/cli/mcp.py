@@ -1,0 +1,44 @@
+"""``foon mcp``: the planner as tools for agents."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from foon_kg.cli.console import Files, Quiet, examples, sayer
+
+if TYPE_CHECKING:
+    from foon_kg.json_fields import JsonObject
+    from foon_kg.server import ConnectionSettings
+    from foon_kg.web.agents import Cypher
+
+EXAMPLES = examples("foon mcp", "foon mcp --files subgraphs/ --quiet")
+
+
+def mcp(files: Files = None, quiet: Quiet = False) -> None:
+    """Serve plan, explain, similar, suggest and read-only Cypher to an agent, over standard input and output (MCP).
+
+    It is started by the agent's own program, whose settings name the command. It ends with its input.
+    """
+    from foon_kg.cli.serve import served_foon
+    from foon_kg.server import connection_settings
+    from foon_kg.web.agents import agent_server
+    from foon_kg.web.service import FoonService
+
+    say = sayer(quiet=quiet)
+    with FoonService(served_foon(files, say)) as service:
+        cypher = None if files else _cypher(connection_settings(say))
+        agent_server(service, cypher).run("stdio")
+
+
+def _cypher(settings: ConnectionSettings) -> Cypher:
+    from foon_kg.cli.cypher import as_plain
+    from foon_kg.graph.connection import Connection
+    from foon_kg.graph.free_cypher import ask_freely
+
+    def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
+        with Connection(settings) as connection:
+            answer = ask_freely(connection, text, parameters, limit=limit)
+        rows = [[as_plain(value) for value in row] for row in answer.rows]
+        return {"columns": list(answer.columns), "rows": rows, "cut": answer.cut}
+
+    return ask

@@ -1,0 +1,116 @@
+"""``foon serve``: the page and the API."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    import socket
+
+    from foon_kg.web.service import Foon
+
+EXAMPLES = examples(
+    "foon serve",
+    "foon serve --files subgraphs/ --port 8080",
+    "foon serve --host 0.0.0.0 --token-file ~/.foon-token",
+)
+
+
+def serve(  # noqa: PLR0917 - each parameter is an option of its own
+    host: Annotated[str, typer.Option(help="The address to bind to; another than loopback asks for a token.")] = (
+        "127.0.0.1"
+    ),
+    port: Annotated[int, typer.Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 8000,
+    token_file: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Ask who calls the API for the token in this file (made if missing)."),
+    ] = None,
+    files: Files = None,
+    jobs: Annotated[
+        int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Serve a page to plan dishes and look around the FOON, and the same as JSON under /api (see /api/openapi.json).
+
+    Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
+    for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
+    somebody changes is read anew.
+    """
+    from foon_kg.web.security import is_loopback, token_from
+
+    say = sayer(quiet=quiet)
+    if token_file is None and not is_loopback(host):
+        raise UsageError(
+            f"anybody could reach {host}, and there is no token",
+            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1.",
+        )
+    token = None if token_file is None else token_from(token_file.expanduser())
+    foon = served_foon(files, say)
+    listener = _listening(host, port)
+    say(_address(host, listener) + (f"#token={token}" if token else ""))
+    _run(listener, host, token, foon, jobs)
+
+
+def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
+    """Answer the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
+    from foon_kg.cli.knowledge import snapshot_of
+    from foon_kg.graph import Neo4jGraph
+    from foon_kg.server import connection_settings
+    from foon_kg.web.foon import FixedFoon, LiveFoon
+
+    if files:
+        return FixedFoon(snapshot_of(files, say))
+    foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
+    foon.current()  # what is wrong is said now, and not to the first who asks
+    return foon
+
+
+def _run(listener: socket.socket, host: str, token: str | None, foon: Foon, jobs: int | None) -> None:
+    import uvicorn
+
+    from foon_kg.batch import cores
+    from foon_kg.web.api import web_app
+    from foon_kg.web.limits import Limits
+    from foon_kg.web.security import own_names
+    from foon_kg.web.service import FoonService
+
+    limits = Limits()
+    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting)
+    app = web_app(service, names=own_names(host), token=token, limits=limits)
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        server_header=False,
+        proxy_headers=False,
+        ws="none",
+        limit_concurrency=limits.connections,
+        timeout_keep_alive=5,
+        timeout_graceful_shutdown=5,
+    )
+    uvicorn.Server(config).run(sockets=[listener])
+
+
+def _address(host: str, listener: socket.socket) -> str:
+    name = f"[{host}]" if ":" in host else host
+    return f"http://{name}:{listener.getsockname()[1]}/"
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    """Answer a socket that listens; raises UsageError where it cannot."""
+    import socket
+
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        return socket.create_server((host, port), family=family)
+    except OSError as error:
+        raise UsageError(
+            f"{host}:{port} cannot be served: {error.strerror}", hint="Choose another with --port or --host."
+        ) from error

@@ -1,0 +1,130 @@
+"""The service as tools for agents (Model Context Protocol)."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any, TypeVar
+
+from mcp.server import MCPServer
+from mcp.server.mcpserver.exceptions import ToolError
+from mcp_types import ToolAnnotations
+from pydantic import Field
+
+from foon_kg import __version__
+from foon_kg.errors import FoonError, UsageError
+from foon_kg.json_fields import JsonObject
+from foon_kg.likeness import Substitute
+from foon_kg.web.models import MOST_INGREDIENTS, DishType, Words
+from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
+from foon_kg.web.service import FoonService
+
+T = TypeVar("T")
+
+Cypher = Callable[[str, dict[str, Any], int], JsonObject]
+"""Asks the graph a query with parameters for at most so many rows; raises what :func:`ask_freely` raises."""
+
+TIMEOUT = 60.0
+"""Seconds for one answer."""
+
+_LOOKS = ToolAnnotations(read_only_hint=True, destructive_hint=False, idempotent_hint=True, open_world_hint=False)
+_INSTRUCTIONS = (
+    "A knowledge graph of cooking actions seen in videos (a FOON). plan answers the steps that make a dish from given "
+    "ingredients, also from ones that no video shows: they are handled like the known food that is most like them. "
+    "Nothing here changes the graph."
+)
+
+Dish = Annotated[DishType, Field(description="The dish type; empty for the one most like these ingredients.")]
+Ingredients = Annotated[
+    list[Words], Field(min_length=1, max_length=MOST_INGREDIENTS, description="State first: “chopped onion”.")
+]
+Substitutes = Annotated[
+    dict[str, str], Field(max_length=MOST_INGREDIENTS, description="Handle this food like that known one.")
+]
+Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kinds of food (nuts) to leave out.")]
+Names = Annotated[list[Words], Field(min_length=1, max_length=20, description="Foods, known or not.")]
+Rows = Annotated[int, Field(ge=1, le=1000, description="Answer no more rows than this.")]
+Most = Annotated[int, Field(ge=1, le=20)]
+
+
+def agent_server(service: FoonService, cypher: Cypher | None = None) -> MCPServer:
+    """Answer the server with its tools; without ``cypher`` (a FOON of files) that one says so."""
+    tools = _Tools(service, cypher)
+    server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING")
+    for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher):
+        server.add_tool(tool, annotations=_LOOKS)
+    return server
+
+
+class _Tools:
+    """Each public method is a tool; its docstring is what an agent reads."""
+
+    def __init__(self, service: FoonService, cypher: Cypher | None) -> None:
+        self._service = service
+        self._cypher = cypher
+
+    def plan(
+        self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
+        avoid: Avoided | None = None,
+    ) -> dict[str, Any]:  # fmt: skip
+        """Plan a dish: its steps in order (units), what the kitchen must have, substitutions and assumptions."""
+        told = self._planned(ingredients, dish_type, substitutes, avoid)
+        return {name: value for name, value in told.items() if name != "explanations"}
+
+    def explain(
+        self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
+        avoid: Avoided | None = None,
+    ) -> dict[str, Any]:  # fmt: skip
+        """Say why each ingredient of a plan is made as it is: like which food, where it joins, what was passed over."""
+        told = self._planned(ingredients, dish_type, substitutes, avoid)
+        return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
+
+    def similar(self, names: Names, limit: Most = 5) -> dict[str, Any]:
+        """Name the known foods that can best stand for each of these, and how likely a cook is to accept them."""
+        return {"similar": _explained(lambda: self._service.similar(list(names), limit))}
+
+    def suggest(self, foods: Ingredients, most: Most = 5) -> dict[str, Any]:
+        """Name the dishes that the foods at hand make best: what each takes, what is missing, what is left over."""
+        return self._answer(SuggestQuestion(tuple(foods), most))
+
+    def cypher(self, query: str, parameters: dict[str, Any] | None = None, limit: Rows = 100) -> dict[str, Any]:
+        """Ask the graph in Cypher; whatever does more than look at the graph is refused.
+
+        (:Object {label, states, ingredients, relation, container})-[:INPUT]->(:Motion {verb})-[:OUTPUT]->(:Object).
+        """
+        ask = self._cypher
+        if ask is None:
+            raise ToolError(_said(UsageError("these are files, and no graph", hint="Start foon mcp without --files.")))
+        return _explained(lambda: ask(query, parameters or {}, limit))
+
+    def _planned(
+        self,
+        ingredients: Sequence[str],
+        dish_type: str,
+        substitutes: dict[str, str] | None,
+        avoid: Sequence[str] | None,
+    ) -> JsonObject:
+        chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
+        return self._answer(PlanQuestion(dish_type, tuple(ingredients), chosen, tuple(avoid or ())))
+
+    def _answer(self, question: Question) -> JsonObject:
+        try:
+            reply = _explained(lambda: self._service.answer(question, TIMEOUT))
+        except TimeoutError as error:
+            raise ToolError(f"timeout: no answer within {TIMEOUT:g} seconds. Ask for fewer ingredients.") from error
+        told = reply.value()
+        if reply.status != 200:  # noqa: PLR2004 - what HTTP calls all right
+            raise ToolError(json.dumps(told["error"], ensure_ascii=False))
+        return told
+
+
+def _explained(ask: Callable[[], T]) -> T:
+    try:
+        return ask()
+    except FoonError as error:
+        raise ToolError(_said(error)) from error
+
+
+def _said(error: FoonError) -> str:
+    told = {"code": error.code, "message": error.message, "hint": error.hint}
+    return json.dumps(told, ensure_ascii=False)

@@ -1,0 +1,195 @@
+"""The API and the page as one ASGI application."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable, Collection
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import asynccontextmanager
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Any
+
+from fastapi import APIRouter, FastAPI, Query, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import JSONResponse, Response
+from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
+from starlette.staticfiles import StaticFiles
+
+from foon_kg import __version__
+from foon_kg.errors import FoonError
+from foon_kg.likeness import Substitute
+from foon_kg.pictures.svg import dark_colours
+from foon_kg.web import models
+from foon_kg.web.limits import BodyLimit, Limits, RateLimit
+from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
+from foon_kg.web.security import KnownHosts, SecurityHeaders, TokenRequired
+from foon_kg.web.service import FoonService
+from foon_kg.web.words import Kind
+from foon_kg.web.workers import BusyError
+
+_REFUSALS: dict[int | str, dict[str, Any]] = {
+    400: {"description": "The body cannot be read."},
+    401: {"description": "The token is missing or wrong."},
+    403: {"description": "Another site's page asks."},
+    404: {"description": "There is no tree, no such object."},
+    408: {"description": "The body came too slowly."},
+    413: {"description": "The body is too large."},
+    415: {"description": "The body is not JSON."},
+    421: {"description": "The service has another name."},
+    422: {"description": "The question cannot be read as asked."},
+    429: {"description": "This address asks too often; see Retry-After."},
+    503: {"description": "Too much is asked at once (see Retry-After), or no FOON answers."},
+    504: {"description": "The answer takes too long."},
+}
+REFUSALS = {status: told | {"model": models.Refusal} for status, told in _REFUSALS.items()}
+
+_NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, known or not.", examples=[["caper"]])
+_LABEL = Query(min_length=1, max_length=models.MOST_LETTERS, description="An object's name.", examples=["onion"])
+_BEGINNING = Query(max_length=models.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
+_LIMIT = Query(ge=1, le=50)
+
+router = APIRouter(prefix="/api", responses=REFUSALS)
+
+
+def web_app(
+    service: FoonService, *, names: Collection[str], token: str | None = None, limits: Limits | None = None
+) -> FastAPI:
+    """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
+
+    With a ``token`` everything below ``/api`` asks for it.
+    """
+    limits = limits or Limits()
+    middleware = [
+        Middleware(SecurityHeaders),
+        Middleware(KnownHosts, names=names),
+        Middleware(RateLimit, limits=limits),
+        *([Middleware(TokenRequired, token=token)] if token else []),
+        Middleware(BodyLimit, limits=limits),
+    ]
+    app = FastAPI(
+        title="foon-kg",
+        version=__version__,
+        description="Task trees for cooking, planned from a functional object-oriented network.",
+        openapi_url="/api/openapi.json",
+        docs_url=None,  # those pages fetch their program from elsewhere
+        redoc_url=None,
+        middleware=middleware,
+        lifespan=_closing(service),
+    )
+    app.state.service, app.state.limits = service, limits
+    app.include_router(router)
+    app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
+    app.mount("/", StaticFiles(directory=_page_folder(), html=True))
+    app.add_exception_handler(FoonError, _told)
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(HTTPException, _refused)
+    return app
+
+
+@router.get("/summary")
+def summary(request: Request) -> models.Summary:
+    """Answer how large the FOON is, and its dish types."""
+    return models.Summary.model_validate(_service(request).summary())
+
+
+@router.get("/complete")
+def complete(
+    request: Request, text: Annotated[str, _BEGINNING], kind: Kind = "ingredient", limit: Annotated[int, _LIMIT] = 10
+) -> list[str]:
+    """Answer the words that ``text`` may become; an ingredient is a state and a food."""
+    return _service(request).complete(kind, text, limit)
+
+
+@router.get("/similar")
+def similar(
+    request: Request, names: Annotated[list[models.Words], _NAMES], limit: Annotated[int, _LIMIT] = 5
+) -> list[models.SimilarTold]:
+    """Answer for each name the known foods that can stand for it, best first."""
+    return [models.SimilarTold.model_validate(told) for told in _service(request).similar(names, limit)]
+
+
+@router.get("/object")
+def around(request: Request, label: Annotated[str, _LABEL]) -> models.ObjectTold:
+    """Answer an object's nodes, the units that make and take it, and the videos it is in."""
+    return models.ObjectTold.model_validate(_service(request).around(label))
+
+
+@router.post("/plan", response_model=models.PlanTold)
+async def plan(request: Request, asked: models.PlanAsked) -> Response:
+    """Plan a dish: the answer is the task tree, with its substitutions, and why it is as it is."""
+    chosen = tuple(Substitute(one.food, one.like) for one in asked.substitutes)
+    question = PlanQuestion(
+        asked.dish_type, tuple(asked.ingredients), chosen, tuple(asked.avoid), pictures=asked.pictures
+    )
+    return await _answered(request, question)
+
+
+@router.post("/suggest", response_model=models.SuggestionsTold)
+async def suggest(request: Request, asked: models.SuggestAsked) -> Response:
+    """Name the dishes that the foods at hand make best."""
+    return await _answered(request, SuggestQuestion(tuple(asked.foods), asked.most))
+
+
+async def _answered(request: Request, question: Question) -> Response:
+    service, limits = _service(request), request.app.state.limits
+    try:
+        future = await asyncio.to_thread(service.ask, question)
+        reply = await asyncio.wait_for(asyncio.shield(asyncio.wrap_future(future)), limits.seconds)
+    except TimeoutError:
+        error = FoonError(
+            f"no answer within {limits.seconds:g} seconds", hint="Ask for fewer ingredients.", code="timeout"
+        )
+        reply = Reply(504, Reply.of_error(error).body)
+    except BrokenProcessPool as broken:
+        raise BusyError("a process that was planning was ended", hint="Ask again.") from broken
+    return Response(reply.body, reply.status, media_type="application/json")
+
+
+def _service(request: Request) -> FoonService:
+    service: FoonService = request.app.state.service
+    return service
+
+
+def _told(_: Request, error: Exception) -> Response:
+    if not isinstance(error, FoonError):
+        raise error
+    reply = Reply.of_error(error)
+    if isinstance(error, BusyError):
+        return Response(reply.body, 503, {"retry-after": "1"}, "application/json")
+    return Response(reply.body, reply.status, media_type="application/json")
+
+
+def _invalid(_: Request, error: Exception) -> Response:
+    if not isinstance(error, RequestValidationError):
+        raise error
+    first = error.errors()[0]
+    place = ".".join(map(str, first["loc"]))
+    told = FoonError(f"{place}: {first['msg']}", hint="See /api/openapi.json.", code="request")
+    return Response(Reply.of_error(told).body, 422, media_type="application/json")
+
+
+def _refused(_: Request, error: Exception) -> Response:
+    if not isinstance(error, HTTPException):
+        raise error
+    code = {400: "request", 404: "unknown", 405: "method"}.get(error.status_code, "http")
+    told = {"code": code, "message": error.detail, "hint": "See /api/openapi.json."}
+    return JSONResponse({"error": told}, error.status_code, error.headers)
+
+
+def _picture_colours() -> Response:
+    return Response(dark_colours(), media_type="text/css")
+
+
+def _page_folder() -> Path:
+    return Path(str(resources.files("foon_kg.web").joinpath("page")))
+
+
+def _closing(service: FoonService) -> Callable[[FastAPI], Any]:
+    @asynccontextmanager
+    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
+        yield
+        await asyncio.to_thread(service.close)
+
+    return lifespan

@@ -1,0 +1,132 @@
+"""How much one may ask: the size of a body, the time to send it, how often an address asks; as ASGI middleware."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import time
+from collections import OrderedDict
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from starlette.datastructures import Headers
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from foon_kg.errors import FoonError
+from foon_kg.web.questions import Reply
+
+_NO_JSON = FoonError(
+    "the body is not said to be JSON", hint="Send Content-Type: application/json.", code="content-type"
+)
+_SLOW = FoonError("the body did not come in time", hint="Send it faster.", code="slow")
+
+MOST_ADDRESSES = 4096
+"""Of so many addresses it is remembered how often they asked."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What the service puts up with.
+
+    ``body`` in bytes; ``seconds`` for a question, and for sending it; of one address ``per_second`` requests, and
+    ``burst`` at once; ``waiting`` plans that are under way or wait; ``connections`` open at once.
+    """
+
+    body: int = 64 * 1024
+    seconds: float = 20.0
+    per_second: float = 50.0
+    burst: int = 100
+    waiting: int = 16
+    connections: int = 200
+
+
+async def refuse(
+    scope: Scope, send: Send, status: int, error: FoonError, headers: Mapping[str, str] | None = None
+) -> None:
+    """Answer an HTTP request with ``error``, as every error of this service looks."""
+    body = Reply.of_error(error).body
+    told = {"content-type": "application/json", "content-length": str(len(body)), **(headers or {})}
+    raw = [(name.encode("latin-1"), value.encode("latin-1")) for name, value in told.items()]
+    await send({"type": "http.response.start", "status": status, "headers": raw})
+    await send({"type": "http.response.body", "body": b"" if scope["method"] == "HEAD" else body})
+
+
+class RateLimit:
+    """Refuses (429) an address that asks too often: a bucket of ``burst`` tokens that fills at ``per_second``."""
+
+    def __init__(self, app: ASGIApp, limits: Limits) -> None:
+        self.app = app
+        self.limits = limits
+        self._left: OrderedDict[str, tuple[float, float]] = OrderedDict()
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on, or refuse it."""
+        if scope["type"] == "http":
+            wait = self._wait((scope.get("client") or ("",))[0])
+            if wait > 0:
+                seconds = str(math.ceil(wait))
+                error = FoonError("this address asks too often", hint=f"Ask again in {seconds} s.", code="rate")
+                return await refuse(scope, send, 429, error, {"retry-after": seconds})
+        return await self.app(scope, receive, send)
+
+    def _wait(self, address: str) -> float:
+        """Take one token of ``address``; answer how many seconds are missing to the next where there is none."""
+        now = time.monotonic()
+        left, then = self._left.pop(address, (float(self.limits.burst), now))
+        left = min(self.limits.burst, left + (now - then) * self.limits.per_second)
+        self._left[address] = (max(left - 1, 0) if left >= 1 else left, now)
+        while len(self._left) > MOST_ADDRESSES:
+            self._left.popitem(last=False)
+        return 0.0 if left >= 1 else (1 - left) / self.limits.per_second
+
+
+class BodyLimit:
+    """Reads the body whole before anything else sees it; refuses one that is too large, too slow or no JSON."""
+
+    def __init__(self, app: ASGIApp, limits: Limits) -> None:
+        self.app = app
+        self.limits = limits
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on with its body, or refuse it."""
+        if scope["type"] != "http" or scope["method"] in {"GET", "HEAD"}:
+            return await self.app(scope, receive, send)
+        headers = Headers(scope=scope)
+        if scope["method"] == "POST" and headers.get("content-type", "").partition(";")[0] != "application/json":
+            return await refuse(scope, send, 415, _NO_JSON)
+        try:
+            body = await asyncio.wait_for(self._read(headers, receive), self.limits.seconds)
+        except TimeoutError:
+            return await refuse(scope, send, 408, _SLOW, {"connection": "close"})
+        if body is None:
+            large = FoonError(
+                f"the body has more than {self.limits.body} bytes", hint="Ask for less at once.", code="size"
+            )
+            return await refuse(scope, send, 413, large, {"connection": "close"})
+        return await self.app(scope, _again(body, receive), send)
+
+    async def _read(self, headers: Headers, receive: Receive) -> bytes | None:
+        length = headers.get("content-length", "0")
+        if not length.isdecimal() or int(length) > self.limits.body:
+            return None
+        body = bytearray()
+        while True:
+            message = await receive()
+            body += message.get("body", b"")
+            if len(body) > self.limits.body:
+                return None
+            if not message.get("more_body", False):
+                return bytes(body)
+
+
+def _again(body: bytes, receive: Receive) -> Receive:
+    told = False
+
+    async def give() -> Message:
+        nonlocal told
+        if told:
+            return await receive()
+        told = True
+        return {"type": "http.request", "body": body, "more_body": False}
+
+    return give

@@ -1,0 +1,317 @@
+"""What goes in and out of the API, typed: the OpenAPI document is made from these."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from foon_kg.model import DISH_TYPES
+
+MOST_INGREDIENTS = 60
+MOST_LETTERS = 100
+
+DishType = Literal[(*DISH_TYPES, "")]  # type: ignore[valid-type] # the 30 names, and "" for any
+_WORDS = r"^[^\x00-\x1f\x7f]*[^\s\x00-\x1f\x7f,][^\x00-\x1f\x7f]*$"
+Words = Annotated[str, Field(min_length=1, max_length=MOST_LETTERS, pattern=_WORDS)]
+
+
+class Asked(BaseModel):
+    """A body that is sent: a field that it does not have is an error."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class SubstituteAsked(Asked):
+    """Handle this food like one that the FOON knows."""
+
+    food: Words = Field(examples=["kohlrabi"])
+    like: Words = Field(examples=["carrot"])
+
+
+class PlanAsked(Asked):
+    """A dish to be planned."""
+
+    dish_type: DishType = Field("", description="Empty for the one most like these ingredients.", examples=["salad"])
+    ingredients: list[Words] = Field(
+        min_length=1,
+        max_length=MOST_INGREDIENTS,
+        description="State first: “chopped onion”.",
+        examples=[["diced tomato", "sliced cucumber", "olive oil"]],
+    )
+    substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
+    avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
+    pictures: bool = Field(default=False, description="Also answer the tree and the progress lines as SVG.")
+
+
+class SuggestAsked(Asked):
+    """Foods at hand."""
+
+    foods: list[Words] = Field(min_length=1, max_length=MOST_INGREDIENTS, examples=[["egg", "chopped onion"]])
+    most: int = Field(5, ge=1, le=20)
+
+
+class Node(BaseModel):
+    """An object node."""
+
+    label: str
+    states: list[str]
+    ingredients: list[str]
+    relation: str | None
+    container: str | None
+
+
+class SeenIn(BaseModel):
+    """Where a unit was seen: the place in the video, from 0, and seconds from its start."""
+
+    video: str
+    unit: int
+    source: str | None
+    start: float | None
+    end: float | None
+
+
+class Unit(BaseModel):
+    """A functional unit."""
+
+    input_nodes: list[Node]
+    motion_node: str
+    output_nodes: list[Node]
+    seen_in: list[SeenIn]
+
+
+class Step(Unit):
+    """A unit of a plan, and whether it is of the reference tree, of elsewhere, or has something substituted."""
+
+    origin: Literal["reference", "foon", "substituted"]
+
+
+class Wanted(BaseModel):
+    """A food in a state."""
+
+    object: str
+    state: str
+
+
+class RecipeTold(BaseModel):
+    """The recipe as it was understood."""
+
+    id: str | None
+    title: str | None
+    dish_type: str
+    ingredients: list[Wanted]
+
+
+class Reference(BaseModel):
+    """The reference tree in figures."""
+
+    goal: Node
+    units: int
+    overlap: int
+    exact: bool
+
+
+class Near(BaseModel):
+    """A known name, and how sure it is (0 to 1) that a cook would accept it."""
+
+    name: str
+    confidence: float
+
+
+class NearAndWhy(Near):
+    """The same with what speaks for it."""
+
+    why: list[str]
+
+
+class SubstitutionTold(BaseModel):
+    """What stood in the FOON (``equivalent``) where the recipe wants ``required``."""
+
+    kind: Literal["object", "state", "motion"]
+    object: str
+    required: str
+    equivalent: str
+    confidence: float
+    alternatives: list[Near]
+
+
+class AssumptionTold(BaseModel):
+    """A leaf that is taken to be there, and why."""
+
+    node: Node
+    why: str
+
+
+class Stage(BaseModel):
+    """One stage in the life of an ingredient, and the motion that ends it."""
+
+    states: list[str]
+    relation: str | None
+    container: str | None
+    motion: str
+
+
+class Line(BaseModel):
+    """The life of one ingredient."""
+
+    ingredient: str
+    steps: list[Stage]
+    end_product: str | None
+
+
+class PassedOverTold(BaseModel):
+    """A known food that might have stood for the required one, and why it does not."""
+
+    label: str
+    state: str
+    confidence: float
+    why: str
+
+
+class JoiningTold(BaseModel):
+    """Where a food joins the others (the step from 1), and why there."""
+
+    step: int | None
+    motion: str
+    like: str
+    likeness: float
+    left_open: list[str]
+
+
+class Renamed(BaseModel):
+    """A state or motion as the FOON has it, and what stands for it now."""
+
+    known: str
+    now: str
+
+
+class ExplanationTold(BaseModel):
+    """Why one ingredient is made as it is."""
+
+    want: Wanted
+    how: Literal["played", "made", "sold", "assumed", "missing"]
+    label: str
+    confidence: float
+    chosen: bool
+    renamed: list[Renamed]
+    videos: list[str]
+    joins: JoiningTold | None
+    passed_over: list[PassedOverTold]
+
+
+class Pictures(BaseModel):
+    """SVG texts."""
+
+    tree: str
+    progress: str
+
+
+class PlanTold(BaseModel):
+    """A plan: what ``foon plan --json`` prints, and how it came about.
+
+    ``videos`` has for each unit the web address of the second in which it is seen, or null.
+    """
+
+    recipe: RecipeTold
+    reference: Reference
+    goal: Node
+    units: list[Step]
+    kitchen: list[Node]
+    substitutions: list[SubstitutionTold]
+    assumptions: list[AssumptionTold]
+    progress_lines: list[Line]
+    notes: list[str]
+    explanations: list[ExplanationTold]
+    videos: list[str | None]
+    pictures: Pictures | None = None
+
+
+class TakenTold(BaseModel):
+    """A food that a dish takes, and the food of one's own that stands for it."""
+
+    food: str
+    own: str
+    confidence: float
+
+
+class SuggestionTold(BaseModel):
+    """A dish, and what of it is there."""
+
+    goal: Node
+    dish_type: str
+    videos: list[str]
+    units: int
+    share: float
+    taken: list[TakenTold]
+    missing: list[str]
+    assumed: list[Node]
+    unused: list[str]
+    exact: bool
+
+
+class SuggestionsTold(BaseModel):
+    """The best dishes, best first."""
+
+    suggestions: list[SuggestionTold]
+    considered: int
+    proven: int
+    notes: list[str]
+
+
+class SimilarTold(BaseModel):
+    """A name, and the known foods that can best stand for it."""
+
+    name: str
+    nearest: list[NearAndWhy]
+
+
+class Summary(BaseModel):
+    """How large the FOON is."""
+
+    dish_types: list[str]
+    units: int
+    videos: int
+    foods: int
+
+
+class UnitsTold(BaseModel):
+    """Some units with the web addresses (or null) of where they are seen, and how many there are."""
+
+    count: int
+    units: list[Unit]
+    videos: list[str | None]
+
+
+class ObjectTold(BaseModel):
+    """What the FOON has around an object."""
+
+    label: str
+    utensil: bool
+    nodes: list[Node]
+    made_by: UnitsTold
+    taken_by: UnitsTold
+    videos: list[str]
+
+
+class MissingTold(BaseModel):
+    """Something that is not at hand, and what to do about it."""
+
+    node: Node
+    remedy: str
+
+
+class ErrorTold(BaseModel):
+    """What is wrong, as a word for programs and a sentence for people, and what to do about it."""
+
+    code: str
+    message: str
+    hint: str
+    missing: list[MissingTold] | None = None
+
+
+class Refusal(BaseModel):
+    """The body of every answer that is an error."""
+
+    error: ErrorTold
+    recipe: RecipeTold | None = None
+    notes: list[str] | None = None

@@ -1,0 +1,48 @@
+// The API of this service, as functions. What it refuses is thrown as a Refusal, with what to do about it.
+
+const KEPT = "foon-token";
+
+export class Refusal extends Error {
+  constructor(status, told) {
+    super(told.message);
+    this.status = status;
+    this.code = told.code;
+    this.hint = told.hint;
+    this.missing = told.missing ?? [];
+  }
+}
+
+export const keepToken = (token) => sessionStorage.setItem(KEPT, token);
+
+// The part of an address after # is never sent to a server, and it is taken away before anybody reads it here.
+export const tokenFromAddress = () => {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return;
+  keepToken(token);
+  history.replaceState(null, "", location.pathname);
+};
+
+const ask = async (path, options = {}) => {
+  const token = sessionStorage.getItem(KEPT);
+  const headers = { ...options.headers, ...(token ? { Authorization: `Bearer ${token}` } : {}) };
+  let answer;
+  try {
+    answer = await fetch(`api/${path}`, { ...options, headers });
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    throw new Refusal(0, { code: "offline", message: "The service does not answer.", hint: "Is foon serve still running?" });
+  }
+  const told = await answer.json().catch(() => ({}));
+  if (!answer.ok) throw new Refusal(answer.status, told.error ?? { code: "http", message: answer.statusText, hint: "" });
+  return told;
+};
+
+const query = (fields) => new URLSearchParams(fields).toString();
+const post = (path, body) =>
+  ask(path, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
+
+export const summary = () => ask("summary");
+export const complete = (kind, text, signal) => ask(`complete?${query({ kind, text, limit: 12 })}`, { signal });
+export const plan = (question) => post("plan", { ...question, pictures: true });
+export const suggest = (foods) => post("suggest", { foods });
+export const around = (label) => ask(`object?${query({ label })}`);

@@ -1,0 +1,23 @@
+// What the FOON has around one object.
+
+import { element, heading, list } from "./element.js";
+import { nodeWords, seenWords, unitWords } from "./nodes.js";
+
+const units = (title, told) => {
+  if (!told.count) return [heading(3, title), element("p", { class: "aside" }, "No step.")];
+  const more = told.count - told.units.length;
+  return [
+    heading(3, `${title} (${told.count})`),
+    list(told.units.map((unit, i) => element("li", {}, ...unitWords(unit), " ", seenWords(unit.seen_in, told.videos[i]))), { class: "units" }),
+    more > 0 ? element("p", { class: "aside" }, `and ${more} more`) : "",
+  ];
+};
+
+export const aroundView = (found) => [
+  heading(2, `${found.label}${found.utensil ? " (a utensil)" : ""}`),
+  element("p", { class: "aside" }, `In ${found.videos.length} videos: ${found.videos.slice(0, 12).join(", ")}${found.videos.length > 12 ? ", …" : ""}`),
+  element("details", { open: found.nodes.length <= 12 }, element("summary", {}, found.nodes.length === 1 ? "It is seen in one way" : `It is seen in ${found.nodes.length} ways`),
+    list(found.nodes.map((node) => [...nodeWords(node), node.ingredients.length ? element("span", { class: "aside" }, ` with ${node.ingredients.join(", ")}`) : ""]))),
+  ...units("Steps that make it", found.made_by),
+  ...units("Steps that take it", found.taken_by),
+].filter(Boolean);

@@ -1,0 +1,37 @@
+// Object nodes, units and where they were seen, as people read them.
+
+import { element } from "./element.js";
+
+const lookAt = (label) => `#look=${encodeURIComponent(label)}`;
+
+export const nodeWords = (node, unseen = new Map()) => {
+  const like = unseen.get(node.label);
+  const name = element("a", { class: like ? "link unseen" : "link", href: lookAt(like ? like.equivalent : node.label),
+    title: like ? `like ${like.equivalent} ${like.confidence.toFixed(2)}` : null }, (like ? "~" : "") + node.label);
+  const place = node.container ? `${node.relation ?? "at"} ${node.container}` : "";
+  if (!node.states.length && !place) return [name];
+  const words = [name, " ("];
+  if (node.states.length) words.push(element("span", { class: "state" }, node.states.join(", ")));
+  if (node.states.length && place) words.push("; ");
+  if (place) words.push(element("span", { class: "aside" }, place));
+  return [...words, ")"];
+};
+
+const joined = (nodes, unseen) => nodes.flatMap((node, i) => (i ? [" + ", ...nodeWords(node, unseen)] : nodeWords(node, unseen)));
+
+export const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
+
+// Where a unit is seen: of several places the first with a time, as the address has it.
+export const seenWords = (places, address) => {
+  const seen = places.find((one) => one.start !== null) ?? places[0];
+  if (!seen) return null;
+  const when = seen.start === null ? "" : ` at ${minutes(seen.start)}`;
+  if (!address) return element("span", { class: "seen aside" }, seen.video + when);
+  const link = { href: address, target: "_blank", rel: "noreferrer noopener" };
+  return element("span", { class: "seen" }, element("a", link, `video ${seen.video}${when}`));
+};
+
+export const unitWords = (unit, unseen) => [
+  ...joined(unit.input_nodes, unseen), " → ", element("span", { class: "motion" }, unit.motion_node), " → ",
+  ...joined(unit.output_nodes, unseen),
+];

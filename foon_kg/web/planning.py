@@ -1,0 +1,104 @@
+"""The questions that take a while, answered from one FOON in memory: plans and suggestions."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from foon_kg.batch import Answer, Cook, Wishes
+from foon_kg.batch import Question as CookQuestion
+from foon_kg.errors import FoonError
+from foon_kg.explanation import Explanation
+from foon_kg.json_fields import JsonObject
+from foon_kg.kitchen import Kitchen
+from foon_kg.kitchen_file import Entry, ThingReader
+from foon_kg.pictures.progress import progress_svg
+from foon_kg.pictures.tree import tree_svg
+from foon_kg.recipes import IngredientWords
+from foon_kg.result import PlanResult
+from foon_kg.snapshot import Snapshot
+from foon_kg.stock import StockedKitchen
+from foon_kg.suggestion import suggest
+from foon_kg.views.shown_tree import ShownTree
+from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
+from foon_kg.web.words import seen_at
+
+TIME_LIMIT = 3.0
+"""Seconds for the search of one reference tree."""
+
+MOST_PLANS = 300
+"""So many questions share what was worked out for the ones before; then that is forgotten, or it would only grow."""
+
+
+class PlanningDesk:
+    """Answers plans and suggestions from one FOON, for one thread."""
+
+    def __init__(self, snapshot: Snapshot) -> None:
+        self.snapshot = snapshot
+        self._cook: Cook | None = None
+        self._plans = 0
+
+    def answer(self, question: Question) -> Reply:
+        """Answer ``question``; what is wrong with it is an answer too."""
+        try:
+            if isinstance(question, PlanQuestion):
+                return self._plan(question)
+            return Reply.of(self._suggest(question))
+        except FoonError as error:
+            return Reply.of_error(error)
+
+    def _plan(self, question: PlanQuestion) -> Reply:
+        answer = self._cook_for(question).answer(
+            CookQuestion(dish_type=question.dish_type, texts=tuple(question.ingredients))
+        )
+        if answer.error is not None:
+            failure = answer.outcome.to_json()
+            return Reply.of_error(answer.error, failure | {"notes": list(answer.notes)} | _error_of(failure))
+        return Reply.of(plan_to_json(answer, pictures=question.pictures))
+
+    def _cook_for(self, question: PlanQuestion) -> Cook:
+        if question.substitutes or question.avoided:
+            wishes = Wishes(question.substitutes, question.avoided, explain=True, time_limit=TIME_LIMIT)
+            return Cook(self.snapshot, wishes)
+        if self._cook is None or self._plans >= MOST_PLANS:
+            wishes = Wishes(explain=True, time_limit=TIME_LIMIT)
+            self._cook, self._plans = Cook(self.snapshot, wishes, self.snapshot.units), 0
+        self._plans += 1
+        return self._cook
+
+    def _suggest(self, question: SuggestQuestion) -> JsonObject:
+        reader = ThingReader(IngredientWords(self.snapshot.vocabulary(), Kitchen.default()))
+        read = [reader.read(Entry(f"“{text}”", text)) for text in question.foods]
+        kitchen = StockedKitchen.of(Kitchen.default(), [thing for thing, _ in read])
+        found = suggest(self.snapshot, kitchen, most=question.most, time_limit=TIME_LIMIT)
+        return {
+            "suggestions": [one.to_json() for one in found.found],
+            "considered": found.considered,
+            "proven": found.proven,
+            "notes": [note for _, notes in read for note in notes],
+        }
+
+
+def plan_to_json(answer: Answer, *, pictures: bool) -> JsonObject:
+    """Answer a plan as ``foon plan --json`` prints it, with its notes, reasons, video links and, if asked, pictures."""
+    if not isinstance(answer.outcome, PlanResult):
+        raise TypeError("only a plan has steps")
+    told: JsonObject = answer.outcome.to_json() | {
+        "notes": list(answer.notes),
+        "explanations": list(map(explanation_to_json, answer.explanations)),
+        "videos": [seen_at(unit.seen_in) for unit in answer.outcome.units],
+    }
+    if pictures:
+        shown = ShownTree.of_result(answer.outcome)
+        told["pictures"] = {"tree": tree_svg(shown, Kitchen.default()), "progress": progress_svg(shown)}
+    return told
+
+
+def explanation_to_json(one: Explanation) -> JsonObject:
+    """Answer why one ingredient is made as it is, field by field."""
+    fields: JsonObject = asdict(one)
+    fields["renamed"] = [{"known": known, "now": now} for known, now in one.renamed]
+    return fields
+
+
+def _error_of(failure: JsonObject) -> JsonObject:
+    return {"error": failure["error"]}

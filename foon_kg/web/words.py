@@ -1,0 +1,151 @@
+"""The quick questions, answered from one FOON by any thread: completion, likeness, a look around an object."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+from typing import Literal
+from urllib.parse import urlsplit
+
+from foon_kg.exports.recipe import video_address
+from foon_kg.json_fields import JsonObject
+from foon_kg.kitchen import Kitchen
+from foon_kg.model import KnownUnit, Sighting
+from foon_kg.model_json import node_to_json, sighting_to_json
+from foon_kg.names import canonical
+from foon_kg.similarity import food_similarity
+from foon_kg.snapshot import Snapshot
+from foon_kg.web.questions import UnknownError
+
+Kind = Literal["ingredient", "food", "object", "state", "dish"]
+
+MOST_UNITS = 40
+"""How many of the units that make an object, and of those that take it, are told; the rest is counted."""
+
+
+class FoonWords:
+    """The words of one FOON, and what is around each of them."""
+
+    def __init__(self, snapshot: Snapshot) -> None:
+        self.snapshot = snapshot
+        vocabulary = snapshot.vocabulary()
+        self.dish_types = vocabulary.dish_types
+        self.foods = vocabulary.labels
+        self.states = sorted({row.state for row in vocabulary.foods if row.state})
+
+    def summary(self) -> JsonObject:
+        """Answer how large the FOON is, and its dish types."""
+        return {
+            "dish_types": list(self.dish_types),
+            "units": len(self.snapshot.units),
+            "videos": len(self.snapshot.subgraphs),
+            "foods": len(self.foods),
+        }
+
+    def complete(self, kind: Kind, text: str, limit: int) -> list[str]:
+        """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
+
+        An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
+        first.
+        """
+        if kind == "ingredient":
+            return self._ingredients(text, limit)
+        names = {"food": self.foods, "object": self._objects, "state": self.states, "dish": self.dish_types}[kind]
+        return _matching(names, text.strip().lower())[:limit]
+
+    def similar(self, names: Sequence[str], limit: int) -> list[JsonObject]:
+        """Answer for each name the known foods that can best stand for it, with what speaks for each."""
+        similarity = food_similarity()
+        found = self.snapshot.equivalents(names, limit=limit)
+        return [
+            {
+                "name": name,
+                "nearest": [
+                    {"name": n.name, "confidence": n.confidence, "why": list(similarity.why(name, n.name))}
+                    for n in neighbours
+                ],
+            }
+            for name, neighbours in zip(names, found, strict=True)
+        ]
+
+    def around(self, label: str) -> JsonObject:
+        """Answer an object's nodes, its states, the units that make and take it, and the videos it is in.
+
+        Raises UnknownError with the nearest names where the FOON does not have it.
+        """
+        called = self._units_by_label.get(label)
+        if called is None:
+            near = difflib.get_close_matches(label, self._objects, n=3)
+            meant = f"Did you mean {' or '.join(near)}?" if near else "The page and /api/complete complete names."
+            raise UnknownError(f"this FOON has no object “{label}”", hint=meant)
+        made = [known for known in called if any(node.label == label for node in known.unit.output_nodes)]
+        taken = [known for known in called if any(node.label == label for node in known.unit.input_nodes)]
+        return {
+            "label": label,
+            "utensil": Kitchen.default().is_utensil(label),
+            "nodes": list(map(node_to_json, self.snapshot.called([label]))),
+            "made_by": _units_to_json(made),
+            "taken_by": _units_to_json(taken),
+            "videos": sorted({seen.video for known in called for seen in known.seen_in}),
+        }
+
+    def _ingredients(self, text: str, limit: int) -> list[str]:
+        said = " ".join(text.lower().split())
+        state = max((s for s in self.states if said.startswith(f"{s.lower()} ")), key=len, default="")
+        if not state:
+            return _matching([*self.foods, *self.states], said)[:limit]
+        rest = said[len(state) + 1 :]
+        seen = [row.label for row in self.snapshot.vocabulary().foods if row.state == state]
+        foods = dict.fromkeys((*_matching(sorted(seen), rest), *_matching(self.foods, rest)))
+        return [f"{state} {food}" for food in foods][:limit]
+
+    @cached_property
+    def _objects(self) -> list[str]:
+        return sorted(self._units_by_label)
+
+    @cached_property
+    def _units_by_label(self) -> dict[str, list[KnownUnit]]:
+        units: dict[str, list[KnownUnit]] = {}
+        for known in sorted(self.snapshot.units, key=lambda one: (one.seen_in, one.unit.key)):
+            nodes = (*known.unit.input_nodes, *known.unit.output_nodes)
+            for label in dict.fromkeys(node.label for node in nodes):
+                units.setdefault(label, []).append(known)
+        return units
+
+
+def seen_at(sightings: Sequence[Sighting]) -> str | None:
+    """Answer the web address of the second in which a unit is seen (at the first place with a time), or ``None``."""
+    seen = next((one for one in sightings if one.start is not None), sightings[0] if sightings else None)
+    if seen is None or seen.source is None or urlsplit(seen.source).scheme not in {"http", "https"}:
+        return None
+    return video_address(seen.source, seen.start)
+
+
+def _matching(names: Iterable[str], text: str) -> list[str]:
+    """Answer the names with a word that begins with ``text``, those that begin so themselves first."""
+    folded = canonical(text) if text else ""
+    found = [name for name in names if _fits(name.lower(), text) or (folded and _fits(canonical(name), folded))]
+    return sorted(found, key=lambda name: (not name.lower().startswith(text), len(name.split()), name))
+
+
+def _fits(name: str, text: str) -> bool:
+    return name.startswith(text) or f" {text}" in name
+
+
+def _units_to_json(units: Sequence[KnownUnit]) -> JsonObject:
+    told = units[:MOST_UNITS]
+    return {
+        "count": len(units),
+        "units": list(map(_unit_to_json, told)),
+        "videos": [seen_at(known.seen_in) for known in told],
+    }
+
+
+def _unit_to_json(known: KnownUnit) -> JsonObject:
+    return {
+        "input_nodes": list(map(node_to_json, known.unit.input_nodes)),
+        "motion_node": known.unit.motion,
+        "output_nodes": list(map(node_to_json, known.unit.output_nodes)),
+        "seen_in": list(map(sighting_to_json, known.seen_in)),
+    }

@@ -1,0 +1,41 @@
+"""The demo's FOON as a service: in this process, or behind a socket for a browser."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+
+import httpx
+import uvicorn
+from pictures.demo_plans import demo_foon
+
+from foon_kg.web.api import web_app
+from foon_kg.web.foon import FixedFoon
+from foon_kg.web.limits import Limits
+from foon_kg.web.service import FoonService
+
+PLENTY = Limits(per_second=10_000, burst=10_000)
+NAMES = frozenset({"localhost", "127.0.0.1"})
+SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion", "olive oil"]}
+
+
+def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0):
+    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most)
+    return web_app(service, names=NAMES, token=token, limits=limits)
+
+
+@contextlib.contextmanager
+def served(application):
+    """The address of ``application`` behind a real socket."""
+    listener = socket.create_server(("127.0.0.1", 0))
+    server = uvicorn.Server(uvicorn.Config(application, log_level="error", ws="none", timeout_graceful_shutdown=2))
+    thread = threading.Thread(target=server.run, args=([listener],), daemon=True)
+    thread.start()
+    address = f"http://127.0.0.1:{listener.getsockname()[1]}"
+    try:
+        httpx.get(f"{address}/api/summary", timeout=30)  # the socket listens already: it waits for the first answer
+        yield address
+    finally:
+        server.should_exit = True
+        thread.join(10)

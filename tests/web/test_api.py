@@ -1,0 +1,198 @@
+"""The API answers what the commands answer, and refuses what it should in one form."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from fastapi.testclient import TestClient
+from pictures.demo_plans import demo_foon
+from web.serving import PLENTY, SALAD, app
+
+from foon_kg.batch import Cook, Question, Wishes
+from foon_kg.web.limits import Limits
+
+
+@pytest.fixture(scope="module")
+def client():
+    with TestClient(app(), base_url="http://localhost") as made:
+        yield made
+
+
+def error_of(answer):
+    told = answer.json()["error"]
+    assert set(told) >= {"code", "message", "hint"}
+    return told
+
+
+def test_a_plan_is_what_foon_plan_prints(client):
+    answer = client.post("/api/plan", json=SALAD)
+    assert answer.status_code == 200
+    told = answer.json()
+    with demo_foon().reading() as view:
+        asked = Question(dish_type=SALAD["dish_type"], texts=tuple(SALAD["ingredients"]))
+        printed = Cook(view, Wishes()).answer(asked).outcome.to_json()
+    assert {name: told[name] for name in printed} == json.loads(json.dumps(printed))
+    assert [one["want"]["object"] for one in told["explanations"]] == ["kohlrabi", "onion", "olive oil"]
+    assert len(told["videos"]) == len(told["units"])
+    assert told.get("pictures") is None
+
+
+def test_pictures_come_where_they_are_asked(client):
+    pictures = client.post("/api/plan", json=SALAD | {"pictures": True}).json()["pictures"]
+    assert pictures["tree"].startswith("<svg")
+    assert pictures["progress"].startswith("<svg")
+
+
+def test_another_equivalent_can_be_chosen(client):
+    first = client.post("/api/plan", json=SALAD).json()["substitutions"][0]
+    other = first["alternatives"][0]["name"]
+    again = client.post("/api/plan", json=SALAD | {"substitutes": [{"food": "kohlrabi", "like": other}]}).json()
+    assert again["substitutions"][0]["equivalent"] == other != first["equivalent"]
+
+
+def test_an_avoided_food_is_left_out(client):
+    told = client.post("/api/plan", json=SALAD | {"avoid": ["onion"]}).json()
+    assert "onion" not in {one["object"] for one in told["recipe"]["ingredients"]}
+
+
+def test_no_tree_is_404_and_says_why(client):
+    answer = client.post("/api/plan", json={"dish_type": "pizza", "ingredients": ["tomato"]})
+    assert answer.status_code == 404
+    assert error_of(answer)["code"] == "no-goal"
+    assert answer.json()["recipe"]["dish_type"] == "pizza"
+
+
+def test_a_substitute_that_nobody_knows_is_refused(client):
+    answer = client.post("/api/plan", json=SALAD | {"substitutes": [{"food": "kohlrabi", "like": "moon dust"}]})
+    assert answer.status_code == 422
+    assert "moon dust" in error_of(answer)["message"]
+
+
+def test_suggestions_say_what_is_missing(client):
+    told = client.post("/api/suggest", json={"foods": ["egg", "chopped onion"], "most": 2}).json()
+    assert len(told["suggestions"]) == 2
+    assert told["considered"] >= told["proven"] >= 2
+
+
+def test_completion_knows_that_an_ingredient_begins_with_a_state(client):
+    def words(text, kind="ingredient"):
+        return client.get("/api/complete", params={"text": text, "kind": kind}).json()
+
+    assert "chopped onion" in words("chopped on")
+    assert words("kni", "object") == ["knife"]
+    assert words("om", "dish") == ["omelette"]
+    assert all(word.startswith("chop") or " chop" in word for word in words("chop", "state"))
+    assert words("zzzz") == []
+
+
+def test_what_is_around_an_object(client):
+    told = client.get("/api/object", params={"label": "onion"}).json()
+    assert not told["utensil"]
+    assert all(node["label"] == "onion" for node in told["nodes"])
+    for unit in told["made_by"]["units"]:
+        assert "onion" in {node["label"] for node in unit["output_nodes"]}
+    assert told["taken_by"]["count"] >= len(told["taken_by"]["units"]) > 0
+
+
+def test_an_unknown_object_has_near_names(client):
+    answer = client.get("/api/object", params={"label": "onionn"})
+    assert answer.status_code == 404
+    assert "onion" in error_of(answer)["hint"]
+
+
+def test_likeness_says_why(client):
+    (told,) = client.get("/api/similar", params={"name": "kohlrabi", "limit": 2}).json()
+    assert told["name"] == "kohlrabi"
+    confidences = [one["confidence"] for one in told["nearest"]]
+    assert confidences == sorted(confidences, reverse=True)
+    assert len(confidences) == 2
+    assert told["nearest"][0]["why"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        b"",
+        b"[]",
+        b"{",
+        b'{"ingredients": []}',
+        b'{"ingredients": "onion"}',
+        b'{"ingredients": [" , "]}',
+        b'{"ingredients": ["onion"], "dish_type": "stew"}',
+        b'{"ingredients": ["onion"], "files": "/etc/passwd"}',
+        b'{"ingredients": ["onion\\u0000"]}',
+        b'{"ingredients": ["\xff"]}',
+        json.dumps({"ingredients": ["onion"] * 61}).encode(),
+        json.dumps({"ingredients": ["o" * 101]}).encode(),
+        b'{"ingredients": ' + b"[" * 20_000 + b"]" * 20_000 + b"}",
+    ],
+)
+def test_a_body_that_is_no_question_is_refused(client, body):
+    answer = client.post("/api/plan", content=body, headers={"content-type": "application/json"})
+    assert answer.status_code in {400, 422}
+    assert error_of(answer)["code"] == "request"
+
+
+def test_a_body_of_another_type_is_refused(client):
+    answer = client.post("/api/plan", content=b"a=b", headers={"content-type": "text/plain"})
+    assert answer.status_code == 415
+    assert error_of(answer)["code"] == "content-type"
+
+
+def test_a_huge_body_is_refused_whether_or_not_it_says_its_length(client):
+    def pieces():
+        for _ in range(100):
+            yield b" " * 1000
+
+    for body in (b" " * 100_000, pieces()):
+        answer = client.post("/api/plan", content=body, headers={"content-type": "application/json"})
+        assert answer.status_code == 413
+        assert error_of(answer)["code"] == "size"
+
+
+@pytest.mark.parametrize("method", ["PUT", "PATCH", "DELETE", "POST"])
+def test_there_is_nothing_to_write_to(client, method):
+    headers = {"content-type": "application/json"}
+    assert client.request(method, "/api/summary", content=b"{}", headers=headers).status_code == 405
+    assert client.request(method, "/index.html", content=b"{}", headers=headers).status_code == 405
+
+
+def test_files_beside_the_page_are_not_served(client):
+    for path in ("/../api.py", "/%2e%2e/api.py", "/..%2fapi.py", "//etc/passwd", "/api/../../models.py"):
+        assert client.get(path).status_code in {404, 405}
+
+
+def test_who_asks_too_often_has_to_wait():
+    with TestClient(app(limits=Limits(per_second=0.001, burst=3)), base_url="http://localhost") as client:
+        statuses = [client.get("/api/summary").status_code for _ in range(5)]
+        assert statuses == [200, 200, 200, 429, 429]
+        answer = client.get("/api/summary")
+        assert int(answer.headers["retry-after"]) > 0
+        assert error_of(answer)["code"] == "rate"
+
+
+def test_an_answer_that_takes_too_long_is_given_up():
+    limits = Limits(seconds=0.0, per_second=PLENTY.per_second, burst=PLENTY.burst)
+    with TestClient(app(limits=limits), base_url="http://localhost") as client:
+        answer = client.post("/api/suggest", json={"foods": ["egg", "onion", "milk"], "most": 20})
+    assert answer.status_code in {504, 408}
+    assert error_of(answer)["code"] in {"timeout", "slow"}
+
+
+def test_more_than_there_are_places_for_is_refused():
+    application = app(most=1)
+    service = application.state.service
+    with TestClient(application, base_url="http://localhost") as client:
+        from foon_kg.web.questions import SuggestQuestion
+
+        under_way = service.ask(SuggestQuestion(("egg", "onion", "milk", "butter"), 20))
+        answer = client.post("/api/plan", json=SALAD)
+        if answer.status_code == 200:  # it was done before we asked
+            assert under_way.done()
+            return
+        assert answer.status_code == 503
+        assert answer.headers["retry-after"] == "1"
+        assert error_of(answer)["code"] == "busy"
+        under_way.result()
+        assert client.post("/api/plan", json=SALAD).status_code == 200
