@@ -50,6 +50,17 @@ def _object_document(cursor: _Cursor) -> Document:
     return Document(units, fields)
 
 
+def parse_fields(text: str) -> tuple[tuple[int, str, object], ...]:
+    """Answer the fields of the one JSON object in ``text`` as (line, name, value). Raises ``UnreadableFile``."""
+    cursor = _Cursor(text)
+    if cursor.peek() != "{":
+        cursor.fail("no JSON object")
+    fields = tuple((cursor.line, name, cursor.value()) for name in cursor.names())
+    if cursor.peek():
+        cursor.fail("something follows the end of the JSON")
+    return fields
+
+
 class _Cursor:
     """A place in a JSON text. Values are decoded whole, so that only the outermost brackets are walked by hand."""
 

@@ -60,6 +60,9 @@ class NoticeKind(StrEnum):
     UNKNOWN_FIELD = "unknown-field"  # JSON: a field that no node or unit has
     BAD_FIELD = "bad-field"  # JSON: a field that is missing or of the wrong type
 
+    ODD_NAME = "odd-name"  # a video whose name no file can have
+    NO_NARRATION = "no-narration"  # nobody says what is done
+
     SAME_RECIPE = "same-recipe"  # a second recipe with the id of another
     TOO_MANY_INGREDIENTS = "too-many-ingredients"  # more than any cook uses
     NO_INGREDIENTS = "no-ingredients"  # a recipe that asks for nothing
@@ -162,9 +165,12 @@ class Journal:
             return self._ended(None)
         return self.reject_file(None, Problem(NoticeKind.NO_UNITS, "no functional unit in it"))
 
+    def notices(self) -> tuple[Notice, ...]:
+        """Answer everything noted so far, by line."""
+        return tuple(sorted(self._notices, key=lambda notice: notice.line or 0))
+
     def _ended(self, subgraph: Subgraph | None) -> ReadResult:
-        in_order = sorted(self._notices, key=lambda notice: notice.line or 0)
-        return ReadResult(self._file, subgraph, tuple(in_order))
+        return ReadResult(self._file, subgraph, self.notices())
 
     def _add_rejected(self, line: int | None, problem: Problem, action: str) -> None:
         self._notices.append(Notice(self._file, line, problem.kind, problem.message, action, Severity.REJECTED))

@@ -143,7 +143,7 @@ def _annotation(line: int, row: Mapping[str, str], journal: Journal, *, hours: b
     if problem is not None:
         journal.reject(line, problem)
         return None
-    timing, odd = _timing(row.get("start", ""), row.get("end", ""), hours=hours)
+    timing, odd = row_timing(row.get("start", ""), row.get("end", ""), hours=hours)
     for remark in odd:
         journal.remark(line, remark)
     unit = FunctionalUnit(
@@ -155,7 +155,7 @@ def _annotation(line: int, row: Mapping[str, str], journal: Journal, *, hours: b
     return Annotation(unit, timing)
 
 
-def _timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Remark, ...]]:
+def row_timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Remark, ...]]:
     """Answer the time of a row; one that no video can have is left out and remarked on."""
     if early := [time for time in (start, end) if time.startswith("-")]:
         return Timing(), (

@@ -90,12 +90,30 @@ def videos(
 
     A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row
     makes the dish. Things are written like "onion (chopped) on cutting board; bowl {salt}", with semicolons between
-    them. All of it is loaded, or nothing.
+    them. All of it is loaded, or nothing. Videos that are only narrated (EPIC-KITCHENS-100, ActivityNet Captions,
+    YouCook2) are drafted first: foon draft videos.
     """
     from foon_kg.loaders.video_tables import read_videos
 
+    _refuse_drafts(paths)
     results = list(read_videos(paths))
     _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+
+
+def _refuse_drafts(paths: Sequence[Path]) -> None:
+    """Refuse what nobody has reviewed: drafts, and videos that are told without states."""
+    from foon_kg.drafting.tables import is_draft_file
+    from foon_kg.errors import UsageError
+    from foon_kg.loaders.narrations import is_narrated
+
+    files = [file for path in paths for file in (sorted(path.rglob("*.*")) if path.is_dir() else [path])]
+    for file in files:
+        if is_narrated(file):
+            hint = f"foon draft videos {file} --output drafts/"
+            raise UsageError(f"{file}: it narrates videos without states: draft them first", hint=hint)
+        if is_draft_file(file):
+            hint = f"foon draft review {file}, then foon draft accept {file}"
+            raise UsageError(f"{file}: a draft is accepted, not loaded", hint=hint)
 
 
 def _bring(

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
 
 if TYPE_CHECKING:
     from foon_kg.difference import VideoDifference
+    from foon_kg.model import Subgraph
 
 DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff subgraphs/ --units", "foon diff new_salad.txt --json")
 REMOVE_EXAMPLES = examples("foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad")
@@ -39,19 +40,25 @@ def diff(
         if notice.severity is Severity.REJECTED:
             say(str(notice))
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    found = found_differences(subgraphs, files, say)
+    _show(found, units=units, as_json=as_json)
+
+
+def found_differences(
+    subgraphs: Sequence[Subgraph], files: Sequence[Path] | None, say: Say
+) -> Sequence[VideoDifference]:
+    """Answer what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
     if files:
         from foon_kg.difference import differences as differences_in_memory
+        from foon_kg.loaders import read_paths
 
-        foon = [result.subgraph for result in read_paths(files) if result.subgraph is not None]
-        found = differences_in_memory(subgraphs, foon)
-    else:
-        from foon_kg.graph import Connection
-        from foon_kg.graph.differences import differences
-        from foon_kg.server import connection_settings
+        return differences_in_memory(subgraphs, [r.subgraph for r in read_paths(files) if r.subgraph is not None])
+    from foon_kg.graph import Connection
+    from foon_kg.graph.differences import differences
+    from foon_kg.server import connection_settings
 
-        with Connection(connection_settings(say)) as connection:
-            found = differences(connection, subgraphs)
-    _show(found, units=units, as_json=as_json)
+    with Connection(connection_settings(say)) as connection:
+        return differences(connection, subgraphs)
 
 
 def remove(

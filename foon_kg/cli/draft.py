@@ -1,0 +1,274 @@
+"""``foon draft``: from narrated videos and written instructions to drafts that a person reviews, edits and accepts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import (
+    ErrorsAtTheEdge,
+    Files,
+    Json,
+    Quiet,
+    Say,
+    data,
+    examples,
+    print_json,
+    sayer,
+)
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.difference import VideoDifference
+    from foon_kg.drafting import Draft
+    from foon_kg.drafting.tables import DraftFile
+    from foon_kg.model import Subgraph
+    from foon_kg.narration import Narration, Sentence
+
+app = typer.Typer(
+    cls=ErrorsAtTheEdge,
+    name="draft",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Draft subgraphs from narrated videos and from text; review and accept them.",
+)
+
+Output = Annotated[
+    Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")
+]
+Force = Annotated[bool, typer.Option("--force", help="Write over drafts that are there already.")]
+Drafts = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Drafts (.csv).")]
+Dish = Annotated[str | None, typer.Option("--dish", metavar="TYPE", help="The dish type that it makes, as in: salad.")]
+
+
+@app.callback()
+def draft() -> None:
+    """Draft subgraphs from narrated videos and from text; review and accept them."""
+
+
+@app.command(
+    epilog=examples(
+        "foon draft videos EPIC_100_validation.csv --output drafts/",
+        "foon draft videos youcookii.json --output drafts/ --files subgraphs/",
+    )
+)
+def videos(
+    paths: Annotated[
+        list[Path],
+        typer.Argument(metavar="PATH...", help="EPIC-KITCHENS-100 CSV, ActivityNet Captions, YouCook2 JSON."),
+    ],
+    *,
+    output: Output = Path("drafts"),
+    files: Files = None,
+    force: Force = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Draft the subgraphs of narrated videos: verbs and nouns become units with the states that the FOON gives them.
+
+    Each unit has a confidence and its doubts. Nothing is loaded: look at a draft with foon draft review, change it in
+    any editor, load it with foon draft accept.
+    """
+    from foon_kg.loaders import Severity
+    from foon_kg.loaders.narrations import read_narrations
+
+    say = sayer(quiet=quiet)
+    narrations: list[Narration] = []
+    for file in read_narrations(paths):
+        narrations += file.narrations
+        for notice in file.notices:
+            if notice.severity is Severity.REJECTED or not quiet:
+                say(str(notice))
+    if not narrations:
+        raise UsageError("there is nothing to draft", hint="The lines above say what is wrong with the files.")
+    _write(_drafts(narrations, files, say), output, force=force, as_json=as_json)
+
+
+@app.command(epilog=examples("foon draft text pancakes.txt --dish cake", "foon draft text salad.txt -o drafts/"))
+def text(
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="FILE...", help="Instructions: steps on lines, or running text.")
+    ],
+    *,
+    output: Output = Path("drafts"),
+    dish: Dish = None,
+    files: Files = None,
+    force: Force = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Draft the subgraph of a recipe from its instructions, read by spaCy's parser (pip install 'foon-kg[text]')."""
+    from foon_kg.loaders.narrated import is_video_name
+    from foon_kg.model import DISH_TYPES
+    from foon_kg.narration import Narration
+
+    if dish is not None and dish not in DISH_TYPES:
+        raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
+    narrations = []
+    for path in paths:
+        if not is_video_name(path.stem):
+            raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
+        narrations.append(Narration(path.stem, sentences=_sentences(path), source=path.name))
+    _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
+
+
+@app.command(epilog=examples("foon draft review drafts/P01_01.csv", "foon draft review drafts/*.csv --worst-first"))
+def review(
+    paths: Drafts,
+    *,
+    worst_first: Annotated[bool, typer.Option("--worst-first", help="Show the least sure units first.")] = False,
+    files: Files = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Show drafts beside their doubts, what is missing to execute them, and what they would change in the FOON."""
+    from foon_kg.drafting.review import missing
+    from foon_kg.drafting.tables import read_draft
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.views.difference import difference_json, difference_view
+    from foon_kg.views.draft import draft_json, draft_view
+
+    kitchen = Kitchen.default()
+    drafts = [read_draft(path) for path in paths]
+    found = {one.name: one for one in _differences(drafts, files, sayer(quiet=quiet))}
+    answers = []
+    for draft in drafts:
+        gaps = missing(draft, kitchen)
+        change = found[draft.subgraph.name] if draft.subgraph else None
+        if as_json:
+            answers.append(draft_json(draft, gaps) | {"difference": difference_json(change) if change else None})
+            continue
+        data().print(draft_view(draft, gaps, worst_first=worst_first), soft_wrap=True)
+        if change is not None:
+            data().print(difference_view(change, units=False), soft_wrap=True)
+    if as_json:
+        print_json(answers)
+
+
+@app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))
+def accept(
+    paths: Drafts,
+    *,
+    sure: Annotated[
+        float, typer.Option("--sure", min=0, max=1, help="Doubts of units less sure than this must be resolved.")
+    ] = 0.5,
+    anyway: Annotated[
+        bool, typer.Option("--anyway", help="Accept doubts, leave out rows that are no units, replace videos.")
+    ] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load reviewed drafts into the graph, all of them or none; their doubts are dropped.
+
+    A draft is refused while a row is no unit, or is doubtful and not sure: change the row and empty its doubt, or
+    delete it. It is refused, too, where it would replace a video that has other units.
+    """
+    from foon_kg.drafting.tables import read_draft
+
+    say = sayer(quiet=quiet)
+    drafts = [read_draft(path) for path in paths]
+    subgraphs = [draft.subgraph for draft in drafts if draft.subgraph is not None]
+    if len(subgraphs) < len(drafts):
+        names = ", ".join(draft.path for draft in drafts if draft.subgraph is None)
+        raise UsageError(f"no unit in {names}", hint="Fill in the rows: a motion, inputs and outputs.")
+    if not anyway:
+        _refuse_doubts(drafts, sure, say)
+    loaded = _accept(subgraphs, say, replacing=anyway)
+    if as_json:
+        print_json({"accepted": list(loaded), "units": sum(len(one.annotations) for one in subgraphs)})
+    else:
+        typer.echo("\n".join(f"{name}: in the FOON" for name in loaded))
+
+
+def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
+    from foon_kg.drafting.review import unresolved
+
+    doubtful = [(draft, row) for draft in drafts for row in unresolved(draft, sure)]
+    for draft, row in doubtful:
+        say(f"{draft.path}:{row.line}: {row.confidence:.2f} {'; '.join(row.doubts) or 'no unit'}")
+    if doubtful:
+        raise UsageError(
+            f"{len(doubtful)} rows are doubtful; nothing was loaded",
+            hint="Change them and empty their doubt, or delete them; or accept them with --anyway.",
+        )
+
+
+def _accept(subgraphs: Sequence[Subgraph], say: Say, *, replacing: bool) -> tuple[str, ...]:
+    """Load everything in one transaction."""
+    from foon_kg.difference import Status
+    from foon_kg.graph import Connection, load
+    from foon_kg.graph.differences import differences
+    from foon_kg.server import connection_settings
+
+    with Connection(connection_settings(say)) as connection:
+        there = [one.name for one in differences(connection, subgraphs) if one.status is Status.CHANGED]
+        if there and not replacing:
+            hint = "foon diff shows what would change; rename the draft, or replace the video with --anyway."
+            raise UsageError(f"the FOON has other units of {', '.join(there)}; nothing was loaded", hint=hint)
+        units = sum(len(subgraph.annotations) for subgraph in subgraphs)
+        report = load(connection, subgraphs, units_per_transaction=units + 1)
+    return tuple(sorted((*report.inserted, *report.replaced, *report.unchanged)))
+
+
+def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say: Say) -> Sequence[VideoDifference]:
+    from foon_kg.cli.videos import found_differences
+
+    return found_differences([draft.subgraph for draft in drafts if draft.subgraph is not None], files, say)
+
+
+def _drafts(
+    narrations: Sequence[Narration], files: Sequence[Path] | None, say: Say, dish: str | None = None
+) -> Iterable[Draft]:
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.drafting import draft as drafted
+    from foon_kg.drafting.precedents import FoonPrecedents
+    from foon_kg.instructions import with_actions
+
+    foon = whole_foon(files, say)
+    precedents = FoonPrecedents(foon.units, foon.kitchen)
+    for narration in narrations:
+        told = with_actions(narration, precedents.verbs) if narration.sentences else narration
+        yield drafted(told, precedents, dish_type=dish)
+
+
+def _sentences(path: Path) -> tuple[Sentence, ...]:
+    from foon_kg.errors import ReadError
+    from foon_kg.loaders.notices import UnreadableFile
+    from foon_kg.loaders.paths import decode
+    from foon_kg.narration import Sentence
+
+    try:
+        lines = decode(path.read_bytes()).removeprefix("\ufeff").splitlines()
+    except UnreadableFile as bad:
+        raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
+    except OSError as error:
+        raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
+    found = tuple(Sentence(" ".join(line.split())) for line in lines if any(letter.isalpha() for letter in line))
+    if not found:
+        raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
+    return found
+
+
+def _write(drafts: Iterable[Draft], folder: Path, *, force: bool, as_json: bool) -> None:
+    """Write each draft into ``folder``, and say how sure it is."""
+    from foon_kg.drafting.tables import write_draft
+
+    counts = []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for draft in drafts:
+            path = folder / f"{draft.name}.csv"
+            with path.open("w" if force else "x", encoding="utf-8", newline="") as stream:
+                stream.write(write_draft(draft))
+            counts.append({"file": str(path), "units": len(draft.units), "left_out": len(draft.left_out)})
+            if not as_json:
+                typer.echo(f"{path}: {len(draft.units)} units, {len(draft.left_out)} narrations left out")
+    except FileExistsError as error:
+        raise UsageError(f"{error.filename}: is there already", hint="Another --output, or --force.") from error
+    except OSError as error:
+        raise UsageError(f"{error.filename}: cannot be written: {error.strerror}", hint="Another --output.") from error
+    if as_json:
+        print_json(counts)

@@ -1,0 +1,181 @@
+"""From narrated actions to the draft of a subgraph, one action after another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.drafting.precedents import FoonPrecedents
+from foon_kg.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
+from foon_kg.drafting.units import UnitDrafter
+from foon_kg.drafting.verbs import Reading
+from foon_kg.line_words import split_name
+from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
+from foon_kg.names import canonical
+from foon_kg.narration import Mention, NarratedAction, Narration, Place
+
+_MOST_OBJECTS = 40
+"""More objects than this are no one action of a cook."""
+
+_NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
+_ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
+_MIXED = frozenset(
+    {"batter", "dough", "dressing", "filling", "glaze", "marinade", MIXTURE, "paste", "puree", "sauce", "topping"}
+)
+"""What cooks call a mixture that they just made."""
+_ROOM = frozenset(
+    {"cupboard", "dishwasher", "door", "drawer", "drainer", "floor", "hob", "light", "shelf", "sponge", "switch", "tap"}
+    | {"timer", "towel", "wall", "washing machine", "window", "worktop", "countertop", "counter", "phone", "recipe"}
+)
+"""What belongs to the room and not to the dish; no FOON has it."""
+_RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
+
+
+def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | None = None) -> Draft:
+    """Answer the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
+
+    Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
+    """
+    drafter = _Drafter(precedents)
+    rows: list[DraftUnit | LeftOut] = []
+    for action in narration.actions:
+        rows += drafter.rows(action)
+    if dish_type in DISH_TYPES:
+        _mark_goal(rows, dish_type, precedents)
+    return Draft(narration.name, tuple(rows), narration.source, dish_type)
+
+
+class _Drafter:
+    """Reads the names of actions, and hands what is meant on to the drafting of units."""
+
+    def __init__(self, precedents: FoonPrecedents) -> None:
+        self._precedents = precedents
+        self._kitchen = precedents.kitchen
+        self._scene = Scene(precedents.kitchen)
+        self._units = UnitDrafter(precedents, self._scene)
+
+    def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
+        """Answer the units of one action."""
+        reading = self._precedents.verbs.reading(action.verb)
+        if not reading.motions:
+            return (LeftOut(action.said, f"{reading.why}: left out", action.timing),)
+        if len(action.objects) > _MOST_OBJECTS:
+            reason = f"{len(action.objects)} objects are no one action: left out"
+            return (LeftOut(action.said, reason, action.timing),)
+        plain = self._plain(action)
+        if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
+            reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
+            return (LeftOut(action.said, reason, action.timing),)
+        return self._drafted(plain, reading) or (
+            LeftOut(action.said, f"nobody says what “{action.verb}” is done to: left out", action.timing),
+        )
+
+    def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
+        objects, doubts = self._objects(action)
+        if not objects:
+            return ()
+        foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
+        motion = self._precedents.motion(reading.motions, objects[0].name)
+        if len(reading.motions) > 1 and reading.motions[0] != motion:
+            doubts = (*doubts, f"“{action.verb}” taken as {motion}, as the FOON does it with {objects[0].name}")
+        elif canonical(motion) != canonical(action.verb) and reading.confidence < 1 and not reading.why:
+            doubts = (*doubts, f"“{action.verb}” taken as {motion}")
+        doubts = (*doubts, *([reading.why] if reading.why else ()))
+        action = replace(action, objects=tuple(foods or objects))
+        return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
+        """Answer the objects by the names of scene and FOON; where none is named, what is at hand."""
+        named: list[Mention] = []
+        doubts: list[str] = []
+        for mention in action.objects:
+            if self._is_everything(mention.name):
+                named += [Mention(label) for label in self._meant(mention.name)]
+            else:
+                found, doubt = self._named(mention)
+                named.append(found)
+                doubts += [doubt] if doubt else []
+        if not action.objects:
+            named = [Mention(label) for label in self._scene.at_hand()]
+            doubts += [f"nobody says what “{action.verb}” is done to: taken as what is at hand"] if named else []
+        return tuple(dict.fromkeys(named)), tuple(doubts)
+
+    def _is_of_the_room(self, name: str) -> bool:
+        known = canonical(name)
+        return known not in self._precedents.labels and not {known, known.split()[-1]}.isdisjoint(_ROOM)
+
+    def _is_everything(self, name: str) -> bool:
+        words = set(canonical(name).split())
+        return name.lower() in PRONOUNS or (bool(words) and words <= EVERYTHING)
+
+    def _meant(self, name: str) -> tuple[str, ...]:
+        if name.lower() in PRONOUNS and self._scene.last:
+            return tuple(food for food in self._scene.last if food in self._scene.foods) or self._scene.at_hand()
+        mixture = self._scene.mixture()
+        return (mixture,) if canonical(name) == MIXTURE and mixture else self._scene.at_hand()
+
+    def _named(self, mention: Mention) -> tuple[Mention, str]:
+        known = self._scene.called(mention.name)
+        if known is not None:
+            return Mention(known, mention.states), ""
+        label = self._precedents.labels.get(canonical(mention.name))
+        if label is not None or self._kitchen.is_utensil(mention.name):
+            return Mention(label or mention.name, mention.states), ""
+        states, name = split_name(mention.name)
+        label = self._scene.called(name) or self._precedents.labels.get(canonical(name))
+        if label is None and (mixture := self._scene.mixture()) is not None and _is_mixed(name):
+            return Mention(mixture), f"“{name}” was not named before: taken as the mixture"
+        return Mention(label or name, (*mention.states, *states)), ""
+
+    def _plain(self, action: NarratedAction) -> NarratedAction:
+        """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
+        objects = [Mention(plain_name(one.name), one.states) for one in action.objects]
+        objects = [one for one in objects if one.name]
+        utensils = [one.name for one in objects if self._kitchen.is_utensil(one.name)]
+        if len(utensils) < len(objects):
+            objects = [one for one in objects if one.name not in utensils]
+        else:
+            utensils, objects = utensils[1:], objects[:1]
+        tools = [name for name in utensils if self._precedents.is_tool(name)]
+        places = [Place(place.relation, plain_name(place.name)) for place in action.places]
+        places += [Place("", name) for name in utensils if name not in tools]
+        return replace(
+            action,
+            objects=tuple(objects),
+            places=tuple(place for place in places if place.name),
+            origin=plain_name(action.origin or "") or None,
+            instruments=tuple(filter(None, map(plain_name, (*action.instruments, *tools)))),
+        )
+
+
+def _is_mixed(name: str) -> bool:
+    return canonical(name).split()[-1:] != [] and canonical(name).split()[-1] in _MIXED
+
+
+def plain_name(name: str) -> str:
+    """Answer ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
+
+    >>> plain_name("the [red] onion; DROP")
+    'red onion DROP'
+    """
+    words = _RELATIONS.sub(" ", _NOT_IN_NAMES.sub(" ", name)).split()
+    return " ".join(word for word in words if word.lower() not in _ARTICLES)[:80].strip()
+
+
+def _mark_goal(rows: list[DraftUnit | LeftOut], dish_type: str, precedents: FoonPrecedents) -> None:
+    """Mark the last food that is made, of several the one with the most ingredients; it stands last in its unit."""
+    for place in range(len(rows) - 1, -1, -1):
+        row = rows[place]
+        if not isinstance(row, DraftUnit):
+            continue
+        unit = row.annotation.unit
+        foods = [one for one in unit.outputs if not precedents.kitchen.is_utensil(one.node.label)]
+        if foods:
+            goal = max(foods, key=lambda one: len(one.node.ingredients))
+            node = replace(goal.node, ingredients=goal.node.ingredients or (goal.node.label,))
+            outputs = (*(one for one in unit.outputs if one is not goal), Participant(node, dish_type=dish_type))
+            marked = FunctionalUnit(unit.inputs, unit.motion, outputs, unit.accepts_any)
+            rows[place] = replace(row, annotation=Annotation(marked, row.annotation.timing))
+            return

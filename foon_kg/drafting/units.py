@@ -1,0 +1,312 @@
+"""The units of one action: a food is changed where it is, brought to another place, or mixed with others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from math import prod
+
+from foon_kg import motions
+from foon_kg.drafting.drafts import DraftUnit
+from foon_kg.drafting.precedents import FoonPrecedents, Precedents
+from foon_kg.drafting.scene import MIXTURE, Scene, emptied, filled
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.narration import Mention, NarratedAction
+
+_AWAY = frozenset({"into", "onto", "to"})
+_IMPLIED = 0.5
+_SOMETHING = 0.6  # a share below this is worth a word
+_UNSEEN = 0.5
+
+
+@dataclass
+class _Evidence:
+    """What speaks for a unit: shares that are multiplied, and doubts in words."""
+
+    shares: list[float] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
+
+    def weigh(self, share: float, doubt: str = "") -> None:
+        self.shares.append(share)
+        if doubt and share < _SOMETHING:
+            self.doubts.append(doubt)
+
+
+@dataclass(frozen=True)
+class UnitDrafter:
+    """Drafts units in a ``scene``, and changes it as they do."""
+
+    precedents: FoonPrecedents
+    scene: Scene
+
+    def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
+        """Answer the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
+        kitchen, first = self.precedents.kitchen, action.objects[0]
+        evidence = _Evidence([sure], list(doubts))
+        if kitchen.is_utensil(first.name):
+            return (self._handled(action, motion, evidence),)
+        if motions.mixes(motion) and self._mixed_with(action):
+            return self._mixed(action, motion, evidence)
+        found: list[DraftUnit] = []
+        for mention in action.objects:
+            own = _Evidence(list(evidence.shares), list(evidence.doubts))
+            like = self._like(motion, mention, own)
+            bringing = motions.transfers(motion) or (like.brings and not motions.heats(motion))
+            draft = self._brought if bringing else self._changed
+            found += draft(action, mention, motion, like, own)
+        self.scene.last = tuple(one.name for one in action.objects)
+        return tuple(found)
+
+    def _like(self, motion: str, mention: Mention, evidence: _Evidence) -> Precedents:
+        like = self.precedents.of(motion, mention.name)
+        evidence.shares.append(like.likeness)
+        evidence.doubts += [like.doubt] if like.doubt else []
+        return like
+
+    # what is there before the action
+
+    def _there(self, mention: Mention, like: Precedents, evidence: _Evidence, *, at: str | None = None) -> ObjectNode:
+        """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
+        known = self.scene.foods.get(mention.name)
+        if known is not None:
+            return known
+        states, (relation, container) = self._start(mention, like, evidence)
+        if at is not None:
+            relation, container = self.precedents.relation(at), at
+        elif self._in_use(container):
+            relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
+        node = ObjectNode(mention.name, states, (), relation, container)
+        self._place(node)
+        return node
+
+    def _start(
+        self, mention: Mention, like: Precedents, evidence: _Evidence
+    ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
+        if like.rows and like.likeness > _UNSEEN:
+            states, share = like.before()
+            place, at = like.place_before()
+            if mention.states:
+                return mention.states, place
+            evidence.weigh(share, f"{mention.name} taken as {_listed(states)}, as in most such units")
+            evidence.weigh(max(at, _UNSEEN))
+            return states, place
+        known = self.precedents.start(mention.name)
+        if known is None:
+            evidence.weigh(
+                _UNSEEN, f"{mention.name} was never seen before: taken as {_listed(mention.states or ('whole',))}"
+            )
+            return mention.states or ("whole",), (None, None)
+        return mention.states or known[0], known[1]
+
+    def _in_use(self, container: str | None) -> bool:
+        held = self.scene.held(container) if container is not None else ()
+        return bool(held) and not self.precedents.kitchen.is_storage(container or "")
+
+    def _place(self, node: ObjectNode) -> None:
+        """Put a food that comes for the first time into its vessel."""
+        if node.container is not None and self.precedents.kitchen.is_utensil(node.container):
+            vessel = self._vessel(node.container)
+            if node.label not in vessel.ingredients:
+                self.scene.keep([filled(vessel, [node.label])])
+
+    def _vessel(self, name: str) -> ObjectNode:
+        """Answer a utensil as it is now."""
+        if name not in self.scene.utensils:
+            self.scene.keep([ObjectNode(name, self.precedents.empty(name))])
+        return self.scene.utensils[name]
+
+    def _tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
+        names = action.instruments or like.tools()
+        seen = set(besides)
+        return [self._vessel(name) for name in dict.fromkeys(names) if name not in seen]
+
+    # the kinds of units
+
+    def _changed(
+        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
+    ) -> list[DraftUnit]:
+        """Answer a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
+
+        It is brought there before, and away after ("slice it into a bowl").
+        """
+        at = self._utensil_place(action)
+        away = at if any(place.relation in _AWAY for place in action.places) else None
+        at = at if away is None else None
+        moved = self._moved(mention.name, at, action) if at is not None else []
+        before = self._there(mention, like, evidence, at=at)
+        states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
+        evidence.weigh(share, f"{mention.name} taken to become {_listed(states)}")
+        after = replace(before, states=(*action.results, *states))
+        if after == before and not like.rows:
+            evidence.doubts.append(f"the FOON does not say what {motion} changes")
+        vessel = [self._vessel(before.container or "")] if self._in_utensil(before) and (like.with_vessel or at) else []
+        tools = self._tools(action, like, [node.label for node in vessel])
+        if before.container is not None:
+            self.scene.focus = before.container
+        made = self._unit(action, motion, [*vessel, before, *tools], [*vessel, after], evidence)
+        return [*moved, made, *(self._moved(mention.name, away, action) if away is not None else [])]
+
+    def _brought(
+        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
+    ) -> list[DraftUnit]:
+        """Answer a unit that brings a food from where it is into a vessel, or onto another food."""
+        before = self._there(mention, like, evidence)
+        target = self._target(action, mention, like, before, evidence)
+        tools = self._tools(action, like, [target or "", before.container or ""])
+        if target is None:
+            after = replace(before, relation=None, container=None)
+            left, gone = self._source(before, mention.name)
+            return [self._unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
+        left, gone = self._source(before, mention.name) if before.container != target else ([], [])
+        if target in self.scene.foods:
+            onto = self.scene.foods[target]
+            covered = replace(onto, ingredients=(*onto.ingredients, mention.name))
+            self.scene.forget([mention.name])
+            return [self._unit(action, motion, [onto, *left, before, *tools], [covered, *gone], evidence)]
+        into = self._vessel(target)
+        after = replace(before, relation=self.precedents.relation(target), container=target)
+        self.scene.focus = target
+        inputs = [into, *left, before, *tools]
+        return [self._unit(action, motion, inputs, [filled(into, [mention.name]), after, *gone], evidence)]
+
+    def _source(self, node: ObjectNode, food: str) -> tuple[list[ObjectNode], list[ObjectNode]]:
+        """Answer the vessel that a food leaves, before and after."""
+        if not self._in_utensil(node):
+            return [], []
+        vessel = self._vessel(node.container or "")
+        return [vessel], [emptied(vessel, [food])]
+
+    def _target(
+        self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: _Evidence
+    ) -> str | None:
+        """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        for place in action.places:
+            name = self.scene.called(place.name) or place.name
+            label = self.precedents.labels.get(name, name)
+            if label != mention.name:
+                return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
+        focus = self.scene.focus
+        if focus is not None and focus != before.container and self.scene.held(focus):
+            evidence.weigh(_SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
+            return focus
+        if like.rows:
+            (_, container), share = like.place_after()
+            if container is not None and container not in (before.container, mention.name):
+                evidence.weigh(share * _SOMETHING, f"nobody says where to: taken as the {container}")
+                return container if self.precedents.kitchen.is_utensil(container) else self._food_place(container)
+        evidence.weigh(_IMPLIED, "nobody says where to")
+        return None
+
+    def _food_place(self, label: str) -> str:
+        if label not in self.scene.foods:
+            states, (relation, container) = self.precedents.start(label) or ((), (None, None))
+            self.scene.keep([ObjectNode(label, states, (), relation, container)])
+        return label
+
+    def _moved(self, food: str, at: str, action: NarratedAction) -> list[DraftUnit]:
+        """Answer the unit that nobody told: a food that is elsewhere must have come to where it is changed."""
+        known = self.scene.foods.get(food)
+        if known is None or known.container == at:
+            return []
+        motion = self.precedents.bringing(food)
+        evidence = _Evidence([_IMPLIED], [f"nobody says how {food} comes to the {at}"])
+        into = self._vessel(at)
+        left, gone = self._source(known, food)
+        after = replace(known, relation=self.precedents.relation(at), container=at)
+        quiet = NarratedAction(motion, said=action.said, timing=Timing(assumed=True))
+        self.scene.focus = at
+        return [self._unit(quiet, motion, [into, *left, known], [filled(into, [food]), after, *gone], evidence)]
+
+    def _mixed_with(self, action: NarratedAction) -> bool:
+        """Whether several foods are mixed, rather than one stirred."""
+        at = self._utensil_place(action)
+        held = self.scene.held(at) if at else ()
+        return len({*(one.name for one in action.objects), *held}) > 1
+
+    def _mixed(self, action: NarratedAction, motion: str, evidence: _Evidence) -> tuple[DraftUnit, ...]:
+        """Answer the unit that makes one mixture of foods, and of what is in their vessel already."""
+        at = self._utensil_place(action) or self._common_vessel(action)
+        if at is None:
+            at = self.precedents.vessel_of(motion) or "bowl"
+            evidence.weigh(_IMPLIED, f"nobody says in what: taken as the {at}")
+        names = tuple(dict.fromkeys((*(one.name for one in action.objects), *self.scene.held(at))))
+        likes = {one.name: self.precedents.of(motion, one.name) for one in action.objects}
+        vessel = self._vessel(at)
+        said = {one.name: one for one in action.objects}
+        foods = [
+            self._there(said.get(name, Mention(name)), likes.get(name, Precedents(())), _Evidence()) for name in names
+        ]
+        left = [
+            pair for food in foods if food.container != at for pair in zip(*self._source(food, food.label), strict=True)
+        ]
+        tools = self._tools(action, next(iter(likes.values()), Precedents(())), [at])
+        label = self._mixture_of(names)
+        made_of = tuple(dict.fromkeys(part for food in foods for part in (food.ingredients or (food.label,))))
+        mixture = ObjectNode(label, (*action.results, "mixed"), made_of, self.precedents.relation(at), at)
+        evidence.weigh(_SOMETHING, "")
+        evidence.doubts.append(f"nobody names what {motion} makes: called “{label}”")
+        self.scene.forget(names)
+        self.scene.focus, self.scene.last = at, (label,)
+        held = replace(filled(vessel, [label]), ingredients=(label,))
+        inputs = [vessel, *(pair[0] for pair in left), *foods, *tools]
+        return (self._unit(action, motion, inputs, [held, mixture, *(pair[1] for pair in left)], evidence),)
+
+    def _mixture_of(self, names: Sequence[str]) -> str:
+        """Answer what to call a mixture: as it was called before, else after its first food."""
+        mixtures = [name for name in names if name.endswith(MIXTURE)]
+        return mixtures[0] if mixtures else f"{names[0]} {MIXTURE}"
+
+    def _common_vessel(self, action: NarratedAction) -> str | None:
+        held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
+        return next((at for at in held if at is not None and at in self.scene.utensils), self.scene.focus)
+
+    def _handled(self, action: NarratedAction, motion: str, evidence: _Evidence) -> DraftUnit:
+        """Answer a unit that changes a utensil: opened, washed, turned on, put somewhere."""
+        mention = action.objects[0]
+        like = self._like(motion, mention, evidence)
+        before = self._vessel(mention.name)
+        if mention.name not in self.scene.utensils or (like.rows and not before.ingredients and not before.container):
+            before = replace(before, states=before.states or like.before()[0])
+        states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
+        evidence.weigh(share, f"{mention.name} taken to become {_listed(states)}" if states else "")
+        after = replace(before, states=(*states, *action.results))
+        place = self._utensil_place(action)
+        others: list[ObjectNode] = []
+        if place is not None and place != mention.name:
+            others = [self._vessel(place)]
+            after = replace(after, relation=self.precedents.relation(place), container=place)
+        tools = self._tools(action, like, [place or "", mention.name])
+        return self._unit(action, motion, [*others, before, *tools], [*others, after], evidence)
+
+    # what several of them need
+
+    def _utensil_place(self, action: NarratedAction) -> str | None:
+        for place in action.places:
+            name = self.scene.called(place.name) or place.name
+            label = self.precedents.labels.get(name, name)
+            if self.precedents.kitchen.is_utensil(label):
+                return label
+        return None
+
+    def _in_utensil(self, node: ObjectNode) -> bool:
+        return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
+
+    def _unit(
+        self,
+        action: NarratedAction,
+        motion: str,
+        inputs: Sequence[ObjectNode],
+        outputs: Sequence[ObjectNode],
+        evidence: _Evidence,
+    ) -> DraftUnit:
+        """Answer the unit, and let the scene be as it leaves it."""
+        self.scene.keep(outputs)
+        sides = [tuple(map(Participant, dict.fromkeys(side))) for side in (inputs, outputs)]
+        unit = FunctionalUnit(sides[0], motion, sides[1])
+        confidence = round(prod(evidence.shares), 2)
+        doubts = tuple(dict.fromkeys(evidence.doubts))
+        return DraftUnit(Annotation(unit, action.timing), confidence, doubts, action.said)
+
+
+def _listed(states: Sequence[str]) -> str:
+    return ", ".join(states) if states else "it is"

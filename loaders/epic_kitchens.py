@@ -1,0 +1,127 @@
+"""The annotations of EPIC-KITCHENS-100: a row is one narrated action, with its verb, its nouns and its time.
+
+The columns ``video_id``, ``start_timestamp``, ``stop_timestamp``, ``narration``, ``verb`` and ``noun`` must be there;
+``all_nouns`` (a list as Python writes it) may be, and any others are passed over. A noun with its kind behind a colon
+is turned round ("oil:olive"). The narration tells which noun is a place or an instrument ("put onion in bowl").
+"""
+
+from __future__ import annotations
+
+import ast
+import csv
+import io
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+
+from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
+from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark
+from foon_kg.loaders.video_tables import row_timing
+from foon_kg.narration import Mention, NarratedAction, Narration, Place
+
+COLUMNS = ("video_id", "start_timestamp", "stop_timestamp", "narration", "verb", "noun")
+
+_BEFORE_A_NOUN = r"\b({words})\s+(?:(?:the|a|an|some|of)\s+)*(?:[\w-]+\s+){{0,2}}?{noun}\b"
+_TO = "into|onto|inside|in|on|to|over|under"
+_FROM = "from|off|out of"
+_WITH = "with|using"
+
+
+def is_epic_kitchens(text: str) -> bool:
+    """Answer whether the first line of ``text`` has the columns of EPIC-KITCHENS-100 annotations."""
+    header = next(csv.reader(text.removeprefix("\ufeff").splitlines()[:1]), [])
+    return set(COLUMNS) <= {column.strip().lower() for column in header}
+
+
+def read_epic_kitchens(text: str, file: str) -> NarratedFile:
+    """Answer a narration for every video of a table, in the order of their first rows, actions by their start.
+
+    A row that cannot be used is left out and told with its line. Never raises.
+    """
+    journal = Journal(file)
+    videos: defaultdict[str, list[NarratedAction]] = defaultdict(list)
+    try:
+        for line, row in _rows(text.removeprefix("\ufeff")):
+            action = _action(line, row, journal)
+            if action is not None:
+                videos[row["video_id"]].append(action)
+    except csv.Error as error:
+        journal.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"no table: {error}"))
+        return NarratedFile(file, (), journal.notices())
+    narrations = tuple(Narration(name, ordered(actions), source=file) for name, actions in videos.items())
+    return NarratedFile(file, narrations, journal.notices())
+
+
+def _rows(text: str) -> Iterator[tuple[int, Mapping[str, str]]]:
+    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
+    columns = [column.strip().lower() for column in next(reader, [])]
+    missing = dict.fromkeys(COLUMNS, "")
+    for cells in reader:
+        if any(cell.strip() for cell in cells):
+            yield reader.line_num, missing | {c: cell.strip() for c, cell in zip(columns, cells, strict=False)}
+
+
+def _action(line: int, row: Mapping[str, str], journal: Journal) -> NarratedAction | None:
+    problem = _problem(row)
+    if problem is not None:
+        journal.reject(line, problem)
+        return None
+    timing, odd = row_timing(row["start_timestamp"], row["stop_timestamp"], hours=True)
+    for remark in odd:
+        journal.remark(line, remark)
+    nouns = _nouns(line, row, journal)
+    said = row["narration"] or " ".join((row["verb"], *nouns))
+    verb, told = row["verb"], said.lower()
+    first, others = nouns[:1], nouns[1:]
+    roles = {noun: role for noun in others if (role := _role(noun, told)) is not None}
+    return NarratedAction(
+        verb,
+        tuple(Mention(noun) for noun in (*first, *(noun for noun in others if noun not in roles))),
+        tuple(Place(word, noun) for noun, (role, word) in roles.items() if role == "to"),
+        next((noun for noun, (role, _) in roles.items() if role == "from"), None),
+        tuple(noun for noun, (role, _) in roles.items() if role == "with"),
+        said=said,
+        timing=timing,
+    )
+
+
+def _problem(row: Mapping[str, str]) -> Problem | None:
+    if not is_video_name(row["video_id"]):
+        return Problem(NoticeKind.ODD_NAME, f"{row['video_id'][:40]!a} can be the name of no video")
+    if not row["narration"] and not row["verb"]:
+        return Problem(NoticeKind.NO_NARRATION, "neither a narration nor a verb")
+    if not row["verb"]:
+        return Problem(NoticeKind.UNIT_WITHOUT_MOTION, f"no verb beside the narration {row['narration'][:40]!a}")
+    return None
+
+
+def _nouns(line: int, row: Mapping[str, str], journal: Journal) -> Sequence[str]:
+    """Answer the nouns as they are spoken, the main one first, each once."""
+    nouns = [row["noun"]] if row["noun"] else []
+    listed = row.get("all_nouns", "")
+    if listed:
+        try:
+            value = ast.literal_eval(listed)
+        except (ValueError, SyntaxError, MemoryError, RecursionError):
+            value = None
+        if isinstance(value, list) and all(isinstance(noun, str) for noun in value):
+            nouns += value
+        else:
+            message = f"all_nouns {listed[:40]!a} is no list of names"
+            journal.remark(line, Remark(NoticeKind.BAD_FIELD, message, "only noun counts"))
+    return tuple(dict.fromkeys(noun for noun in map(_spoken, nouns) if noun))
+
+
+def _spoken(noun: str) -> str:
+    """Answer "olive oil" for "oil:olive"."""
+    return " ".join(part.strip().replace("_", " ") for part in reversed(noun.split(":")) if part.strip())
+
+
+def _role(noun: str, narration: str) -> tuple[str, str] | None:
+    """Answer whether the narration has ``noun`` as the place to, the place from or the instrument, and its word."""
+    ending = re.escape(noun.lower().split()[-1])
+    for role, words in (("to", _TO), ("from", _FROM), ("with", _WITH)):
+        match = re.search(_BEFORE_A_NOUN.format(words=words, noun=ending), narration)
+        if match is not None:
+            return role, match[1]
+    return None
