@@ -1,11 +1,12 @@
 """How good and how quick whole plans are: shares of sound and clean trees, their sizes, and the time a recipe takes.
 
-    python benchmarks/plans.py [--files FOLDER] [--recipes PATH ...] [--every N] [--time-limit S] [--findings]
+    python benchmarks/plans.py [--files FOLDER] [--recipes PATH ...] [--every N] [--time-limit S] [--findings] [--own]
 
 Plans recipes from one snapshot in memory, by default those beside the checkout, and asks the judge about each tree
 against the whole FOON. Printed, for each dish type and for all: recipes, median and 95 % time in ms (planning alone;
 what is derived for one recipe serves the next), shares sound and clean (a failure is neither), means of units,
-substitutions and assumptions; then which rules are broken how often. ``--findings`` prints every finding.
+substitutions and assumptions; then which rules are broken how often. ``--findings`` prints every finding, and why
+there is no tree. ``--own`` asks instead for every goal of the FOON itself, as its dish type with its own foods.
 """
 
 import argparse
@@ -15,6 +16,8 @@ import time
 from collections import Counter, defaultdict
 from dataclasses import dataclass
 from pathlib import Path
+
+from own_goals import own_goals
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
@@ -48,28 +51,38 @@ def main() -> None:
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--time-limit", type=float, default=2.0)
     parser.add_argument("--findings", action="store_true")
+    parser.add_argument("--own", action="store_true")
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
-    paths = list(recipe_files(options.recipes))[:: options.every]
-    done = plan_all(snapshot, paths, PlanSettings(time_limit=options.time_limit))
+    recipes = list(own_goals(snapshot.subgraphs, snapshot.kitchen)) if options.own else asked(snapshot, options.recipes)
+    done = plan_all(snapshot, recipes[:: options.every], PlanSettings(time_limit=options.time_limit))
     show(done)
     if options.findings:
         for planned in done:
+            if isinstance(planned.answer, PlanFailure):
+                print(
+                    f"{planned.recipe.dish_type} {planned.recipe.id}: {planned.answer.code}: {planned.answer.message}"
+                )
+                continue
             for finding in planned.report.findings:
                 print(f"{planned.recipe.dish_type} {planned.recipe.id}: {finding}")
 
 
-def plan_all(snapshot: Snapshot, paths: list[Path], settings: PlanSettings) -> list[Planned]:
-    started = time.perf_counter()
+def asked(snapshot: Snapshot, paths: list[Path]) -> list[Recipe]:
     words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
+    return [read_recipe(path, words).recipe for path in recipe_files(paths)]
+
+
+def plan_all(snapshot: Snapshot, recipes: list[Recipe], settings: PlanSettings) -> list[Planned]:
+    started = time.perf_counter()
     planner = Planner(snapshot, settings, snapshot.units)
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
     print(f"{len(snapshot.units)} units, ready in {time.perf_counter() - started:.2f} s")
     done = []
-    for number, path in enumerate(paths):
-        print(f"\r{number} of {len(paths)}", end="", file=sys.stderr, flush=True)
-        done.append(plan_one(planner, read_recipe(path, words).recipe, foon))
+    for number, recipe in enumerate(recipes):
+        print(f"\r{number} of {len(recipes)}", end="", file=sys.stderr, flush=True)
+        done.append(plan_one(planner, recipe, foon))
     print("\r", end="", file=sys.stderr)
     return done
 
