@@ -124,7 +124,7 @@ class Workshop:
         """Answer the units of ``reference`` in the order of the ``videos`` of its goal."""
         key = (tuple(known.unit.key for known in reference.units), videos)
         if key not in self.recorded:
-            self.recorded[key] = as_recorded(reference.units, videos)
+            self.recorded[key] = restored(as_recorded(reference.units, videos), self._makers, self.kitchen)
         return self.recorded[key]
 
     def preparations(self, equivalents: Equivalents) -> Preparations:
