@@ -36,6 +36,7 @@ _TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "a
 _FROM = frozenset({"from", "off"})
 _WITH = frozenset({"with", "using"})
 _UNTIL = frozenset({"until", "till"})
+_MAKES = frozenset({"make", "form", "create", "get"})
 _NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
 _PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
 _MEASURES = frozenset(
@@ -86,7 +87,7 @@ def with_actions(narration: Narration, verbs: Verbs) -> Narration:
     texts = (_as_told(clause, verbs)[:_LONGEST] for _, clause in clauses)
     actions: list[NarratedAction] = []
     for (sentence, clause), parsed in zip(clauses, _pipeline().pipe(texts), strict=True):
-        found = list(_actions(parsed)) if len(clause) <= _LONGEST else []
+        found = _joined(list(_actions(parsed, verbs)), clause, verbs) if len(clause) <= _LONGEST else []
         told = clause[:_LONGEST]
         actions += [replace(action, said=told, timing=sentence.timing) for action in found or [NarratedAction("")]]
     return replace(narration, actions=tuple(actions))
@@ -127,8 +128,23 @@ def _told(joined: re.Match[str], verbs: Verbs) -> str:
     return f"{joined[1]}you {word}" if verb else joined[0]
 
 
-def _actions(parsed: Sequence[Token]) -> Iterator[NarratedAction]:
-    said = [_action(token) for token in parsed if _is_action(token)]
+def _joined(actions: list[NarratedAction], clause: str, verbs: Verbs) -> list[NarratedAction]:
+    """Answer ``actions``; two that are one motion of the FOON (scoop and pour) as one, with what both have."""
+    done: list[NarratedAction] = []
+    for action in actions:
+        both = f"{done[-1].verb} and {action.verb}" if done else ""
+        if verbs.is_motion(both) and both in clause.lower():
+            first = done.pop()
+            places = tuple(dict.fromkeys((*first.places, *action.places)))
+            used = tuple(dict.fromkeys((*first.instruments, *action.instruments)))
+            done.append(replace(action, verb=both, places=places, instruments=used))
+        else:
+            done.append(action)
+    return done
+
+
+def _actions(parsed: Sequence[Token], verbs: Verbs) -> Iterator[NarratedAction]:
+    said = [_action(token, verbs) for token in parsed if _is_action(token)]
     shared: tuple[Mention, ...] = ()
     done: list[NarratedAction] = []
     for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
@@ -145,14 +161,19 @@ def _actions(parsed: Sequence[Token]) -> Iterator[NarratedAction]:
 def _is_action(token: Token) -> bool:
     if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS:
         return False
-    if any(child.dep_ == "xcomp" and child.pos_ == "VERB" for child in token.children):
+    if any(child.dep_ == "xcomp" and child.pos_ == "VERB" and child.lemma_ not in _MAKES for child in token.children):
         return False  # begin to chop
+    if token.lemma_ in _MAKES and any(child.lower_ == "to" and child.dep_ == "aux" for child in token.children):
+        return False  # mix them to make the batter
     return not any(child.dep_ == "mark" and child.lower_ in _UNTIL | {"if", "because"} for child in token.children)
 
 
-def _action(verb: Token) -> tuple[NarratedAction, bool]:
+def _action(verb: Token, verbs: Verbs) -> tuple[NarratedAction, bool]:
     """Answer the action of a verb, and whether it may share the object of the verb that is joined to it."""
     particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt")
+    taken = None if particle else next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
+    if taken is not None:
+        particle = taken.lower_
     direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
     heads = [verb, *(child for child in verb.children if child.dep_ in _OBJECTS)]
     places, origin, used, results = [], None, [], list(_results(verb))
@@ -160,6 +181,9 @@ def _action(verb: Token) -> tuple[NarratedAction, bool]:
         for preposition in (child for child in head.children if child.dep_ in {"prep", "agent"}):
             word = preposition.lower_
             names = [name for child in preposition.children if child.dep_ == "pobj" for name in _names(child)]
+            if preposition == taken:
+                direct += names
+                continue
             state = state_in(" ".join(name.name for name in names)) if word == "into" else None
             if state is not None and not any(Kitchen.default().is_utensil(name.name) for name in names):
                 results.append(state)
@@ -182,8 +206,24 @@ def _action(verb: Token) -> tuple[NarratedAction, bool]:
         origin,
         tuple(name.name for name in tools),
         tuple(dict.fromkeys(results)),
+        _product(verb),
     )
     return action, any(child.dep_ == "conj" and child.pos_ == "VERB" for child in verb.children)
+
+
+def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
+    """Whether a preposition belongs to the verb before it: turn on the stove."""
+    return word.dep_ == "prep" and word.i == verb.i + 1 and verbs.is_said(f"{verb.lemma_.lower()} {word.lower_}")
+
+
+def _product(verb: Token) -> str | None:
+    """Answer what the objects are made into: mix them to make the batter."""
+    for token in verb.subtree:
+        if token != verb and token.lemma_ in _MAKES and any(child.lower_ == "to" for child in token.children):
+            made = [name for child in token.children if child.dep_ in _OBJECTS for name in _names(child)]
+            if made:
+                return made[0].name
+    return None
 
 
 def _results(verb: Token) -> Iterator[str]:
@@ -205,6 +245,7 @@ def _names(token: Token) -> Iterator[Mention]:
         for thing in of:
             yield from _names(thing)
     elif token.pos_ in _NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
+        yield from (Mention(one.text) for one in _apart(token))
         yield _name(token)
     for child in token.children:
         if child.dep_ in {"conj", "appos"} and child.pos_ in _NAMES:
@@ -213,9 +254,17 @@ def _names(token: Token) -> Iterator[Mention]:
 
 def _name(token: Token) -> Mention:
     parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
+    parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
+    parts = [part for part in parts if part not in _apart(token)]
     states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
     words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), part.text)]
     return Mention(" ".join((*words, token.text)), tuple(filter(None, map(state_in, states))))
+
+
+def _apart(token: Token) -> list[Token]:
+    """Answer the nouns before ``token`` that are things of their own: the garlic of "garlic and vegetable oil"."""
+    parts = [child for child in token.lefts if child.dep_ in {"compound", "nmod"} and child.pos_ in {"NOUN", "PROPN"}]
+    return [part for part in parts if part.conjuncts and any(child.dep_ == "cc" for child in part.children)]
 
 
 def _inside(part: Token) -> list[str]:

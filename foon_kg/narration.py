@@ -29,7 +29,8 @@ class NarratedAction:
 
     ``objects`` are what it is done to, in the order in which they are named, and empty where the narration leaves them
     out ("stir"). ``places`` are where it is done or where the objects go, ``origin`` is what they are taken from;
-    ``instruments`` what it is done with; ``results`` the states that it goes on to. ``said`` is the narration itself.
+    ``instruments`` what it is done with; ``results`` the states that it goes on to, ``product`` what it makes of the
+    objects. ``said`` is the narration itself.
     """
 
     verb: str
@@ -38,6 +39,7 @@ class NarratedAction:
     origin: str | None = None
     instruments: tuple[str, ...] = ()
     results: tuple[str, ...] = ()
+    product: str | None = None
     said: str = ""
     timing: Timing = field(default_factory=Timing)
 

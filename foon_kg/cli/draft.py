@@ -24,7 +24,7 @@ from foon_kg.errors import UsageError
 if TYPE_CHECKING:
     from foon_kg.difference import VideoDifference
     from foon_kg.drafting import Draft
-    from foon_kg.drafting.tables import DraftFile
+    from foon_kg.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
     from foon_kg.narration import Narration, Sentence
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from foon_kg import motions
 from foon_kg.drafting.drafts import Draft, DraftUnit, LeftOut
 from foon_kg.drafting.precedents import FoonPrecedents
 from foon_kg.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
@@ -40,6 +41,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
     """
     drafter = _Drafter(precedents)
     rows: list[DraftUnit | LeftOut] = []
+    drafter.look_ahead(narration.actions)
     for action in narration.actions:
         rows += drafter.rows(action)
     if dish_type in DISH_TYPES:
@@ -55,6 +57,15 @@ class _Drafter:
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
         self._units = UnitDrafter(precedents, self._scene)
+
+    def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
+        """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""
+        for action in actions:
+            reading = self._precedents.verbs.reading(action.verb)
+            changing = [motion for motion in reading.motions if motions.opens(motion) or motions.heats(motion)]
+            for mention in action.objects if changing else ():
+                name = canonical(plain_name(mention.name))
+                self._scene.coming.setdefault(name, changing[0])
 
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
         """Answer the units of one action."""
@@ -146,12 +157,13 @@ class _Drafter:
             objects=tuple(objects),
             places=tuple(place for place in places if place.name),
             origin=plain_name(action.origin or "") or None,
+            product=plain_name(action.product or "") or None,
             instruments=tuple(filter(None, map(plain_name, (*action.instruments, *tools)))),
         )
 
 
 def _is_mixed(name: str) -> bool:
-    return canonical(name).split()[-1:] != [] and canonical(name).split()[-1] in _MIXED
+    return canonical(name) in _MIXED
 
 
 def plain_name(name: str) -> str:

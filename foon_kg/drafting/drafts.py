@@ -53,3 +53,24 @@ class Draft:
     def subgraph(self) -> Subgraph:
         """Answer the units as a subgraph, without confidences and doubts."""
         return Subgraph(self.name, tuple(unit.annotation for unit in self.units))
+
+
+@dataclass(frozen=True)
+class DraftRow:
+    """One row of a draft as it stands in its file: ``annotation`` is ``None`` where it is no unit (yet)."""
+
+    line: int
+    annotation: Annotation | None
+    confidence: float
+    doubts: tuple[str, ...]
+    said: str
+
+
+@dataclass(frozen=True)
+class DraftFile:
+    """A draft as it was read: its rows in their order, its units as a subgraph, and what is wrong with the file."""
+
+    path: str
+    rows: tuple[DraftRow, ...]
+    subgraph: Subgraph | None
+    notices: tuple[str, ...]

@@ -13,9 +13,11 @@ from typing import TypeVar
 
 from foon_kg.drafting.verbs import Verbs
 from foon_kg.kitchen import Kitchen, is_place
+from foon_kg.knowledge import Neighbour
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
 from foon_kg.names import canonical
 from foon_kg.similarity import food_similarity
+from foon_kg.states import state_class
 
 States = tuple[str, ...]
 Place = tuple[str | None, str | None]
@@ -64,7 +66,9 @@ class Precedents:
         (gone, come), share = _commonest((_change(row), row.weight) for row in self.rows)
         survive = {state for row in self.rows for state in {*row.before} & {*row.after}}
         lost = {state for row in self.rows for state in {*row.before} - {*row.after}} - survive
-        return tuple(sorted({*come} | ({*before} - {*gone} - lost))), share
+        classes = {state_class(state)[0] for state in come}
+        kept = {state for state in {*before} - {*gone} - lost if state_class(state)[0] not in classes}
+        return tuple(sorted({*come} | kept)), share
 
     def place_before(self) -> tuple[Place, float]:
         """Answer the commonest place before."""
@@ -101,6 +105,12 @@ class FoonPrecedents:
         for row in rows:
             self._by_motion[row.motion].append(row)
         self.verbs = Verbs(tuple(sorted({unit.unit.motion for unit in known})))
+        self._merging: defaultdict[str, list[bool]] = defaultdict(list)
+        for unit in known:
+            foods = [node.label for node in unit.unit.input_nodes if kitchen.is_food(node)]
+            left = {node.label for node in unit.unit.output_nodes}
+            if len(set(foods)) > 1:
+                self._merging[unit.unit.motion].append(sum(food in left for food in foods) * 2 < len(foods))
         self._nodes = Counter[ObjectNode]()
         for unit in known:
             for node in {*unit.unit.input_nodes, *unit.unit.output_nodes}:
@@ -144,6 +154,17 @@ class FoonPrecedents:
             else f"“{motion}” gives nothing to {label}"
         )
         return Precedents(rows, _ANY if rows else _ANY * _ANY, doubt)
+
+    def merges(self, motion: str) -> bool:
+        """Whether most units in which ``motion`` is done to several foods make one thing of them."""
+        found = self._merging.get(motion, [])
+        return sum(found) * 2 > len(found)
+
+    def nearest(self, label: str) -> Neighbour | None:
+        """Answer the known food most like ``label``, if any is like it."""
+        foods = sorted(name for name in self.labels.values() if not self.kitchen.is_utensil(name))
+        found = food_similarity().nearest(label, foods, limit=1) if foods else ()
+        return found[0] if found and found[0].confidence >= _ALIKE else None
 
     def start(self, label: str) -> tuple[States, Place] | None:
         """Answer the commonest start of a food (as the shop sells it), ``None`` where the FOON does not have it."""

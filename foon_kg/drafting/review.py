@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from foon_kg.drafting.tables import DraftFile, DraftRow
+from foon_kg.drafting.drafts import DraftFile, DraftRow
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 

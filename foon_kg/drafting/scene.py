@@ -20,6 +20,8 @@ class Scene:
     """The objects of one narration as they are now; labels are those of the FOON, or as narrated.
 
     ``focus`` is the vessel that something was last brought to or done in, ``last`` the foods of the last action.
+    ``sure`` says how sure the states of a food are; ``coming`` has, by canonical name, the first motion that will open
+    or heat a food that is only moved before.
     """
 
     kitchen: Kitchen
@@ -27,17 +29,19 @@ class Scene:
     utensils: dict[str, ObjectNode] = field(default_factory=dict)
     focus: str | None = None
     last: tuple[str, ...] = ()
+    sure: dict[str, float] = field(default_factory=dict)
+    coming: dict[str, str] = field(default_factory=dict)
 
     def called(self, name: str) -> str | None:
         """Answer the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.
 
-        The same name, else the only one that ends in it or that it ends in (onion, red onion).
+        The same name, else the only one that ends in it ("onion" for the red onion).
         """
         for things in (self.foods, self.utensils):
             wanted = canonical(name)
             if same := next((label for label in things if canonical(label) == wanted), None):
                 return same
-            alike = [label for label in things if _nested(canonical(label), wanted)]
+            alike = [label for label in things if canonical(label).endswith(f" {wanted}")]
             if len(alike) == 1:
                 return alike[0]
         return None
@@ -78,7 +82,3 @@ def emptied(vessel: ObjectNode, foods: Sequence[str]) -> ObjectNode:
     """Answer ``vessel`` without ``foods``; it is empty when they were all."""
     left = tuple(food for food in vessel.ingredients if food not in foods)
     return replace(vessel, states=vessel.states if left else (*vessel.states, EMPTY), ingredients=left)
-
-
-def _nested(one: str, other: str) -> bool:
-    return one.endswith(f" {other}") or other.endswith(f" {one}")

@@ -9,41 +9,19 @@ from __future__ import annotations
 
 import csv
 import io
-from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
 from foon_kg.errors import ReadError
-from foon_kg.loaders.notices import Notice, ReadResult, Severity, UnreadableFile
+from foon_kg.loaders.notices import ReadResult, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.times import write_timing
 from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_text
-from foon_kg.model import Annotation, ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model import ObjectNode, Participant, Subgraph, Timing
 
 UNIT_COLUMNS = ("start", "end", "motion", "inputs", "outputs", "dish")
 DRAFT_COLUMNS = ("confidence", "doubt", "said", "source")
 BETWEEN_DOUBTS = " | "
-
-
-@dataclass(frozen=True)
-class DraftRow:
-    """One row of a draft as it stands in its file: ``annotation`` is ``None`` where it is no unit (yet)."""
-
-    line: int
-    annotation: Annotation | None
-    confidence: float
-    doubts: tuple[str, ...]
-    said: str
-
-
-@dataclass(frozen=True)
-class DraftFile:
-    """A draft as it was read: its rows in their order, its units as a subgraph, and what is wrong with the file."""
-
-    path: str
-    rows: tuple[DraftRow, ...]
-    subgraph: Subgraph | None
-    notices: tuple[Notice, ...]
 
 
 def is_draft(text: str) -> bool:
@@ -114,7 +92,7 @@ def _with_doubts(path: Path, text: str, result: ReadResult) -> DraftFile:
     subgraph = result.subgraph and Subgraph(
         result.subgraph.name, result.subgraph.annotations, (source,) if source else ()
     )
-    return DraftFile(str(path), tuple(rows), subgraph, result.notices)
+    return DraftFile(str(path), tuple(rows), subgraph, tuple(map(str, result.notices)))
 
 
 def _confidence(path: Path, line: int, text: str) -> float:

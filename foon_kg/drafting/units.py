@@ -11,6 +11,7 @@ from foon_kg.drafting.drafts import DraftUnit
 from foon_kg.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.drafting.scene import MIXTURE, Scene, emptied, filled
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.names import canonical
 from foon_kg.narration import Mention, NarratedAction
 
 _AWAY = frozenset({"into", "onto", "to"})
@@ -25,8 +26,15 @@ class _Evidence:
 
     shares: list[float] = field(default_factory=list)
     doubts: list[str] = field(default_factory=list)
+    states: float = 1.0
+
+    def weigh_states(self, share: float, doubt: str = "") -> None:
+        """Weigh what is guessed of the states of a food: it is as unsure in every later unit."""
+        self.states *= share
+        self.weigh(share, doubt)
 
     def weigh(self, share: float, doubt: str = "") -> None:
+        """Weigh a share, and doubt it in words where it is small."""
         self.shares.append(share)
         if doubt and share < _SOMETHING:
             self.doubts.append(doubt)
@@ -45,9 +53,13 @@ class UnitDrafter:
         evidence = _Evidence([sure], list(doubts))
         if kitchen.is_utensil(first.name):
             return (self._handled(action, motion, evidence),)
-        if motions.mixes(motion) and self._mixed_with(action):
+        merged = action.product is not None and len(action.objects) > 1
+        if merged or (motions.mixes(motion) and self.precedents.merges(motion) and self._mixed_with(action)):
             return self._mixed(action, motion, evidence)
+        if len(action.objects) > 1 and (motions.mixes(motion) or motions.heats(motion)):
+            return (self._changed_together(action, motion, evidence),)
         found: list[DraftUnit] = []
+        brought = motions.transfers(motion)
         for mention in action.objects:
             own = _Evidence(list(evidence.shares), list(evidence.doubts))
             like = self._like(motion, mention, own)
@@ -55,7 +67,7 @@ class UnitDrafter:
             draft = self._brought if bringing else self._changed
             found += draft(action, mention, motion, like, own)
         self.scene.last = tuple(one.name for one in action.objects)
-        return tuple(found)
+        return (_as_one(found),) if brought else tuple(found)
 
     def _like(self, motion: str, mention: Mention, evidence: _Evidence) -> Precedents:
         like = self.precedents.of(motion, mention.name)
@@ -69,6 +81,7 @@ class UnitDrafter:
         """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
         known = self.scene.foods.get(mention.name)
         if known is not None:
+            evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
             return known
         states, (relation, container) = self._start(mention, like, evidence)
         if at is not None:
@@ -82,20 +95,25 @@ class UnitDrafter:
     def _start(
         self, mention: Mention, like: Precedents, evidence: _Evidence
     ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
-        if like.rows and like.likeness > _UNSEEN:
-            states, share = like.before()
+        if like.rows and like.likeness != _UNSEEN:
             place, at = like.place_before()
             if mention.states:
                 return mention.states, place
-            evidence.weigh(share, f"{mention.name} taken as {_listed(states)}, as in most such units")
+            coming = self.scene.coming.get(canonical(mention.name))
+            later = self.precedents.of(coming, mention.name) if coming else like
+            states, share = (later if later.rows else like).before()
+            evidence.weigh_states(share, f"{mention.name} taken as {_listed(states)}, as in most such units")
             evidence.weigh(max(at, _UNSEEN))
             return states, place
         known = self.precedents.start(mention.name)
+        if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
+            known = self.precedents.start(near.name)
+            doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
+            evidence.weigh_states(near.confidence * _SOMETHING, doubt)
         if known is None:
-            evidence.weigh(
-                _UNSEEN, f"{mention.name} was never seen before: taken as {_listed(mention.states or ('whole',))}"
-            )
-            return mention.states or ("whole",), (None, None)
+            states = mention.states or ("whole",)
+            evidence.weigh_states(_UNSEEN, f"{mention.name} was never seen before: taken as {_listed(states)}")
+            return states, (None, None)
         return mention.states or known[0], known[1]
 
     def _in_use(self, container: str | None) -> bool:
@@ -135,16 +153,49 @@ class UnitDrafter:
         moved = self._moved(mention.name, at, action) if at is not None else []
         before = self._there(mention, like, evidence, at=at)
         states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
-        evidence.weigh(share, f"{mention.name} taken to become {_listed(states)}")
-        after = replace(before, states=(*action.results, *states))
+        evidence.weigh_states(share, f"{mention.name} taken to become {_listed(states)}")
+        after = replace(before, states=(*action.results, *states), label=action.product or before.label)
         if after == before and not like.rows:
             evidence.doubts.append(f"the FOON does not say what {motion} changes")
         vessel = [self._vessel(before.container or "")] if self._in_utensil(before) and (like.with_vessel or at) else []
         tools = self._tools(action, like, [node.label for node in vessel])
         if before.container is not None:
             self.scene.focus = before.container
-        made = self._unit(action, motion, [*vessel, before, *tools], [*vessel, after], evidence)
-        return [*moved, made, *(self._moved(mention.name, away, action) if away is not None else [])]
+        held = vessel
+        if action.product is not None:
+            self.scene.forget([before.label])
+            after = replace(after, ingredients=before.ingredients or (before.label,))
+            held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
+        made = self._unit(action, motion, [*vessel, before, *tools], [*held, after], evidence)
+        return [*moved, made, *(self._moved(after.label, away, action) if away is not None else [])]
+
+    def _changed_together(self, action: NarratedAction, motion: str, evidence: _Evidence) -> DraftUnit:
+        """Answer one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
+        at = self._utensil_place(action) or self._common_vessel(action)
+        vessel = [self._vessel(at)] if at is not None else []
+        befores, afters, tools, left, gone = list[ObjectNode](), list[ObjectNode](), dict[str, None](), [], []
+        for mention in action.objects:
+            like = self.precedents.of(motion, mention.name)
+            own = _Evidence()
+            before = self._there(mention, like, own, at=at)
+            states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
+            own.weigh_states(share, f"{mention.name} taken to become {_listed(states)}")
+            evidence.states = min(evidence.states, own.states)
+            evidence.doubts += [*([like.doubt] if like.doubt else []), *own.doubts]
+            tools |= dict.fromkeys(like.tools())
+            after = replace(before, states=(*action.results, *states))
+            if at is not None and before.container != at:
+                sides = self._source(before, mention.name)
+                left, gone = [*left, *sides[0]], [*gone, *sides[1]]
+                after = replace(after, relation=self.precedents.relation(at), container=at)
+            befores.append(before)
+            afters.append(after)
+        evidence.weigh(evidence.states)
+        said = [name for name in action.instruments or tools if name not in {at, *(node.label for node in left)}]
+        held = [filled(vessel[0], [node.label for node in afters])] if vessel else []
+        self.scene.focus, self.scene.last = at, tuple(node.label for node in afters)
+        used = [self._vessel(name) for name in said]
+        return self._unit(action, motion, [*vessel, *left, *befores, *used], [*held, *afters, *gone], evidence)
 
     def _brought(
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
@@ -240,11 +291,12 @@ class UnitDrafter:
             pair for food in foods if food.container != at for pair in zip(*self._source(food, food.label), strict=True)
         ]
         tools = self._tools(action, next(iter(likes.values()), Precedents(())), [at])
-        label = self._mixture_of(names)
+        label = action.product or self._mixture_of(names)
         made_of = tuple(dict.fromkeys(part for food in foods for part in (food.ingredients or (food.label,))))
         mixture = ObjectNode(label, (*action.results, "mixed"), made_of, self.precedents.relation(at), at)
-        evidence.weigh(_SOMETHING, "")
-        evidence.doubts.append(f"nobody names what {motion} makes: called “{label}”")
+        if action.product is None:
+            evidence.weigh(_SOMETHING)
+            evidence.doubts.append(f"nobody names what {motion} makes: called “{label}”")
         self.scene.forget(names)
         self.scene.focus, self.scene.last = at, (label,)
         held = replace(filled(vessel, [label]), ingredients=(label,))
@@ -264,9 +316,9 @@ class UnitDrafter:
         """Answer a unit that changes a utensil: opened, washed, turned on, put somewhere."""
         mention = action.objects[0]
         like = self._like(motion, mention, evidence)
-        before = self._vessel(mention.name)
-        if mention.name not in self.scene.utensils or (like.rows and not before.ingredients and not before.container):
-            before = replace(before, states=before.states or like.before()[0])
+        before = self.scene.utensils.get(mention.name)
+        if before is None:
+            before = ObjectNode(mention.name, like.before()[0] if like.rows else self.precedents.empty(mention.name))
         states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
         evidence.weigh(share, f"{mention.name} taken to become {_listed(states)}" if states else "")
         after = replace(before, states=(*states, *action.results))
@@ -303,9 +355,30 @@ class UnitDrafter:
         self.scene.keep(outputs)
         sides = [tuple(map(Participant, dict.fromkeys(side))) for side in (inputs, outputs)]
         unit = FunctionalUnit(sides[0], motion, sides[1])
+        for node in outputs:
+            if not self.precedents.kitchen.is_utensil(node.label):
+                self.scene.sure[node.label] = evidence.states
         confidence = round(prod(evidence.shares), 2)
         doubts = tuple(dict.fromkeys(evidence.doubts))
         return DraftUnit(Annotation(unit, action.timing), confidence, doubts, action.said)
+
+
+def _as_one(units: Sequence[DraftUnit]) -> DraftUnit:
+    """Answer one unit for several that follow each other: what they take from outside, and what is left of them."""
+    inputs, outputs = dict[Participant, None](), dict[Participant, None]()
+    for draft in units:
+        unit = draft.annotation.unit
+        inputs |= dict.fromkeys(one for one in unit.inputs if one not in outputs)
+        outputs = {one: None for one in outputs if one not in unit.inputs} | dict.fromkeys(unit.outputs)
+    first = units[0].annotation
+    whole = FunctionalUnit(tuple(inputs), first.unit.motion, tuple(outputs))
+    doubts = dict.fromkeys(doubt for draft in units for doubt in draft.doubts)
+    return replace(
+        units[0],
+        annotation=replace(first, unit=whole),
+        confidence=min(draft.confidence for draft in units),
+        doubts=tuple(doubts),
+    )
 
 
 def _listed(states: Sequence[str]) -> str:

@@ -38,6 +38,14 @@ class Verbs:
 
     motions: tuple[str, ...]
 
+    def is_motion(self, words: str) -> bool:
+        """Whether the FOON has a motion of just these words."""
+        return words in self._by_words
+
+    def is_said(self, words: str) -> bool:
+        """Whether ``words`` are a motion of the FOON or stand in the table."""
+        return words in self._by_words or words in _table()
+
     def reading(self, verb: str) -> Reading:
         """Answer the motions that ``verb`` may stand for ("put-down", "Peeling", "scoop and pour")."""
         said = " ".join(_words(verb))

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from foon_kg.drafting.drafts import DraftFile, DraftRow
 from foon_kg.drafting.review import SURE, Missing
-from foon_kg.drafting.tables import DraftFile, DraftRow
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.views.words import ASIDE, in_a_row, motion_words, node_words
 
