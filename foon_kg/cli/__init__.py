@@ -14,6 +14,7 @@ from foon_kg.cli import (
     cypher,
     demo,
     draft,
+    evaluate,
     export,
     load,
     mcp,
@@ -60,6 +61,7 @@ app.command(epilog=demo.EXAMPLES)(demo.demo)
 app.command(epilog=plan.EXAMPLES)(plan.plan)
 app.command(epilog=retrieve.EXAMPLES)(retrieve.retrieve)
 app.command(epilog=check.EXAMPLES)(check.check)
+app.add_typer(evaluate.app)
 app.command(epilog=show.EXAMPLES)(show.show)
 app.command(epilog=export.EXAMPLES)(export.export)
 app.command(epilog=suggest.EXAMPLES)(suggest.suggest)

@@ -22,12 +22,16 @@ Show = Callable[["Answer"], None]
 
 @dataclass(frozen=True)
 class Writing:
-    """Where answers go: to the file ``output`` or to stdout, there as ``show`` shows them, with messages to ``say``."""
+    """Where answers go: to the file ``output`` or to stdout, there as ``show`` shows them, with messages to ``say``.
+
+    ``collected`` says that ``show`` prints nothing yet: a progress bar is in nobody's way.
+    """
 
     show: Show
     output: Path | None
     say: Say
     quiet: bool
+    collected: bool = False
 
 
 @contextmanager
@@ -53,7 +57,7 @@ def answer_all(
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
     to = nullcontext(writing.show) if done is None else _writes_to(done)
     with _answering(questions[there:], view, wishes, jobs) as answers, to as write:
-        beside_data = writing.output is None and _stdout_is_terminal()
+        beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
         shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
         codes = [_write(answer, write, writing.say) for answer in shown]
     return max([*codes, 0 if done is None else done.exit_code])

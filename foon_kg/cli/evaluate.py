@@ -1,0 +1,24 @@
+"""``foon evaluate``: how good the trees are, on recipes and on videos that are left out one by one."""
+
+from __future__ import annotations
+
+import typer
+
+from foon_kg.cli import evaluate_recipes
+from foon_kg.cli.console import ErrorsAtTheEdge
+
+app = typer.Typer(
+    cls=ErrorsAtTheEdge,
+    name="evaluate",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    help="Measure how good the trees are.",
+)
+
+
+@app.callback()
+def evaluate() -> None:
+    """Measure how good the trees are."""
+
+
+app.command(epilog=evaluate_recipes.EXAMPLES)(evaluate_recipes.recipes)

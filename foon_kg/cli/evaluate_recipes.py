@@ -1,0 +1,262 @@
+"""``foon evaluate recipes``: the paper's experiment with an executable rule."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.errors import ReadError, UsageError
+from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
+
+if TYPE_CHECKING:
+    from foon_kg.evaluation.agreement import Agreement
+    from foon_kg.evaluation.comparison import Comparison
+    from foon_kg.evaluation.figures import RecipeEvaluation
+    from foon_kg.evaluation.sheet import FilledSheet
+    from foon_kg.json_fields import JsonObject
+    from foon_kg.recipes import IngredientWords
+    from foon_kg.result import PlanFailure, PlanResult
+    from foon_kg.snapshot import Snapshot
+
+EXAMPLES = examples(
+    "foon evaluate recipes recipes/ --files subgraphs/",
+    "foon evaluate recipes recipes/ --sample 20 --seed 1 --json > old.json",
+    "foon evaluate recipes recipes/ --sample 20 --seed 1 --compare old.json",
+    "foon evaluate recipes --dish salad --sample 20 --seed 1",
+    "foon evaluate recipes recipes/ --output plans.jsonl --scores-to sheet.csv",
+    "foon evaluate recipes recipes/ --output plans.jsonl --scores sheet.csv",
+)
+
+Seed = Annotated[int, typer.Option("--seed", metavar="S", help="The same seed draws the same samples.")]
+Compare = Annotated[
+    Path | None,
+    typer.Option("--compare", metavar="OLD.json", help="Say what got better or worse since this (from --json)."),
+]
+Jobs = Annotated[
+    int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+]
+
+
+def recipes(  # noqa: PLR0917 - each parameter is an option of its own
+    paths: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="FILE|DIR...", help="Recipes (JSON); else those that foon load recipes brought in."),
+    ] = None,
+    dish: Annotated[list[str] | None, typer.Option("--dish", metavar="TYPE", help="Only this dish type.")] = None,
+    sample: Annotated[
+        int | None, typer.Option("--sample", metavar="N", min=1, help="Draw N recipes of each dish type.")
+    ] = None,
+    seed: Seed = 0,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="Keep the plans in this file, and go on where it ends."),
+    ] = None,
+    scores_to: Annotated[
+        Path | None, typer.Option("--scores-to", metavar="FILE.csv", help="Write a sheet on which people can score.")
+    ] = None,
+    scores: Annotated[
+        Path | None, typer.Option("--scores", metavar="FILE.csv", help="Read their scores, and compare the rule's.")
+    ] = None,
+    compare: Compare = None,
+    jobs: Jobs = None,
+    files: Files = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Plan recipes, and score each required ingredient 0, 1 or 2.
+
+    The rule: 2 when its progress line starts in the kitchen, reaches the asked state by motions that make that state
+    in the FOON, and ends in the dish (a state in which the food is sold needs no motion); 1 when it ends in the dish
+    but its preparation is missing or not supported; 0 otherwise. It ends in the dish where the goal names it. A recipe
+    without a tree has 0 for each ingredient, and is named.
+
+    Told by dish type: the share correct (the sum of scores by twice the lines; the interval is a bootstrap over
+    recipes), the share of recipes that are at least so correct, the confidences of substitutions, and how many trees
+    keep each rule of contract and sense. Dish types with fewer than three goals in the FOON are left out and named.
+
+    With --compare, recipes of both evaluations are compared in pairs: a difference is more than chance where the 95 %
+    interval of its mean does not hold 0. --scores answers Cohen's kappa, linearly weighted. The same FOON, recipes and
+    seed give the same answer to the byte.
+    """
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.evaluation.comparison import read_evaluation
+    from foon_kg.evaluation.sheet import read_sheet, write_sheet
+
+    say = sayer(quiet=quiet)
+    before = None if compare is None else read_evaluation(compare, "recipes")
+    sheet = None if scores is None else read_sheet(scores)
+    snapshot = whole_foon(files, say)
+    asked = _asked(paths or [], dish or [], sample, seed=seed, snapshot=snapshot, say=say)
+    evaluation = _evaluated(asked, snapshot, seed, output, jobs, say=say, quiet=quiet)
+    if scores_to is not None:
+        _write(scores_to, write_sheet(evaluation.recipes))
+    agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
+    comparison = None if before is None else _compared(before, evaluation.to_json(), str(compare), seed)
+    if as_json:
+        print_json(_json(evaluation.to_json(), agreement, comparison))
+    else:
+        _show(evaluation, agreement, comparison, 0 if sheet is None else sheet.left_open)
+
+
+def _asked(
+    paths: Sequence[Path], dishes: Sequence[str], sample: int | None, *, seed: int, snapshot: Snapshot, say: Say
+) -> list[Recipe]:
+    """Answer the recipes to be planned, sorted by dish type and name: the order of files decides nothing."""
+    from foon_kg.evaluation.sampling import sampled
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.recipes import IngredientWords
+
+    unknown = next((name for name in dishes if name not in DISH_TYPES), None)
+    if unknown is not None:
+        raise UsageError(f"there is no dish type {unknown}", hint=f"One of: {', '.join(DISH_TYPES)}.")
+    words = IngredientWords(snapshot.vocabulary(), Kitchen.default())
+    if paths:
+        found = [one for one in _read(paths, words, say) if not dishes or one.dish_type in dishes]
+        found = found if sample is None else sampled(found, sample, seed)
+    else:
+        found = _stored(dishes or DISH_TYPES, sample, seed, words, say)
+    if not found:
+        raise UsageError("there is no such recipe", hint="Name other files or dish types; foon recipes counts them.")
+    return sorted(found, key=lambda recipe: (recipe.dish_type, recipe.id or ""))
+
+
+def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recipe]:
+    """Read recipe files; raises ReadError where one cannot be read, or two have one id."""
+    from foon_kg.recipes import read_recipe, recipe_files
+
+    found = []
+    for path in recipe_files(paths):
+        read = read_recipe(path, words)
+        found.append(read.recipe)
+        for note in read.notes:
+            say(note)
+    counts = Counter((recipe.dish_type, recipe.id) for recipe in found)
+    twice = next((name for (_, name), count in counts.items() if count > 1), None)
+    if twice is not None:
+        raise ReadError(f"two recipes are called “{twice}”", hint="Name each file once; give each recipe its own id.")
+    return found
+
+
+def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: IngredientWords, say: Say) -> list[Recipe]:
+    """Answer recipes of the graph that surely are of these dish types."""
+    from foon_kg.evaluation.sampling import drawn
+    from foon_kg.graph import Connection
+    from foon_kg.graph.recipes import recipe_ids, stored_recipe
+    from foon_kg.recipes import with_states
+    from foon_kg.server import connection_settings
+
+    found = []
+    with Connection(connection_settings(say)) as connection:
+        for dish_type in sorted(set(dishes)):
+            ids = recipe_ids(connection, dish_type)
+            for name in ids if sample is None else drawn(ids, sample, seed, dish_type):
+                stored = stored_recipe(connection, name)
+                wants = tuple(RequiredIngredient(called.object, called.state) for called in stored.ingredients)
+                found.append(with_states(Recipe(dish_type, wants, name, stored.title or None), words).recipe)
+    return found
+
+
+def _evaluated(
+    asked: Sequence[Recipe],
+    snapshot: Snapshot,
+    seed: int,
+    output: Path | None,
+    jobs: int | None,
+    *,
+    say: Say,
+    quiet: bool,
+) -> RecipeEvaluation:
+    from foon_kg.evaluation.examination import Examiner
+    from foon_kg.evaluation.figures import RecipeEvaluation
+    from foon_kg.evaluation.sampling import known_enough, left_out
+
+    goals = snapshot.goals()
+    enough, out = known_enough(goals), left_out((recipe.dish_type for recipe in asked), goals)
+    kept = [recipe for recipe in asked if recipe.dish_type in enough]
+    if not kept:
+        names = ", ".join(dish.dish_type or "none" for dish in out)
+        raise UsageError(
+            f"the FOON knows too little of these dish types: {names}",
+            hint=f"It knows enough of: {', '.join(enough) or 'none'}.",
+        )
+    outcomes = _outcomes(kept, snapshot, output, jobs, say=say, quiet=quiet)
+    examiner = Examiner(snapshot.units, goals, snapshot.vocabulary(), snapshot.kitchen)
+    return RecipeEvaluation(foon_key(snapshot), seed, tuple(map(examiner.examine, outcomes)), out)
+
+
+def _outcomes(
+    asked: Sequence[Recipe], snapshot: Snapshot, output: Path | None, jobs: int | None, *, say: Say, quiet: bool
+) -> list[PlanResult | PlanFailure]:
+    """Plan ``asked`` on several cores; with ``output`` what it has already is not planned again."""
+    from foon_kg.batch import Answer, Question, Wishes
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.cli.answering import Writing, answer_all
+    from foon_kg.result import PlanFailure, PlanResult
+
+    found: list[PlanResult | PlanFailure] = []
+
+    def collect(answer: Answer) -> None:
+        found.append(answer.outcome)
+
+    questions = [Question(given=recipe) for recipe in asked]
+    answer_all(questions, snapshot, Wishes(), jobs, Writing(collect, output, say, quiet, collected=True))
+    if output is None:
+        return found
+    return [
+        PlanFailure.from_json(value, f"{output}:{line}")
+        if "error" in value
+        else PlanResult.from_json(value, f"{output}:{line}")
+        for line, value in enumerate(AnswerFile.read(output).lines, 1)
+    ]
+
+
+def foon_key(snapshot: Snapshot) -> str:
+    """Answer a name for what a FOON knows: equal for equal units."""
+    from foon_kg.model import content_key
+
+    return content_key([known.unit.key for known in snapshot.units])
+
+
+def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet, path: Path) -> Agreement:
+    from foon_kg.evaluation.agreement import agreement
+    from foon_kg.evaluation.sheet import scored_by_both
+
+    return agreement(*scored_by_both(evaluation.recipes, sheet, path))
+
+
+def _compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
+    from foon_kg.evaluation.comparison import compare, shares_of
+
+    return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)
+
+
+def _json(value: JsonObject, agreement: Agreement | None, comparison: Comparison | None) -> JsonObject:
+    if agreement is not None:
+        value["agreement"] = agreement.to_json()
+    if comparison is not None:
+        value["comparison"] = comparison.to_json()
+    return value
+
+
+def _show(
+    evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None, left_open: int
+) -> None:
+    from foon_kg.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
+
+    print_view(recipe_evaluation_view(evaluation))
+    if agreement is not None:
+        print_view(agreement_view(agreement, left_open))
+    if comparison is not None:
+        print_view(comparison_view(comparison))
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise UsageError(f"{path}: {error.strerror}", hint="--scores-to names a file that can be written.") from error

@@ -1,0 +1,72 @@
+"""Bootstrap intervals on distributions whose answer is known."""
+
+from __future__ import annotations
+
+import math
+from statistics import NormalDist
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from foon_kg.evaluation.resampling import bootstrap_mean, paired_difference
+
+shares = st.lists(st.floats(0, 1), min_size=1, max_size=8)
+
+
+def test_equal_values_leave_no_doubt():
+    found = bootstrap_mean([0.25] * 7, seed=3)
+    assert (found.mean, found.low, found.high) == pytest.approx((0.25, 0.25, 0.25))
+
+
+def test_of_many_values_the_interval_is_the_normal_one():
+    values = np.random.default_rng(5).normal(10, 2, size=400)
+    found = bootstrap_mean(values.tolist(), seed=1)
+    half = NormalDist().inv_cdf(0.975) * values.std() / math.sqrt(len(values))
+    assert found.mean == pytest.approx(values.mean())
+    assert (found.low, found.high) == pytest.approx((values.mean() - half, values.mean() + half), abs=0.02)
+
+
+def test_of_zero_and_one_the_samples_are_known():
+    found = bootstrap_mean([0.0, 1.0], seed=0)  # means 0, 1/2 and 1 come up 1, 2 and 1 times in 4
+    assert (found.mean, found.low, found.high) == (0.5, 0.0, 1.0)
+
+
+@given(shares, st.integers(0, 5))
+@settings(max_examples=20, deadline=None)
+def test_the_mean_lies_between_its_bounds_and_these_between_the_values(values, seed):
+    found = bootstrap_mean(values, seed)
+    small = 1e-9
+    assert min(values) - small <= found.low <= found.high <= max(values) + small
+    assert found.mean == pytest.approx(sum(values) / len(values))
+    assert found == bootstrap_mean(values, seed)
+
+
+def test_weights_make_the_mean_that_of_all_lines():
+    found = bootstrap_mean([1.0, 0.0], seed=0, weights=[3, 1])
+    assert (found.mean, found.low, found.high) == (0.75, 0.0, 1.0)
+    assert bootstrap_mean([1.0, 0.0], seed=0, weights=[0, 0]).mean == 0.0
+
+
+def test_no_values_have_no_mean():
+    assert bootstrap_mean([], seed=0).mean == 0.0
+
+
+def test_a_difference_is_drawn_in_pairs():
+    before = np.random.default_rng(2).uniform(0, 0.9, size=60)
+    paired = paired_difference((before + 0.01).tolist(), before.tolist(), seed=0)
+    assert (paired.low, paired.high) == pytest.approx((0.01, 0.01))
+    assert paired.apart_from_zero
+    assert not paired_difference([1.0, 0.0], [0.0, 1.0], seed=0).apart_from_zero
+    with pytest.raises(ValueError, match="longer"):
+        paired_difference([1.0], [1.0, 0.5], seed=0)
+
+
+def test_intervals_hold_the_truth_about_as_often_as_they_say():
+    draw = np.random.default_rng(11)
+    held = [
+        (found := bootstrap_mean(draw.uniform(0, 1, size=40).tolist(), seed)).low <= 0.5 <= found.high
+        for seed in range(100)
+    ]
+    assert 88 <= sum(held) <= 100
