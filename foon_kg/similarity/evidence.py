@@ -7,14 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
 from foon_kg.similarity.groups import FoodGroups
+from foon_kg.similarity.sparse import Flags, SparseRows, Table
 from foon_kg.similarity.taxonomy import FoodTaxonomy
 from foon_kg.similarity.vectors import FoodVectors
-
-Table = npt.NDArray[np.float64]
-Flags = npt.NDArray[np.bool_]
 
 KINDS = (
     "vectors",  # cosine of the names' food vectors
@@ -41,7 +38,7 @@ class Names:
 
     vectors: Table
     heads: Table
-    kinds: Table
+    kinds: SparseRows
     groups: Table
     shelves: Table
     listed: Flags
@@ -65,7 +62,7 @@ class Evidence:
         last_words = tuple(name.rpartition(" ")[2] for name in names)
         return Names(
             vectors=self.food_vectors.embed(names),
-            heads=self.food_vectors.embed(last_words),
+            heads=self._heads(last_words),
             kinds=self.taxonomy.rows(names),
             groups=groups,
             shelves=self.food_groups.shelves(groups),
@@ -77,14 +74,14 @@ class Evidence:
 
     def between(self, wanted: Names, known: Names) -> Table:
         """Answer an array (kind of evidence, wanted, known): 0 says nothing, 1 is the most there can be."""
-        kind_unknown = ~np.outer(wanted.kinds.any(axis=1), known.kinds.any(axis=1))
+        kind_unknown = ~np.outer(wanted.kinds.filled, known.kinds.filled)
         agreement = np.minimum(wanted.groups @ known.groups.T, 1.0)
         both_listed = np.outer(wanted.listed, known.listed)
         return np.array(
             [
                 wanted.vectors @ known.vectors.T,
                 wanted.heads @ known.heads.T,
-                _sparse_product(wanted.kinds, known.kinds),
+                known.kinds.product(wanted.kinds.dense()),
                 kind_unknown,
                 agreement * both_listed,
                 agreement * ~both_listed,
@@ -103,21 +100,28 @@ class Evidence:
     def _stands_for_others(self) -> Table:
         return 1 - self.food_groups.on_shelves("apart")
 
+    def _heads(self, last_words: Sequence[str]) -> Table:
+        """Answer the vectors of ``last_words``; many names share them."""
+        distinct = {word: place for place, word in enumerate(dict.fromkeys(last_words))}
+        heads: Table = self.food_vectors.embed(list(distinct))[[distinct[word] for word in last_words]]
+        return heads
+
     def _near_listed(self, names: Sequence[str]) -> Table:
         """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
         vectors, kinds, known = self._listed
-        rows = self.taxonomy.rows(names)
-        both = np.outer(rows.any(axis=1), known)
-        cosines = self.food_vectors.embed(names) @ vectors.T
-        near: Table = np.where(
-            both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * _sparse_product(rows, kinds), _ALONE * cosines
-        )
+        rows, own = self.taxonomy.rows(names), self.food_vectors.embed(names)
+        near = np.zeros((len(names), len(vectors)))
+        told = rows.filled | own.any(axis=1)  # of the others nothing is known: they are near to nothing
+        cosines = own[told] @ vectors.T
+        by_kind = _sparse_product(rows.dense()[told], kinds)
+        both = np.outer(rows.filled[told], known)
+        near[told] = np.where(both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * by_kind, _ALONE * cosines)
         return near
 
     @cached_property
     def _listed(self) -> tuple[Table, Table, Flags]:
         kinds = self.taxonomy.rows(self.food_groups.foods)
-        return self.food_vectors.embed(self.food_groups.foods), kinds, np.asarray(kinds.any(axis=1), dtype=np.bool_)
+        return self.food_vectors.embed(self.food_groups.foods), kinds.dense(), kinds.filled
 
 
 def _sparse_product(rows: Table, columns: Table) -> Table:
@@ -129,10 +133,9 @@ def _sparse_product(rows: Table, columns: Table) -> Table:
 
 def _by_words(wanted: Names, known: Names) -> Table:
     """Answer the four kinds of evidence that compare the names word by word."""
-    places = {word: place for place, word in enumerate(sorted(frozenset().union(*wanted.words, *known.words)))}
-    rows, columns = _word_rows(wanted, places), _word_rows(known, places)
-    shared = rows @ columns.T
-    size, known_size = rows.sum(axis=1)[:, None], columns.sum(axis=1)[None, :]
+    places = {word: place for place, word in enumerate(sorted(frozenset().union(*wanted.words)))}
+    shared = _word_rows(wanted, places) @ _word_rows(known, places).T
+    size, known_size = _sizes(wanted)[:, None], _sizes(known)[None, :]
     same_head = np.array(wanted.last_words)[:, None] == np.array(known.last_words)[None, :]
     more_specific = same_head & (shared == size) & (size < known_size)
     more_general = same_head & (shared == known_size) & (known_size < size)
@@ -140,7 +143,9 @@ def _by_words(wanted: Names, known: Names) -> Table:
 
 
 def _word_rows(names: Names, places: dict[str, int]) -> Table:
-    rows = np.zeros((len(names.words), len(places)))
-    for row, words in enumerate(names.words):
-        rows[row, [places[word] for word in words]] = 1
-    return rows
+    rows = [{places[word]: 1.0 for word in words if word in places} for words in names.words]
+    return SparseRows.of(rows, len(places)).dense()
+
+
+def _sizes(names: Names) -> Table:
+    return np.array([len(words) for words in names.words], dtype=np.float64)

@@ -22,14 +22,16 @@ import numpy.typing as npt
 from foon_kg.knowledge import Neighbour
 from foon_kg.names import canonical
 from foon_kg.similarity.answers import DECIMALS, Confidences, best
-from foon_kg.similarity.evidence import KINDS, Evidence, Names, Table
+from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
+from foon_kg.similarity.sparse import Table
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
 
 _MOST = 0.99
 _FEW = 8  # known foods that are not worth to be remembered in the place of many
-_REMEMBERED = 20_000  # rows; with 400 known foods, 64 MB
+_REMEMBERED = 8_000_000  # confidences, 64 MB: 20,000 rows where 400 foods are known
+_AT_ONCE = 1_000_000  # pairs whose evidence is in memory at a time, 96 MB
 _TOLD = 0.3  # evidence of less weight than this changes no answer that a person would notice
 _TOLD_AS = {
     "vectors": "named in like company",
@@ -71,10 +73,13 @@ class FoodSimilarity:
         side = self._known(columns) if len(columns) > _FEW else self._about_known(columns)
         new = [name for name in dict.fromkeys(rows) if name not in side.answered]
         if new and known:
-            if len(side.answered) + len(new) > _REMEMBERED:
+            if (len(side.answered) + len(new)) * len(columns) > _REMEMBERED:
                 side.answered.clear()
                 new = list(dict.fromkeys(rows))
-            side.answered.update(zip(new, self._confidences(new, side), strict=True))
+            step = max(_AT_ONCE // len(columns), 1)
+            for start in range(0, len(new), step):
+                some = new[start : start + step]
+                side.answered.update(zip(some, self._confidences(some, side), strict=True))
         return np.array([side.answered[name] for name in rows if known]).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:

@@ -21,6 +21,7 @@ Nearness = Callable[[Sequence[str]], Memberships]
 
 _SHORTENED = 0.9  # "sweet italian basil" is some basil
 _NEAREST = 8
+_AT_ONCE = 512  # names whose nearness to two thousand listed foods is in memory at a time: 9 MB
 _SHARPNESS = 12.0
 
 
@@ -46,8 +47,9 @@ class FoodGroups:
                 rows[row] = _SHORTENED * self.listed[place]
             else:
                 strange.append(row)
-        if strange:
-            rows[strange] = [self._vote(near) for near in nearness([names[row] for row in strange])]
+        for start in range(0, len(strange), _AT_ONCE):
+            some = strange[start : start + _AT_ONCE]
+            rows[some] = self._votes(nearness([names[row] for row in some]))
         return rows
 
     def shelves(self, memberships: Memberships) -> Memberships:
@@ -72,8 +74,16 @@ class FoodGroups:
         endings = (" ".join(words[start:]) for start in range(1, len(words)))
         return next((self.places[ending] for ending in endings if ending in self.places), None)
 
-    def _vote(self, near: Memberships) -> Memberships:
-        nearest = np.argsort(-near, kind="stable")[:_NEAREST]
+    def _votes(self, near: Memberships) -> Memberships:
+        """Answer the memberships that the listed foods ``near`` each name give it, one row for each name."""
+        votes = np.zeros((len(near), len(self.groups)))
+        least = np.partition(near, -_NEAREST, axis=1)[:, -_NEAREST]
+        for row in np.flatnonzero(near.max(axis=1) > 0):  # what is near to nothing is in no group
+            votes[row] = self._vote(near[row], np.flatnonzero(near[row] >= least[row]))
+        return votes
+
+    def _vote(self, near: Memberships, among: npt.NDArray[np.intp]) -> Memberships:
+        nearest = among[np.argsort(-near[among], kind="stable")][:_NEAREST]
         weights = np.exp(_SHARPNESS * (near[nearest] - 1)) * (near[nearest] > 0)
         votes: Memberships = weights @ self.listed[nearest] / max(float(weights.sum()), np.finfo(float).tiny)
         return votes * max(float(near[nearest[0]]), 0.0)

@@ -25,8 +25,9 @@ import numpy as np
 
 from foon_kg.names import ALIASES_VARIABLE, alias_table, canonical
 from foon_kg.similarity.answers import DECIMALS
-from foon_kg.similarity.evidence import Names, Table
+from foon_kg.similarity.evidence import Names
 from foon_kg.similarity.food import FoodSimilarity, confidence_of, food_similarity
+from foon_kg.similarity.sparse import Table
 
 VECTOR, KIND, GROUP, SHELF = 35, 64, 64, 24
 """How many places of a point are for the food vector, WordNet's kinds, the groups of uses, and their shelves."""
@@ -61,7 +62,7 @@ class Question:
 def points(names: Sequence[str]) -> list[list[float]]:
     """Answer the point of each name, equal ones for equal names; ``POINT_LENGTH`` numbers, as far from 0 as 1."""
     about = food_similarity().evidence.about([canonical(name) for name in names])
-    rows = np.c_[_shared(about), about.dish, about.kinds.any(axis=1)]
+    rows = np.c_[_shared(about), about.dish, about.kinds.filled]
     rest = np.sqrt(LONGEST**2 - (rows * rows).sum(axis=1))
     numbers: list[list[float]] = np.round(np.c_[rows, rest] / LONGEST, DECIMALS).tolist()
     return numbers
@@ -76,7 +77,7 @@ def question(name: str) -> Question:
 def _question(name: str, similarity: FoodSimilarity) -> Question:
     weights = similarity.weights
     about = similarity.evidence.about([name])
-    known_kind = float(about.kinds.any())
+    known_kind = float(about.kinds.filled[0])
     group = max(weights["group"], weights["guessed group"], 0.0)
     steps = (weights["vectors"], max(weights["kind"], 0.0), group, max(weights["shelf"], 0.0))
     weighed = np.repeat(steps, (VECTOR, KIND, GROUP, SHELF)) * _shared(about)[0]
@@ -95,8 +96,8 @@ def _by_names(weights: dict[str, float]) -> float:
 
 def _shared(about: Names) -> Table:
     """Answer one row for each name: vector, kinds, groups and shelves, in few places."""
-    parts = (about.vectors, *map(_folded, (about.kinds, about.groups, about.shelves), (KIND, GROUP, SHELF)))
-    return np.concatenate(parts, axis=1)
+    parts = (about.kinds.folded(KIND), _folded(about.groups, GROUP), _folded(about.shelves, SHELF))
+    return np.concatenate((about.vectors, *parts), axis=1)
 
 
 def _folded(rows: Table, places: int) -> Table:

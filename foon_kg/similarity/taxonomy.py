@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
 
-import numpy as np
-import numpy.typing as npt
+from foon_kg.similarity.sparse import SparseRows
 
 Kinds = dict[int, float]
 _SHORTENED = 0.9  # of "red onion" only the onion was found
@@ -29,13 +28,9 @@ class FoodTaxonomy:
     above: tuple[frozenset[int], ...]
     meanings: dict[str, tuple[int, ...]]
 
-    def rows(self, names: Sequence[str]) -> npt.NDArray[np.float64]:
+    def rows(self, names: Sequence[str]) -> SparseRows:
         """Answer one row for each canonical name, of length at most 1; zeros where WordNet has no such food."""
-        matrix = np.zeros((len(names), len(self.added)))
-        for row, name in enumerate(names):
-            kinds = self._kinds(name)
-            matrix[row, list(kinds)] = list(kinds.values())
-        return matrix
+        return SparseRows.of([self._kinds(name) for name in names], len(self.added))
 
     def kinds(self, name: str) -> tuple[str, ...]:
         """Answer the kinds that a canonical name, taken whole, may belong to, by name; none where it is no food."""

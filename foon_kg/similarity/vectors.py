@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,12 +32,17 @@ class FoodVectors:
 
     def embed(self, names: Sequence[str]) -> Vectors:
         """Answer one row of length 1 for each name: the mean of its words. Zeros where no word is known."""
-        return np.array([self._embed(name) for name in names]).reshape(len(names), self.vectors.shape[1])
+        places = [self._places(name) for name in names]
+        counts = np.array(list(map(len, places)), dtype=np.int64)
+        totals = np.zeros((len(names), self.vectors.shape[1]))
+        if counts.any():
+            starts = (np.cumsum(counts) - counts)[counts > 0]
+            totals[counts > 0] = np.add.reduceat(self.vectors[[p for each in places for p in each]], starts, axis=0)
+        lengths = np.sqrt((totals * totals).sum(axis=1, keepdims=True))
+        return totals / np.where(lengths == 0, 1.0, lengths)
 
-    def _embed(self, name: str) -> Vectors:
-        places = [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
-        total: Vectors = self.vectors[places].sum(axis=0)
-        return total / (math.sqrt(float(total @ total)) or 1.0)
+    def _places(self, name: str) -> list[int]:
+        return [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
 
 
 @lru_cache(maxsize=1)

@@ -52,7 +52,7 @@ def test_all_points_are_equally_far_from_nothing():
 
 def test_no_word_of_the_lists_is_too_long_for_a_point():
     about = EVIDENCE.about(sorted({*LISTED, *EVIDENCE.taxonomy.meanings}))
-    rows = np.c_[_shared(about), about.dish, about.kinds.any(axis=1)]
+    rows = np.c_[_shared(about), about.dish, about.kinds.filled]
     assert np.linalg.norm(rows, axis=1).max() < LONGEST
 
 
