@@ -205,3 +205,20 @@ def test_the_goal_keeps_its_name_and_names_the_food_that_stands_for_it():
 def test_a_cup_out_of_which_nothing_comes_is_not_poured():
     units = script("pot{salt}; cup{water} > pour > pot{salt,water}; cup(empty)")
     assert replay(units, Casting({"salt": Recast("salt")}), KITCHEN).steps == ()
+
+
+def test_water_is_there_once_the_tap_is_on_and_who_takes_it_finds_it():
+    units = script(
+        "faucet(off); measuring cup(empty) > turn on > faucet(on); measuring cup{water}; water@measuring_cup",
+        "measuring cup{water}; water@measuring_cup; pot(empty) > pour > pot{water}; water@pot",
+    )
+    replayed = replay(units, Casting(), KITCHEN)
+    assert [(s.input_nodes, s.output_nodes) for s in replayed.steps] == [
+        (k.unit.input_nodes, k.unit.output_nodes) for k in units
+    ]
+
+
+def test_what_must_be_paid_for_comes_from_nowhere():
+    units = script("faucet(off); bowl(empty) > turn on > faucet(on); bowl{wine}; wine@bowl")
+    replayed = replay(units, Casting({"wine": None}), KITCHEN)
+    assert "wine" not in names(made(replayed))
