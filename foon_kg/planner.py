@@ -27,8 +27,9 @@ from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
 from foon_kg.states import state_similarity
+from foon_kg.submission import submitted
 from foon_kg.substitution import FAIR, Equivalents
-from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
+from foon_kg.validation import CONTRACT, KnownFoon, Report, check
 from foon_kg.workshop import Workshop
 
 MOST_GOALS = 6
@@ -280,7 +281,7 @@ class _Question:
         recipe = replace(self.recipe, dish_type=self.recipe.dish_type or ranked.goal.dish_type)
         result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)
         self._refuse_avoided(result)
-        report = check(TaskTree.from_json(result.to_json()), foon, self.kitchen)
+        report = check(submitted(result), foon, self.kitchen)
         return _Attempt(result, report, integration, tree, self._missing(result))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:

@@ -15,6 +15,15 @@ from foon_kg.validation.tree import TaskTree, TreeUnit
 
 
 @dataclass(frozen=True)
+class Joining:
+    """Where one food comes together with others: the place of the unit, and the nodes of the food there."""
+
+    food: str
+    place: int
+    nodes: tuple[ObjectNode, ...]
+
+
+@dataclass(frozen=True)
 class Case:
     """A tree with the FOON it should come from (``None`` where there is none at hand) and the kitchen."""
 
@@ -99,6 +108,27 @@ class Case:
     @cached_property
     def _names(self) -> dict[ObjectNode, frozenset[str]]:
         return {}  # asked of every node again and again
+
+    @cached_property
+    def joinings(self) -> tuple[Joining, ...]:
+        """Where each required food joins others, as often as it comes to them anew; free foods never do.
+
+        It comes alone, or in a vessel with nothing else that counts, and is with others in what the unit newly makes.
+        """
+        found = []
+        asked = self._counting(self.required_names)
+        for place, unit in enumerate(self.tree.units):
+            coming = [self._counting(self.names_in(node)) for node in unit.input_nodes]
+            made = [self._counting(self.names_in(node)) for node in unit.new_outputs]
+            alone = frozenset().union(*(names for names in coming if len(names) == 1))
+            for food in sorted(asked & alone):
+                if any(food in names and len(names) > 1 for names in made):
+                    nodes = tuple(node for node in unit.input_nodes if singular(node.label) == food)
+                    found.append(Joining(food, place, nodes))
+        return tuple(found)
+
+    def _counting(self, names: frozenset[str]) -> frozenset[str]:
+        return frozenset(name for name in names if not self.kitchen.is_free(name))
 
 
 def _overlaps(unit: TreeUnit, source: FunctionalUnit) -> bool:

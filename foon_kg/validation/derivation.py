@@ -46,6 +46,8 @@ def derive(unit: TreeUnit, source: FunctionalUnit, declared: Sequence[Substitute
     Where it fails, foods that stand in each other's place are taken as substitutions nobody declared, and the
     comparison is made once more with them: a missing entry is then told as such (C7), not as an invention (C8).
     """
+    if _is_the_same(unit, source):
+        return Derivation(source, (), frozenset(), ())
     plain = Correspondence(unit, source, tuple(declared), kitchen)
     found = _derivation(plain)
     guesses = plain.guesses() if found.faults else ()
@@ -56,6 +58,15 @@ def derive(unit: TreeUnit, source: FunctionalUnit, declared: Sequence[Substitute
         return found
     missing = tuple(entry for entry in guesses if entry in guessed.used)
     return replace(guessed, used=guessed.used - set(guesses), undeclared=(*guessed.undeclared, *missing))
+
+
+def _is_the_same(unit: TreeUnit, source: FunctionalUnit) -> bool:
+    """Say whether nothing was changed, so that nothing is to be explained."""
+    return (
+        unit.motion == source.motion
+        and set(unit.input_nodes) == set(source.input_nodes)
+        and set(unit.output_nodes) == set(source.output_nodes)
+    )
 
 
 def _derivation(pairs: Correspondence) -> Derivation:

@@ -13,19 +13,10 @@ from functools import cached_property
 
 from foon_kg.kitchen import singular, words
 from foon_kg.model import ObjectNode
-from foon_kg.validation.case import Case
+from foon_kg.validation.case import Case, Joining
 from foon_kg.validation.report import Finding
 from foon_kg.validation.tree import TreeUnit
 from foon_kg.validation.words import HEATS, MIXES, OPENS, has_word
-
-
-@dataclass(frozen=True)
-class Joining:
-    """Where one food comes together with others: the place of the unit, and the nodes of the food there."""
-
-    food: str
-    place: int
-    nodes: tuple[ObjectNode, ...]
 
 
 def fresh(case: Case) -> Iterator[Finding]:
@@ -72,36 +63,6 @@ def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
     return holds and not has_word(unit.motion, MIXES | HEATS)
 
 
-def joinings(case: Case) -> tuple[Joining, ...]:
-    """Answer where each required food joins others, as often as it comes to them anew; free foods never do."""
-    found = []
-    asked = {name for name in case.required_names if not case.kitchen.is_free(name)}
-    for place, unit in enumerate(case.tree.units):
-        for food in sorted(asked & case.names_of(unit.input_nodes)):
-            nodes = tuple(node for node in unit.input_nodes if singular(node.label) == food)
-            if _comes_alone(case, unit, food) and _is_with_others(case, unit, food):
-                found.append(Joining(food, place, nodes))
-    return tuple(found)
-
-
-def _comes_alone(case: Case, unit: TreeUnit, food: str) -> bool:
-    """Whether an input is the food, or holds it and nothing else that counts."""
-    return any(food in names and not _others(case, names, food) for names in map(case.names_in, unit.input_nodes))
-
-
-def _is_with_others(case: Case, unit: TreeUnit, food: str) -> bool:
-    already = {node for node in unit.input_nodes if _others(case, case.names_in(node), food)}
-    for node in unit.output_nodes:
-        names = case.names_in(node)
-        if node not in already and food in names and _others(case, names, food):
-            return True
-    return False
-
-
-def _others(case: Case, names: frozenset[str], food: str) -> set[str]:
-    return {name for name in names if name != food and not case.kitchen.is_free(name)}
-
-
 def in_time(case: Case) -> Iterator[Finding]:
     """S2: a food joins others no later than the last unit that mixes or heats, unless FOON's unit takes it there.
 
@@ -118,7 +79,7 @@ def in_time(case: Case) -> Iterator[Finding]:
     equivalents = {
         singular(e.required): e.equivalent or "" for e in case.tree.substitutions or () if e.kind == "object"
     }
-    for joining in joinings(case):
+    for joining in case.joinings:
         if joining.place <= working[-1]:
             continue
         known = case.derivations[joining.place]
@@ -133,7 +94,7 @@ def opened(case: Case) -> Iterator[Finding]:
         {singular(label) for label in case.foon.opened if not case.kitchen.is_utensil(label)} if case.foon else set()
     )
     asked = {singular(w.object) for w in case.required if _is_whole(w.state)} & known
-    for joining in joinings(case):
+    for joining in case.joinings:
         if joining.food in asked and not _opened_before(case, joining):
             yield Finding(
                 "S3", f"{joining.food} joins others as a whole, and FOON has a unit that opens it", joining.place
@@ -177,7 +138,7 @@ class _States:
     @cached_property
     def at_joining(self) -> dict[str, set[str]]:
         seen: dict[str, set[str]] = {}
-        for joining in joinings(self.case):
+        for joining in self.case.joinings:
             unit = self.case.tree.units[joining.place]
             there = (*joining.nodes, *(n for n in unit.output_nodes if singular(n.label) == joining.food))
             if there:
