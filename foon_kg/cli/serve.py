@@ -84,6 +84,7 @@ def _run(listener: socket.socket, host: str, token: str | None, foon: Foon, jobs
 
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting)
+    service.summary()  # the processes begin now
     app = web_app(service, names=own_names(host), token=token, limits=limits)
     config = uvicorn.Config(
         app,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, TypeVar
 
@@ -90,7 +89,8 @@ class _Tools:
     def cypher(self, query: str, parameters: dict[str, Any] | None = None, limit: Rows = 100) -> dict[str, Any]:
         """Ask the graph in Cypher; whatever does more than look at the graph is refused.
 
-        (:Object {label, states, ingredients, relation, container})-[:INPUT]->(:Motion {verb})-[:OUTPUT]->(:Object).
+        (:Object {label, states, ingredients, relation, container})-[:INPUT_OF]->(:Motion {verb})-[:OUTPUTS]->(:Object);
+        (:Motion)-[:SEEN_IN {position, start, end}]->(:Video {name}); (:Object)-[:CALLED]->(:Label {name}).
         """
         ask = self._cypher
         if ask is None:
@@ -114,7 +114,8 @@ class _Tools:
             raise ToolError(f"timeout: no answer within {TIMEOUT:g} seconds. Ask for fewer ingredients.") from error
         told = reply.value()
         if reply.status != 200:  # noqa: PLR2004 - what HTTP calls all right
-            raise ToolError(json.dumps(told["error"], ensure_ascii=False))
+            error = told["error"]
+            raise ToolError(f"{error['message']} ({error['code']}). {error['hint']}")
         return told
 
 
@@ -126,5 +127,4 @@ def _explained(ask: Callable[[], T]) -> T:
 
 
 def _said(error: FoonError) -> str:
-    told = {"code": error.code, "message": error.message, "hint": error.hint}
-    return json.dumps(told, ensure_ascii=False)
+    return f"{error.message} ({error.code}). {error.hint}"

@@ -34,7 +34,7 @@ class PlanningDesk:
 
     def __init__(self, snapshot: Snapshot) -> None:
         self.snapshot = snapshot
-        self._cook: Cook | None = None
+        self._cook = self._new_cook()
         self._plans = 0
 
     def answer(self, question: Question) -> Reply:
@@ -59,11 +59,13 @@ class PlanningDesk:
         if question.substitutes or question.avoided:
             wishes = Wishes(question.substitutes, question.avoided, explain=True, time_limit=TIME_LIMIT)
             return Cook(self.snapshot, wishes)
-        if self._cook is None or self._plans >= MOST_PLANS:
-            wishes = Wishes(explain=True, time_limit=TIME_LIMIT)
-            self._cook, self._plans = Cook(self.snapshot, wishes, self.snapshot.units), 0
+        if self._plans >= MOST_PLANS:
+            self._cook, self._plans = self._new_cook(), 0
         self._plans += 1
         return self._cook
+
+    def _new_cook(self) -> Cook:
+        return Cook(self.snapshot, Wishes(explain=True, time_limit=TIME_LIMIT), self.snapshot.units)
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         reader = ThingReader(IngredientWords(self.snapshot.vocabulary(), Kitchen.default()))

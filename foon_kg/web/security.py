@@ -98,7 +98,7 @@ class TokenRequired:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on, or refuse it."""
-        if scope["type"] == "http" and scope["path"].startswith("/api"):
+        if scope["type"] == "http" and f"{scope['path']}/".startswith("/api/"):
             given = Headers(scope=scope).get("authorization", "").encode()
             if not secrets.compare_digest(given, self.expected):
                 return await refuse(scope, send, 401, _NO_TOKEN, {"www-authenticate": "Bearer"})

@@ -58,15 +58,11 @@ class FoonService:
     def ask(self, question: Question) -> Future[Reply]:
         """Take a question that takes a while; raises BusyError, or GraphError where there is no FOON."""
         edition = self._current()
-        with self._turn:
-            kept = self._kept.get(question)
-            if kept is not None and not _failed(kept):
-                self._kept.move_to_end(question)
-                return kept
-            self._kept[question] = future = self._submitted(edition, question)
-            while len(self._kept) > MOST_KEPT:
-                self._kept.popitem(last=False)
-            return future
+        try:
+            return self._taken(edition, question)
+        except RuntimeError:  # its processes were ended from outside, or another edition took its place meanwhile
+            self._drop(edition)
+        return self._taken(self._current(), question)
 
     def answer(self, question: Question, timeout: float | None = None) -> Reply:
         """Answer a question that takes a while, and wait for it at most ``timeout`` seconds (then TimeoutError)."""
@@ -109,27 +105,33 @@ class FoonService:
         served = self._foon.current()
         with self._turn:
             if self._edition is None or self._edition.number < served.edition:
-                self._replace(served)
-            edition = self._edition
-        if edition is None:
-            raise BusyError("the service is being closed")
-        return edition
+                self._edition = self._replaced(served)
+            return self._edition
 
-    def _replace(self, served: Served) -> None:
+    def _replaced(self, served: Served) -> _Edition:
         if self._edition is not None:
             self._edition.workers.close()
-        workers = Workers(served.snapshot, self._processes, self._most)
-        self._edition = _Edition(served.edition, FoonWords(served.snapshot), workers)
         self._kept.clear()
+        workers = Workers(served.snapshot, self._processes, self._most)
+        return _Edition(served.edition, FoonWords(served.snapshot), workers)
 
-    def _submitted(self, edition: _Edition, question: Question) -> Future[Reply]:
-        try:
-            return edition.workers.submit(question)
-        except BusyError:
-            if edition.workers.broken and self._edition is edition:
+    def _taken(self, edition: _Edition, question: Question) -> Future[Reply]:
+        with self._turn:
+            kept = self._kept.get(question)
+            if kept is not None and not _failed(kept):
+                self._kept.move_to_end(question)
+                return kept
+            self._kept[question] = future = edition.workers.submit(question)
+            while len(self._kept) > MOST_KEPT:
+                self._kept.popitem(last=False)
+            return future
+
+    def _drop(self, edition: _Edition) -> None:
+        """Have the next question begin with new processes."""
+        with self._turn:
+            if self._edition is edition:
                 edition.workers.close()
-                self._edition = None  # the next question begins with new processes
-            raise
+                self._edition = None
 
 
 def _failed(future: Future[Reply]) -> bool:

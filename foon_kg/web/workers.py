@@ -10,7 +10,6 @@ import signal
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import wait
 
@@ -27,26 +26,23 @@ class BusyError(FoonError):
 
 
 class Workers:
-    """Answers questions from one FOON; refuses more than ``most`` that are under way or waiting.
-
-    ``broken`` says that the processes were ended from outside, and that nothing will be answered any more.
-    """
+    """Answers questions from one FOON; refuses more than ``most`` that are under way or waiting."""
 
     def __init__(self, snapshot: Snapshot, processes: int, most: int) -> None:
         self._executor = _executor(snapshot, processes)
         self._places = threading.BoundedSemaphore(most)
-        self.broken = False
+        for _ in range(max(processes, 1)):
+            self._executor.submit(_ready)  # begin now, and not when somebody waits
 
     def submit(self, question: Question) -> Future[Reply]:
-        """Take ``question``; raises BusyError where there is no place left, or where the processes ended."""
+        """Take ``question``; raises BusyError where there is no place left, RuntimeError where the processes ended."""
         if not self._places.acquire(blocking=False):
             raise BusyError("too many plans are asked at once", hint="Ask again in a second.")
         try:
             future = self._executor.submit(_answer, question)
-        except (BrokenProcessPool, RuntimeError) as error:
+        except RuntimeError:
             self._places.release()
-            self.broken = True
-            raise BusyError("the processes that plan were ended from outside", hint="Ask again.") from error
+            raise
         future.add_done_callback(lambda _: self._places.release())  # a place is held until the work is done
         return future
 
@@ -80,6 +76,10 @@ def _end_with_parent() -> None:
     if parent is not None:
         wait([parent.sentinel])
         os._exit(1)
+
+
+def _ready() -> None:
+    """Do nothing: a process that is asked has begun."""
 
 
 def _answer(question: Question) -> Reply:

@@ -15,7 +15,7 @@ from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
 from foon_kg.web.service import FoonService
 
-PLENTY = Limits(per_second=10_000, burst=10_000)
+PLENTY = Limits(seconds=300.0, per_second=10_000, burst=10_000)
 NAMES = frozenset({"localhost", "127.0.0.1"})
 SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion", "olive oil"]}
 

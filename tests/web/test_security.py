@@ -87,7 +87,8 @@ def test_without_the_token_nothing_of_the_api_is_told(guarded, path, given_token
 
 def test_with_the_token_it_answers_and_the_empty_page_needs_none(guarded):
     assert guarded.get("/api/summary", headers={"authorization": f"Bearer {TOKEN}"}).status_code == 200
-    assert guarded.get("/").status_code == 200
+    for path in ("/", "/main.js", "/api.js", "/picture.css"):
+        assert guarded.get(path).status_code == 200
 
 
 def test_a_token_is_made_for_its_owner_alone_and_stays(tmp_path):

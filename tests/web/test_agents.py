@@ -1,0 +1,129 @@
+"""The tools of the MCP server: in this process, and over the standard input and output of a real ``foon mcp``."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import anyio
+import pytest
+from mcp import Client, StdioServerParameters
+from pictures.demo_plans import demo_foon
+
+from foon_kg.demo import demo_folder
+from foon_kg.errors import WriteRefused
+from foon_kg.web.agents import agent_server
+from foon_kg.web.foon import FixedFoon
+from foon_kg.web.service import FoonService
+
+SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion"]}
+
+
+def asked(server, *calls):
+    """What ``server`` answers to each (tool, arguments)."""
+
+    async def ask():
+        async with Client(server) as client:
+            return [await client.call_tool(tool, arguments) for tool, arguments in calls]
+
+    return anyio.run(ask)
+
+
+def value(answer):
+    assert not answer.is_error, answer.content
+    return json.loads(answer.content[0].text)
+
+
+def refusal(answer):
+    assert answer.is_error
+    return answer.content[0].text
+
+
+def no_writing(text, parameters, limit):
+    if "DELETE" in text:
+        raise WriteRefused("this would change the graph", hint="A question only looks at the graph.")
+    return {"columns": ["n"], "rows": [[limit]], "cut": False}
+
+
+@pytest.fixture(scope="module")
+def server():
+    with FoonService(FixedFoon(demo_foon())) as service:
+        yield agent_server(service, no_writing)
+
+
+def test_every_tool_says_what_it_does_and_that_it_only_looks(server):
+    async def tools():
+        async with Client(server) as client:
+            return (await client.list_tools()).tools
+
+    found = {tool.name: tool for tool in anyio.run(tools)}
+    assert set(found) == {"plan", "explain", "similar", "suggest", "cypher"}
+    assert all(tool.description and tool.annotations.read_only_hint for tool in found.values())
+
+
+def test_tools_answer(server):
+    plan, explain, similar, suggest = map(
+        value,
+        asked(
+            server,
+            ("plan", SALAD),
+            ("explain", SALAD),
+            ("similar", {"names": ["kohlrabi"], "limit": 2}),
+            ("suggest", {"foods": ["egg"], "most": 1}),
+        ),
+    )
+    assert plan["units"]
+    assert plan["goal"] == explain["goal"]
+    assert [one["want"]["object"] for one in explain["explanations"]] == ["kohlrabi", "onion"]
+    assert len(similar["similar"][0]["nearest"]) == 2
+    assert len(suggest["suggestions"]) == 1
+
+
+def test_a_substitute_can_be_chosen(server):
+    (answer,) = asked(server, ("plan", SALAD | {"substitutes": {"kohlrabi": "onion"}}))
+    (one,) = [s for s in value(answer)["substitutions"] if s["kind"] == "object"]
+    assert one["equivalent"] == "onion"
+
+
+def test_what_is_wrong_comes_with_a_hint(server):
+    no_tree, unknown, empty, write = asked(
+        server,
+        ("plan", {"dish_type": "pizza", "ingredients": ["tomato"]}),
+        ("plan", SALAD | {"substitutes": {"kohlrabi": "moon dust"}}),
+        ("plan", {"ingredients": []}),
+        ("cypher", {"query": "MATCH (n) DELETE n"}),
+    )
+    assert "(no-goal). It has goals of these dish types" in refusal(no_tree)
+    assert "moon dust" in refusal(unknown)
+    assert "ingredients" in refusal(empty)
+    assert "(read-only)" in refusal(write)
+
+
+def test_files_have_no_cypher():
+    with FoonService(FixedFoon(demo_foon())) as service:
+        (answer,) = asked(agent_server(service), ("cypher", {"query": "RETURN 1"}))
+    assert "without --files" in refusal(answer)
+
+
+def test_foon_mcp_speaks_over_its_standard_input_and_output():
+    program = "import sys; from foon_kg.cli import main; sys.exit(main())"
+    arguments = ["-c", program, "mcp", "--files", str(demo_folder()), "--quiet"]
+    server = StdioServerParameters(command=sys.executable, args=arguments)
+    (answer,) = asked(server, ("plan", SALAD))
+    assert value(answer)["recipe"]["dish_type"] == "salad"
+
+
+@pytest.mark.neo4j
+def test_cypher_of_a_real_graph_only_looks(empty_graph):
+    from foon_kg.cli.demo import demo_subgraphs
+    from foon_kg.cli.mcp import _cypher
+    from foon_kg.graph import Connection, load
+
+    with Connection(empty_graph) as connection:
+        load(connection, list(demo_subgraphs())[:2])
+    with FoonService(FixedFoon(demo_foon())) as service:
+        count = ("cypher", {"query": "MATCH (v:Video) RETURN count(v) AS videos"})
+        write = ("cypher", {"query": "MATCH (n) DETACH DELETE n"})
+        before, refused, after = asked(agent_server(service, _cypher(empty_graph)), count, write, count)
+    assert value(before) == value(after) == {"columns": ["videos"], "rows": [[2]], "cut": False}
+    assert "(read-only)" in refusal(refused)

@@ -1,0 +1,48 @@
+"""The API keeps to its own OpenAPI document, whatever is sent: checked by schemathesis over a real socket."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from web.serving import app, served
+
+schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
+GenerationMode = schemathesis.GenerationMode
+
+CONFIG = schemathesis.Config.from_dict(
+    {"checks": {"positive_data_acceptance": {"expected-statuses": ["2xx", 404, 422]}}}  # 422: a food nobody knows
+)
+OPERATIONS = (
+    ("/api/summary", "GET"),
+    ("/api/complete", "GET"),
+    ("/api/similar", "GET"),
+    ("/api/object", "GET"),
+    ("/api/plan", "POST"),
+    ("/api/suggest", "POST"),
+)
+
+
+@pytest.fixture(scope="module")
+def document():
+    with served(app()) as address:
+        yield schemathesis.openapi.from_url(f"{address}/api/openapi.json", config=CONFIG)
+
+
+def test_every_operation_is_tried_here(document):
+    found = {(result.ok().path, result.ok().method.upper()) for result in document.get_all_operations()}
+    assert found == set(OPERATIONS)
+
+
+@pytest.mark.parametrize("mode", list(GenerationMode), ids=lambda mode: mode.value)
+@pytest.mark.parametrize(("path", "method"), OPERATIONS)
+def test_answers_are_as_the_document_says(document, path, method, mode):
+    operation = document[path][method]
+    if mode is GenerationMode.NEGATIVE and path == "/api/summary":
+        return  # it takes nothing that could be wrong
+
+    @settings(max_examples=8, deadline=None, suppress_health_check=list(HealthCheck))
+    @given(case=operation.as_strategy(generation_mode=mode))
+    def ask(case):
+        case.call_and_validate()
+
+    ask()

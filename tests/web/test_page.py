@@ -1,0 +1,254 @@
+"""The page in a real Chromium: planned by keyboard alone, planned again, narrow, dark, and when things go wrong."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+from chromium import chromium
+from web.serving import app, served
+
+TOKEN = "a-token-of-enough-letters"
+ENTER, TAB, DOWN, ESCAPE, CONTROL, BACK_TAB = "\ue007", "\ue004", "\ue015", "\ue00c", "\ue009", "\ue008\ue004"
+
+
+@pytest.fixture(scope="module")
+def address():
+    with served(app()) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    with chromium(tmp_path_factory.mktemp("profile")) as driver:
+        yield driver
+
+
+@pytest.fixture
+def page(browser, address):
+    """The page, begun anew."""
+    browser.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    browser.get("about:blank")
+    browser.get_log("browser")
+    browser.get(f"{address}/")
+    until(browser, "return document.querySelectorAll('#dish option').length > 1")
+    return browser
+
+
+def until(browser, script):
+    from selenium.webdriver.support.ui import WebDriverWait
+
+    return WebDriverWait(browser, 120, poll_frequency=0.05).until(lambda driver: driver.execute_script(script))
+
+
+def focused(browser):
+    return browser.switch_to.active_element
+
+
+def text_of(browser, selector):
+    return browser.execute_script("return document.querySelector(arguments[0]).innerText", selector)
+
+
+def asked(browser):
+    """Wait for the answer to what was asked."""
+    until(browser, "return result.getAttribute('aria-busy') === 'false' && document.activeElement === result")
+
+
+def plan(browser, *foods):
+    box = browser.find_element("id", "ingredient")
+    browser.execute_script("dish.value = 'salad'")
+    for food in foods:
+        box.send_keys(food, ENTER)
+    box.send_keys(CONTROL + ENTER)
+    asked(browser)
+
+
+def complaints(browser):
+    return [entry["message"] for entry in browser.get_log("browser") if entry["level"] in {"SEVERE", "WARNING"}]
+
+
+def test_a_dish_is_planned_by_keyboard_alone(page):
+    from selenium.webdriver import ActionChains
+
+    def press(*keys):
+        ActionChains(page).send_keys(*keys).perform()
+
+    press(TAB)
+    assert focused(page).text == "Skip to the plan"
+    press(TAB, TAB, TAB)
+    assert focused(page).get_attribute("id") == "dish"
+    press("salad", TAB)
+    assert focused(page).get_attribute("id") == "ingredient"
+    press("chopped on")
+    until(page, "return ingredient.getAttribute('aria-expanded') === 'true'")
+    press(DOWN)
+    active = page.execute_script("return ingredient.getAttribute('aria-activedescendant')")
+    assert page.find_element("id", active).text == "chopped onion"
+    press(ENTER)
+    assert page.execute_script("return [...wanted.children].map(li => li.firstChild.data)") == ["chopped onion"]
+    press("sliced kohlrabi", ENTER, TAB, TAB, TAB, TAB)
+    assert focused(page).get_attribute("id") == "go"
+    press(ENTER)
+    asked(page)
+    assert "steps" in text_of(page, "#result h2")
+    assert text_of(page, "#status") == "Done."
+    assert page.execute_script("return document.querySelectorAll('.stage svg rect').length") > 10
+    steps = page.execute_script("return document.querySelectorAll('#result ol li').length")
+    assert text_of(page, "#result h2").endswith(f"{steps} steps")
+    assert complaints(page) == []
+
+
+def test_every_control_shows_that_it_has_the_focus(page):
+    from selenium.webdriver import ActionChains
+
+    plan(page, "sliced kohlrabi")
+    page.execute_script("document.activeElement.blur()")
+    for _ in range(30):
+        ActionChains(page).send_keys(TAB).perform()
+        shown = page.execute_script("""
+            const now = document.activeElement;
+            return now === document.body || getComputedStyle(now).outlineStyle !== 'none'""")
+        assert shown, focused(page).get_attribute("outerHTML")
+
+
+def test_another_equivalent_is_chosen_and_taken_back(page):
+    plan(page, "sliced kohlrabi", "chopped onion")
+    first = text_of(page, "#result .plain strong")
+    other = page.find_element("css selector", "[data-like]")
+    name = other.get_attribute("data-like")
+    assert "kohlrabi" in other.get_attribute("aria-label")
+    other.send_keys(ENTER)
+    until(page, "return result.innerText.includes('your choice')")
+    assert text_of(page, "#result .plain strong") == name != first
+    page.find_element("xpath", "//button[text()='undo my choice']").send_keys(ENTER)
+    until(page, "return !result.innerText.includes('your choice')")
+    assert text_of(page, "#result .plain strong") == first
+
+
+def test_an_ingredient_is_removed_and_the_focus_stays_near(page):
+    page.find_element("id", "ingredient").send_keys("egg", ENTER, "onion", ENTER)
+    page.find_element("css selector", "[aria-label='Remove egg']").send_keys(ENTER)
+    assert page.execute_script("return [...wanted.children].map(li => li.firstChild.data)") == ["onion"]
+    assert focused(page).get_attribute("aria-label") == "Remove onion"
+    assert text_of(page, "#status") == "egg is removed."
+
+
+def test_what_could_be_made_leads_to_a_plan(page):
+    page.find_element("id", "ingredient").send_keys("egg", ENTER, "chopped onion", ENTER)
+    page.find_element("id", "suggest").send_keys(ENTER)
+    asked(page)
+    assert text_of(page, "#result h2") == "What these foods could make"
+    page.find_element("css selector", "#result li button").send_keys(ENTER)
+    until(page, "return result.innerText.includes('Task tree')")
+    assert page.execute_script("return dish.value") == "omelette"
+
+
+def test_a_food_of_the_plan_leads_to_what_is_around_it(page):
+    plan(page, "chopped onion")
+    page.find_element("css selector", "#result ol a.link").send_keys(ENTER)
+    until(page, "return around.innerText.includes('Steps that take it')")
+    assert page.execute_script("return location.hash.startsWith('#look=')")
+    assert complaints(page) == []
+
+
+def test_an_error_says_what_to_do_and_the_page_goes_on(page):
+    page.execute_cdp_cmd("Network.enable", {})
+    page.execute_cdp_cmd("Network.setBlockedURLs", {"urls": ["*api/plan*"]})
+    plan(page, "chopped onion")
+    assert text_of(page, "#result [role=alert]") == "The service does not answer.\n\nIs foon serve still running?"
+    page.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
+    page.find_element("id", "go").send_keys(ENTER)
+    until(page, "return result.innerText.includes('Task tree')")
+
+
+def test_nothing_asked_and_nothing_known_are_told(page):
+    page.find_element("id", "go").send_keys(ENTER)
+    assert "Name an ingredient first" in text_of(page, "#result [role=alert]")
+    assert focused(page).get_attribute("id") == "ingredient"
+    page.find_element("id", "object").send_keys("onionn", ENTER)
+    until(page, "return !!document.querySelector('#around [role=alert]')")
+    assert "Did you mean onion" in text_of(page, "#around")
+
+
+def test_hostile_words_stay_words(page):
+    hostile = "<img src=x onerror=alert(1)>"
+    plan(page, hostile, "chopped onion")
+    assert hostile in text_of(page, "#result")
+    assert page.execute_script("return document.querySelectorAll('img').length") == 0
+    assert complaints(page) == []
+
+
+def test_the_picture_moves_by_keys_and_buttons(page):
+    plan(page, "chopped onion", "sliced kohlrabi")
+
+    def view():
+        return page.execute_script("return document.querySelector('.stage svg').getAttribute('viewBox')")
+
+    stage = page.find_element("css selector", ".stage")
+    seen = {view()}
+    for act in (lambda: stage.send_keys(DOWN), lambda: stage.send_keys("+"), lambda: stage.send_keys("0")):
+        act()
+        assert view() not in seen
+        seen.add(view())
+    before = view()
+    page.find_element("css selector", "[aria-label=Larger]").send_keys(ENTER)
+    assert view() != before
+
+
+@pytest.mark.parametrize("width", [320, 360, 800, 1200])
+def test_the_page_is_no_wider_than_the_screen(page, width):
+    screen = {"width": width, "height": 700, "deviceScaleFactor": 1, "mobile": width < 500}
+    page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    plan(page, "sliced kohlrabi", "chopped onion", "a-food-with-a-name-that-is-long-and-has-no-space-anywhere-in-it")
+    page.get(page.current_url.split("#")[0] + "#look=onion")
+    until(page, "return around.innerText.includes('Steps that take it')")
+    assert page.execute_script("return document.documentElement.scrollWidth") <= width
+
+
+@pytest.mark.parametrize(("scheme", "paper"), [("light", "rgb(255, 255, 255)"), ("dark", "rgb(22, 24, 29)")])
+def test_page_and_picture_follow_light_and_dark(page, scheme, paper):
+    media = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
+    page.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
+    plan(page, "chopped onion")
+    colours = page.execute_script("""
+        return [getComputedStyle(document.body).backgroundColor,
+                getComputedStyle(document.querySelector('.stage .paper')).fill]""")
+    assert colours == [paper, paper]
+
+
+def test_nothing_comes_from_elsewhere(page, address):
+    plan(page, "chopped onion")
+    names = page.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
+    assert names
+    assert all(name.startswith(address) for name in names)
+
+
+def test_every_field_has_a_label_and_every_button_a_name(page):
+    plan(page, "sliced kohlrabi")
+    nameless = page.execute_script("""
+        return [...document.querySelectorAll('input, select, button, a, [role=group], [role=listbox]')]
+            .filter(e => !(e.labels?.length || e.getAttribute('aria-label') || e.textContent.trim()))
+            .map(e => e.outerHTML)""")
+    assert nameless == []
+    levels = page.execute_script("""
+        return [...document.querySelectorAll('main :is(h1, h2, h3)')]
+            .filter(h => h.checkVisibility()).map(h => +h.tagName[1])""")
+    assert levels[0] == 1
+    assert all(after <= before + 1 for before, after in itertools.pairwise(levels))
+
+
+def test_the_page_asks_for_the_token_or_takes_it_from_the_address(browser):
+    with served(app(token=TOKEN)) as guarded:
+        browser.get(f"{guarded}/")
+        until(browser, "return !document.getElementById('token').hidden")
+        browser.find_element("id", "token-text").send_keys("wrong-token", ENTER)
+        until(browser, "return document.querySelectorAll('#dish option').length === 1")
+        browser.execute_script("document.getElementById('token-text').value = ''")
+        browser.find_element("id", "token-text").send_keys(TOKEN, ENTER)
+        until(browser, "return document.querySelectorAll('#dish option').length > 1")
+        browser.execute_script("sessionStorage.clear()")
+        browser.get("about:blank")
+        browser.get(f"{guarded}/#token={TOKEN}")
+        until(browser, "return document.querySelectorAll('#dish option').length > 1")
+        assert TOKEN not in browser.current_url
