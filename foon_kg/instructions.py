@@ -175,12 +175,13 @@ def _action(verb: Token, verbs: Verbs) -> tuple[NarratedAction, bool]:
     if taken is not None:
         particle = taken.lower_
     direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
+    direct += [name for child in verb.children if child.dep_ == "prt" for name in _governed(child)]
     heads = [verb, *(child for child in verb.children if child.dep_ in _OBJECTS)]
     places, origin, used, results = [], None, [], list(_results(verb))
     for head in heads:
         for preposition in (child for child in head.children if child.dep_ in {"prep", "agent"}):
             word = preposition.lower_
-            names = [name for child in preposition.children if child.dep_ == "pobj" for name in _names(child)]
+            names = _governed(preposition)
             if preposition == taken:
                 direct += names
                 continue
@@ -209,6 +210,10 @@ def _action(verb: Token, verbs: Verbs) -> tuple[NarratedAction, bool]:
         _product(verb),
     )
     return action, any(child.dep_ == "conj" and child.pos_ == "VERB" for child in verb.children)
+
+
+def _governed(preposition: Token) -> list[Mention]:
+    return [name for child in preposition.children if child.dep_ == "pobj" for name in _names(child)]
 
 
 def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:

@@ -39,7 +39,7 @@ def read_captions(text: str, file: str) -> NarratedFile:
         journal.reject_file(unreadable.line, unreadable.problem)
         return NarratedFile(file, (), journal.notices())
     narrations = tuple(_narrations(fields, file, journal))
-    if not narrations:
+    if not narrations and not journal.notices():
         journal.reject_file(None, Problem(NoticeKind.NO_UNITS, "no sentence in it"))
     return NarratedFile(file, narrations, journal.notices())
 

@@ -226,8 +226,10 @@ class FoonPrecedents:
         return _commonest(found)[0] if found else None
 
     def _of(self, motion: str, label: str) -> tuple[Seen, ...]:
+        """Answer the rows of one object; those in which it only stands by count where there are no others."""
         name = canonical(label)
-        return tuple(row for row in self._by_motion.get(motion, ()) if canonical(row.label) == name)
+        rows = tuple(row for row in self._by_motion.get(motion, ()) if canonical(row.label) == name)
+        return tuple(row for row in rows if (row.before, row.place_before) != (row.after, row.place_after)) or rows
 
 
 def _rows(known: KnownUnit, kitchen: Kitchen) -> Iterator[Seen]:

@@ -77,7 +77,15 @@ class UnitDrafter:
 
     # what is there before the action
 
-    def _there(self, mention: Mention, like: Precedents, evidence: _Evidence, *, at: str | None = None) -> ObjectNode:
+    def _there(
+        self,
+        mention: Mention,
+        like: Precedents,
+        evidence: _Evidence,
+        *,
+        at: str | None = None,
+        away_from: str | None = None,
+    ) -> ObjectNode:
         """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
         known = self.scene.foods.get(mention.name)
         if known is not None:
@@ -86,7 +94,7 @@ class UnitDrafter:
         states, (relation, container) = self._start(mention, like, evidence)
         if at is not None:
             relation, container = self.precedents.relation(at), at
-        elif self._in_use(container):
+        elif container is not None and (container == away_from or self._in_use(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
@@ -116,9 +124,8 @@ class UnitDrafter:
             return states, (None, None)
         return mention.states or known[0], known[1]
 
-    def _in_use(self, container: str | None) -> bool:
-        held = self.scene.held(container) if container is not None else ()
-        return bool(held) and not self.precedents.kitchen.is_storage(container or "")
+    def _in_use(self, container: str) -> bool:
+        return bool(self.scene.held(container)) and not self.precedents.kitchen.is_storage(container)
 
     def _place(self, node: ObjectNode) -> None:
         """Put a food that comes for the first time into its vessel."""
@@ -132,6 +139,16 @@ class UnitDrafter:
         if name not in self.scene.utensils:
             self.scene.keep([ObjectNode(name, self.precedents.empty(name))])
         return self.scene.utensils[name]
+
+    def _become(
+        self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: _Evidence
+    ) -> tuple[str, ...]:
+        """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
+        if action.results:
+            return (*action.results, *(state for state in states if state in before.states))
+        evidence.weigh_states(share, f"{before.label} taken to become {_listed(states)}")
+        return states
 
     def _tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
         names = action.instruments or like.tools()
@@ -152,9 +169,8 @@ class UnitDrafter:
         at = at if away is None else None
         moved = self._moved(mention.name, at, action) if at is not None else []
         before = self._there(mention, like, evidence, at=at)
-        states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
-        evidence.weigh_states(share, f"{mention.name} taken to become {_listed(states)}")
-        after = replace(before, states=(*action.results, *states), label=action.product or before.label)
+        states = self._become(before, like, action, evidence)
+        after = replace(before, states=states, label=action.product or before.label)
         if after == before and not like.rows:
             evidence.doubts.append(f"the FOON does not say what {motion} changes")
         vessel = [self._vessel(before.container or "")] if self._in_utensil(before) and (like.with_vessel or at) else []
@@ -178,12 +194,10 @@ class UnitDrafter:
             like = self.precedents.of(motion, mention.name)
             own = _Evidence()
             before = self._there(mention, like, own, at=at)
-            states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
-            own.weigh_states(share, f"{mention.name} taken to become {_listed(states)}")
+            after = replace(before, states=self._become(before, like, action, own))
             evidence.states = min(evidence.states, own.states)
             evidence.doubts += [*([like.doubt] if like.doubt else []), *own.doubts]
             tools |= dict.fromkeys(like.tools())
-            after = replace(before, states=(*action.results, *states))
             if at is not None and before.container != at:
                 sides = self._source(before, mention.name)
                 left, gone = [*left, *sides[0]], [*gone, *sides[1]]
@@ -201,7 +215,8 @@ class UnitDrafter:
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
     ) -> list[DraftUnit]:
         """Answer a unit that brings a food from where it is into a vessel, or onto another food."""
-        before = self._there(mention, like, evidence)
+        told = self._utensil_place(action)
+        before = self._there(mention, like, evidence, away_from=told)
         target = self._target(action, mention, like, before, evidence)
         tools = self._tools(action, like, [target or "", before.container or ""])
         if target is None:
