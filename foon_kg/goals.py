@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import takewhile
+from itertools import chain, takewhile
 
 from foon_kg.kitchen import words
 from foon_kg.model import Goal, RequiredIngredient
@@ -42,10 +42,12 @@ def rank_goals(
     (``similarity.count_similar``); a matching counts each food once.
     """
     objects = sorted({want.object for want in wants})
+    named = {name for goal in goals for name in goal.ingredients}
+    pairs = {name: [(-name_confidence(object_, name), object_, name) for object_ in objects] for name in sorted(named)}
     ranked = [
         RankedGoal(
             goal,
-            _match(objects, goal.ingredients, name_confidence),
+            _match(chain.from_iterable(pairs[name] for name in goal.ingredients)),
             _misnamed(goal, objects, known_foods, dish_type or goal.dish_type),
         )
         for goal in goals
@@ -75,14 +77,16 @@ def near_ties(ranked: Sequence[RankedGoal]) -> int:
     return sum(takewhile(bool, near))
 
 
-def _match(objects: Sequence[str], ingredients: Sequence[str], confidence: Callable[[str, str], float]) -> float:
-    """Match greedily, surest pair first: within a factor of two of the best matching, and the same on real recipes."""
-    pairs = sorted((-confidence(o, i), o, i) for o in objects for i in ingredients)
-    free_objects, free_ingredients, score = set(objects), set(ingredients), 0.0
-    for negative, name, ingredient in pairs:
-        if name in free_objects and ingredient in free_ingredients:
-            free_objects.remove(name)
-            free_ingredients.remove(ingredient)
+def _match(pairs: Iterable[tuple[float, str, str]]) -> float:
+    """Match greedily, surest pair first: within a factor of two of the best matching, and the same on real recipes.
+
+    A pair is the confidence below zero, a required food and an ingredient.
+    """
+    taken_objects, taken_ingredients, score = set[str](), set[str](), 0.0
+    for negative, name, ingredient in sorted(pairs):
+        if name not in taken_objects and ingredient not in taken_ingredients:
+            taken_objects.add(name)
+            taken_ingredients.add(ingredient)
             score -= negative
     return score
 

@@ -5,9 +5,10 @@ One suite of contract tests (``tests/contract``) runs against every implementati
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
@@ -50,7 +51,15 @@ class Vocabulary:
     @property
     def labels(self) -> list[str]:
         """Answer the known foods by name, sorted."""
-        return sorted({row.label for row in self.foods})
+        return sorted(self.rows_of)
+
+    @cached_property
+    def rows_of(self) -> Mapping[str, tuple[SeenAs, ...]]:
+        """Answer the rows about each known food, in their order."""
+        rows: dict[str, list[SeenAs]] = {}
+        for row in self.foods:
+            rows.setdefault(row.label, []).append(row)
+        return {label: tuple(found) for label, found in rows.items()}
 
 
 @dataclass(frozen=True, order=True)

@@ -32,7 +32,7 @@ class Likeness:
 
     def __init__(self, similarity: Similarity, vocabulary: Vocabulary, substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
-        self.labels = sorted({row.label for row in vocabulary.foods})
+        self.labels = vocabulary.labels
         self.rows: dict[str, dict[str, float]] = {}
         self.chosen: dict[str, str] = {}
         for substitute in substitutes:

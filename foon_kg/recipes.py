@@ -107,8 +107,8 @@ class IngredientWords:
     def _labels(self) -> dict[str, str]:
         """The label of each known food by what it is compared by; of several the first in their order."""
         labels: dict[str, str] = {}
-        for row in self.vocabulary.foods:
-            labels.setdefault(canonical(row.label), row.label)
+        for label in self.vocabulary.rows_of:
+            labels.setdefault(canonical(label), label)
         return labels
 
     @cached_property

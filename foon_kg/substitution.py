@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from foon_kg.kitchen import Kitchen, words
-from foon_kg.knowledge import Vocabulary
+from foon_kg.knowledge import SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
 from foon_kg.script import Recast
 
@@ -51,6 +51,7 @@ class Equivalents:
     name_confidence: Callable[[str, str], float]
     state_similarity: Callable[[str, str], float]
     own_confidence: Callable[[str, str], float] | None = None
+    _fair: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
     _labels_like: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
@@ -67,17 +68,38 @@ class Equivalents:
     def candidates(self, want: RequiredIngredient, *, limit: int = 8) -> tuple[Candidate, ...]:
         """Answer the fair equivalents that FOON makes, surest first, at most ``limit``; ties by label and state."""
         found = []
-        for row in self.vocabulary.foods:
-            if not row.made or not row.state:
-                continue
-            name = self.name_confidence(want.object, row.label)
-            if name < FAIR:
-                continue
-            state = self.state_confidence(want.object, want.state, row.state)
-            if state >= SAME_CLASS:
-                found.append(Candidate(row.label, row.state, name, state))
+        for label, name in self._made_like(want.object):
+            for row in self._made[label]:
+                state = self.state_confidence(want.object, want.state, row.state)
+                if state >= SAME_CLASS:
+                    found.append(Candidate(label, row.state, name, state))
         found.sort(key=lambda c: (-c.confidence, c.label, c.state))
         return tuple(found[:limit])
+
+    def _made_like(self, food: str) -> tuple[tuple[str, float], ...]:
+        """Answer the foods that FOON makes and that are fair equivalents of ``food``, with their confidence."""
+        if food not in self._fair:
+            sure = ((label, self.name_confidence(food, label)) for label in self._made)
+            self._fair[food] = tuple(row for row in sure if row[1] >= FAIR)
+        return self._fair[food]
+
+    @cached_property
+    def _made(self) -> dict[str, tuple[SeenAs, ...]]:
+        """The states in which FOON makes each food."""
+        made = {
+            label: tuple(row for row in rows if row.made and row.state)
+            for label, rows in self.vocabulary.rows_of.items()
+        }
+        return {label: rows for label, rows in made.items() if rows}
+
+    @cached_property
+    def _made_with_word(self) -> dict[str, list[str]]:
+        """The foods that FOON makes, by each word of their names."""
+        found: dict[str, list[str]] = {}
+        for label in self._made:
+            for word in set(words(label)):
+                found.setdefault(word, []).append(label)
+        return found
 
     def recast(
         self, want: RequiredIngredient, states: Iterable[str], made_by: Iterable[tuple[str, str]]
@@ -115,7 +137,7 @@ class Equivalents:
     def labels_like(self, food: str) -> tuple[tuple[str, float], ...]:
         """Answer the foods of FOON with their confidence as equivalents of ``food``, surest first."""
         if food not in self._labels_like:
-            labels = {row.label for row in self.vocabulary.foods} - {food}
+            labels = self.vocabulary.rows_of.keys() - {food}
             confidence = self.own_confidence or self.name_confidence
             rows = sorted(((name, confidence(food, name)) for name in labels), key=lambda row: (-row[1], row[0]))
             self._labels_like[food] = tuple(rows)
@@ -123,7 +145,7 @@ class Equivalents:
 
     def states_like(self, food: str, required: str, label: str) -> tuple[tuple[str, float], ...]:
         """Answer the states of the known food ``label`` that may stand for ``required`` of ``food``, surest first."""
-        states = sorted({row.state for row in self.vocabulary.foods if row.label == label and row.state})
+        states = sorted({row.state for row in self.vocabulary.rows_of.get(label, ()) if row.state})
         rows = ((state, self.state_confidence(food, required, state)) for state in states)
         return tuple(sorted((row for row in rows if row[1] > 0), key=lambda r: (-r[1], r[0])))
 
@@ -135,13 +157,13 @@ class Equivalents:
 
     def states_known(self, label: str) -> tuple[str, ...]:
         """Answer the states in which FOON makes the food ``label``, most frequent first."""
-        rows = [row for row in self.vocabulary.foods if row.label == label and row.made and row.state]
-        return tuple(row.state for row in sorted(rows, key=lambda row: (-row.made, row.state)))
+        return tuple(row.state for row in sorted(self._made.get(label, ()), key=lambda row: (-row.made, row.state)))
 
     def parts(self, food: str) -> tuple[tuple[str, str], ...]:
         """Answer each raw (label, state) that FOON makes and calls after ``food`` with more words, sorted."""
-        own = set(words(food))
-        rows = (row for row in self.vocabulary.foods if row.made and row.state and own < set(words(row.label)))
+        own = words(food)
+        labels = self._made_with_word.get(own[0], ()) if own else self._made
+        rows = (row for label in labels if set(own) < set(words(label)) for row in self._made[label])
         return tuple(sorted((r.label, r.state) for r in rows if self.kitchen.is_start_state(r.label, r.state)))
 
     def makings(self, want: RequiredIngredient) -> tuple[tuple[str, str], ...]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import cached_property
 
 from foon_kg.errors import NoTreeError
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import TreeMemory, Vocabulary
+from foon_kg.knowledge import SeenAs, TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.ordering import as_recorded
 from foon_kg.preparation import Preparations
@@ -32,17 +33,23 @@ _UNNAMED = 4
 """How many foods a mixture counts for that names none."""
 
 
-def mixtures(kitchen: Kitchen, vocabulary: Vocabulary) -> frozenset[str]:
-    """Answer the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes.
+def mixtures(kitchen: Kitchen, vocabulary: Vocabulary, units: Sequence[KnownUnit] | None = None) -> frozenset[str]:
+    """Answer the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes; those in ``units``.
 
     The words of the whole FOON tell, and not the units behind one goal: a part and the whole search alike (C9).
     """
-    bought = {
-        row.label
-        for row in vocabulary.foods
-        if row.used > row.made and (not row.state or kitchen.is_start_state(row.label, row.state))
-    }
-    return frozenset(row.label for row in vocabulary.foods) - bought
+
+    def is_bought(row: SeenAs) -> bool:
+        return row.used > row.made and (not row.state or kitchen.is_start_state(row.label, row.state))
+
+    rows_of = vocabulary.rows_of
+    named = rows_of.keys() if units is None else rows_of.keys() & _foods_named(units)
+    return frozenset(name for name in named if not any(map(is_bought, rows_of[name])))
+
+
+def _foods_named(units: Sequence[KnownUnit]) -> set[str]:
+    nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    return {name for node in nodes for name in (node.label, *node.ingredients)}
 
 
 def gap_cost(
@@ -96,7 +103,7 @@ class Workshop:
         self.memory = memory
         self.kitchen = settings.kitchen.with_every_food()  # foods of a reference are exchanged: the final tree is asked
         self.time_limit = settings.time_limit
-        cost = gap_cost(self.kitchen, units, mixtures(self.kitchen, vocabulary))
+        cost = gap_cost(self.kitchen, units, mixtures(self.kitchen, vocabulary, units))
         self.index = UnitIndex.of(
             units,
             at_hand=self.kitchen.has,
@@ -149,7 +156,14 @@ class Workshop:
         return self.made[node]
 
     def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
-        return self._retrieve(tuple(n for n in self.index.nodes if n.label == label and state in n.states))
+        return self._retrieve(tuple(n for n in self._nodes_called.get(label, ()) if state in n.states))
+
+    @cached_property
+    def _nodes_called(self) -> dict[str, list[ObjectNode]]:
+        nodes: dict[str, list[ObjectNode]] = {}
+        for node in self.index.nodes:
+            nodes.setdefault(node.label, []).append(node)
+        return nodes
 
     def _retrieve(self, targets: tuple[ObjectNode, ...]) -> Sequence[KnownUnit] | None:
         try:
