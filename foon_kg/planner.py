@@ -76,7 +76,7 @@ class Planner:
     @cached_property
     def known_foods(self) -> frozenset[str]:
         """Answer the foods of the FOON, each word in the singular."""
-        return frozenset(" ".join(words(row.label)) for row in self.vocabulary.foods)
+        return frozenset(" ".join(words(label)) for label in self.vocabulary.rows_of)
 
     def equivalents_for(self, foods: Sequence[str]) -> Equivalents:
         """Answer what the FOON's words stand for in the kitchen of a recipe that asks for ``foods``.
