@@ -7,9 +7,10 @@ the states of each node one word at a time; here a step is one node and the moti
 
 from __future__ import annotations
 
+import functools
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Self
 
@@ -181,18 +182,20 @@ class _Followed(NamedTuple):
     known_as: str
 
 
-def _followed(firsts: Iterable[_Stage], food: str, stages: _Stages, kitchen: Kitchen) -> list[_Followed]:
-    """Answer all that can be followed from ``firsts``, in the order in which it is made."""
-    found = dict.fromkeys(_Followed(first, food) for first in firsts)
-    waiting = list(found)
+def _followed(
+    firsts: Iterable[_Stage], food: str, stages: _Stages, kitchen: Kitchen
+) -> dict[_Followed, list[_Followed]]:
+    """Answer all that can be followed from ``firsts``, in the order in which it is made, each with what comes next."""
+    found: dict[_Followed, list[_Followed]] = {}
+    waiting = [_Followed(first, food) for first in firsts]
     while waiting:
         now = waiting.pop()
-        for after in stages.after(now.stage):
-            then = _Followed(after, _known_as(now, after.node, food, kitchen))
-            if then not in found:
-                found[then] = None
-                waiting.append(then)
-    return sorted(found, key=lambda one: (one.stage.made_by, one.stage.node.sort_key, one.known_as))
+        if now not in found:
+            after = stages.after(now.stage)
+            found[now] = [_Followed(stage, _known_as(now, stage.node, food, kitchen)) for stage in after]
+            waiting += found[now]
+    order = sorted(found, key=lambda one: (one.stage.made_by, one.stage.node.sort_key, one.known_as))
+    return {one: found[one] for one in order}
 
 
 def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) -> str:
@@ -204,26 +207,23 @@ def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) ->
 
 
 def _ways(
-    followed: Sequence[_Followed], state: str, food: str, stages: _Stages, kitchen: Kitchen
+    followed: Mapping[_Followed, Sequence[_Followed]], state: str, food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[tuple[_Followed, bool], _Way]:
     """Answer the best way of each to the goal: with True those that still pass ``state``, with False any.
 
     A stage is left only for later ones, so that one pass from the last unit backwards sees every way.
     """
     best: dict[tuple[_Followed, bool], _Way] = {}
-    for now in reversed(followed):
+    for now, following in reversed(followed.items()):
         stage = now.stage
         passes = state in stage.node.states and singular(stage.node.label) == food
         for wanted in (True, False):
-            ways = []
-            for after in stages.after(stage):
-                then = _Followed(after, _known_as(now, after.node, food, kitchen))
-                if (then, wanted and not passes) in best:
-                    ways.append(_with(now, best[then, wanted and not passes], stages, food, kitchen))
+            later = (best.get((then, wanted and not passes)) for then in following)
+            ways = [_with(now, way, stages, food, kitchen) for way in later if way is not None]
             if stage == stages.goal and (passes or not wanted):
                 ways.append(_Way(_Cost(), (stage,)))
             if ways:
-                best[now, wanted] = min(ways, key=lambda way: way.rank)
+                best[now, wanted] = ways[0] if len(ways) == 1 else min(ways, key=lambda way: way.rank)
     return best
 
 
@@ -246,7 +246,12 @@ def _with(now: _Followed, way: _Way, stages: _Stages, food: str, kitchen: Kitche
 
 def _names(node: ObjectNode, food: str) -> bool:
     """Whether a node is ``food`` (in the singular) or says that it contains it."""
-    return singular(node.label) == food or any(singular(name) == food for name in node.ingredients)
+    return food in _names_of(node)
+
+
+@functools.lru_cache(maxsize=1 << 14)
+def _names_of(node: ObjectNode) -> frozenset[str]:
+    return frozenset(map(singular, (node.label, *node.ingredients)))
 
 
 def _steps(way: Sequence[_Stage], stages: _Stages, kitchen: Kitchen) -> tuple[ProgressStep, ...]:
