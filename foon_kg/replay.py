@@ -224,7 +224,7 @@ class Stage:
         if node.label in self.leaf_foods or same or self._was_input(node.label, here):
             return self._same_food(node, here, same)
         sources = self._sources(node, here)
-        if node.label in self._springs(here):
+        if node.label in here.scene.springs:
             return Item(changed(node, ingredients=()), frozenset({(node.label, node.label)}))
         if not sources:
             return None
@@ -240,7 +240,7 @@ class Stage:
         if not names:
             return None
         if same and (not node.ingredients or not self._is_mixed(node, here)):
-            sources = list(same)
+            sources = [*same, *(item for n, item in here.present.items() if n in here.scene.vanishing)]
         else:
             sources = [*self._sources(node, here), *same]
         atoms = frozenset().union(*(item.atoms for item in sources)) if sources else here.atoms
@@ -294,7 +294,7 @@ class Stage:
         named = self._named(node, brought, here) | {now for _, now in own} | turned
         inside = {atom for atom in brought if atom[0] in node.ingredients or not atom[0]} | own
         inside = inside.union({(name, name) for name in turned}, *(foods[name].atoms for name, _ in own))
-        springs = self._springs(here).intersection(node.ingredients)
+        springs = here.scene.springs.intersection(node.ingredients)
         named, inside = named | springs, inside | {(name, name) for name in springs}
         kept = {atom for item in here.of_label(node.label) for atom in item.atoms}
         if not turned and self.kitchen.foods_in(node):
@@ -305,11 +305,6 @@ class Stage:
         if node in self.taken_alone and self.kitchen.foods_in(node):
             named |= {now for name, now in (*inside, *kept) if not name or now in self.casting.carried}
         return Item(changed(node, ingredients=named), frozenset(inside | kept))
-
-    def _springs(self, here: _Moment) -> frozenset[str]:
-        """Answer the free foods that are there though the unit takes them from nowhere: water, once the tap is on."""
-        there = {name for node in here.scene.outputs for name in (node.label, *node.ingredients)}
-        return frozenset(name for name in there - here.scene.written if self.kitchen.is_free(name))
 
     def _known(self, name: str, here: _Moment) -> bool:
         """Say whether ``name`` is a food of the script by itself, here or in the kitchen: no name of a mixture."""

@@ -92,30 +92,37 @@ class Scene:
     holders: tuple[ObjectNode, ...]
     turned: tuple[ObjectNode, ...]
     has_foods: bool
+    springs: frozenset[str]
+    vanishing: frozenset[ObjectNode]
 
     @classmethod
     def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
         """Read one unit. ``acted`` are the foods that it moves or changes, ``turned`` the utensils that it does.
 
         ``taken`` are those of ``acted`` that are gone afterwards: what is put into the oven in its pan is still there.
+        ``springs`` are free foods that are there though they are taken from nowhere: water, once the tap is on.
+        ``vanishing`` are foods that no output names: they went into what is acted on (salt, into a salted rib).
         """
         unit = known.unit
         inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
         foods = tuple(node for node in inputs if kitchen.is_food(node))
         acted = tuple(node for node in foods if node not in kept)
         utensils = [node for node in inputs if not kitchen.is_food(node)]
+        written, left = _names(inputs), _names(outputs)
         return cls(
             known,
             inputs,
             outputs,
             kept,
-            written=frozenset(name for node in inputs for name in (node.label, *node.ingredients)),
+            written=written,
             beside=frozenset(node.label for node in foods),
             acted=acted,
             taken=frozenset(node for node in acted if not stands_by(node, known, kitchen)),
             holders=tuple(node for node in utensils if node.ingredients and node not in kept),
             turned=tuple(node for node in utensils if is_turned(node, outputs)),
             has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
+            springs=frozenset(filter(kitchen.is_free, left - written)),
+            vanishing=frozenset(node for node in foods if node.label not in left),
         )
 
     def vessels_alone(self, kitchen: Kitchen) -> Iterator[ObjectNode]:
@@ -162,6 +169,10 @@ class Replayed:
 
     steps: tuple[Step, ...]
     items: Mapping[ObjectNode, Item | None]
+
+
+def _names(nodes: Iterable[ObjectNode]) -> frozenset[str]:
+    return frozenset(name for node in nodes for name in (node.label, *node.ingredients))
 
 
 def is_turned(node: ObjectNode, outputs: Sequence[ObjectNode]) -> bool:

@@ -222,3 +222,12 @@ def test_what_must_be_paid_for_comes_from_nowhere():
     units = script("faucet(off); bowl(empty) > turn on > faucet(on); bowl{wine}; wine@bowl")
     replayed = replay(units, Casting({"wine": None}), KITCHEN)
     assert "wine" not in names(made(replayed))
+
+
+def test_what_no_output_names_went_into_what_was_acted_on():
+    units = script(
+        "salt(granulated); fish(raw)@plate > sprinkle > fish(salted)@plate",
+        "lemon juice; fish(salted)@plate > pour > fish(marinated){lemon juice,salt}@plate",
+    )
+    replayed = replay(units, Casting(), KITCHEN)
+    assert replayed.items[node("fish(marinated){lemon juice,salt}@plate")].node.ingredients == ("lemon juice", "salt")
