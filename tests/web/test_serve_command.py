@@ -1,0 +1,52 @@
+"""``foon serve`` as a process of its own: it says where it is, answers, and ends with all its processes."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+
+import httpx
+import psutil
+from web.serving import SALAD
+
+from foon_kg.demo import demo_folder
+
+PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"
+
+
+def test_it_says_where_it_is_answers_and_ends_with_all_its_processes(tmp_path):
+    token_file = tmp_path / "token"
+    arguments = ["serve", "--files", str(demo_folder()), "--port", "0", "--jobs", "1", "--token-file", str(token_file)]
+    serving = subprocess.Popen([sys.executable, "-c", PROGRAM, *arguments], stderr=subprocess.PIPE, text=True)
+    try:
+        address, _, token = serving.stderr.readline().strip().partition("#token=")
+        assert token == token_file.read_text().strip()
+        assert httpx.get(f"{address}api/summary", timeout=60).status_code == 401
+        headers = {"authorization": f"Bearer {token}"}
+        told = httpx.post(f"{address}api/plan", json=SALAD, headers=headers, timeout=120).json()
+        assert told["recipe"]["dish_type"] == "salad"
+        processes = psutil.Process(serving.pid).children(recursive=True)
+        assert processes
+        serving.send_signal(signal.SIGINT)
+        serving.wait(60)
+        gone, alive = psutil.wait_procs(processes, timeout=60)
+        assert gone
+        assert not alive
+    finally:
+        serving.kill()
+        serving.stderr.close()
+
+
+def test_a_port_that_is_taken_is_said_in_one_line(tmp_path):
+    import socket
+
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = str(taken.getsockname()[1])
+        arguments = ["serve", "--files", str(demo_folder()), "--port", port]
+        answer = subprocess.run(
+            [sys.executable, "-c", PROGRAM, *arguments], capture_output=True, text=True, check=False
+        )
+    assert answer.returncode == 2
+    assert f"127.0.0.1:{port} cannot be served" in answer.stderr
+    assert "Traceback" not in answer.stderr
