@@ -18,7 +18,7 @@ SOUP = """start,end,motion,inputs,outputs,dish
 0:13,0:14,sprinkle,pot; salt (granulated) in shaker,pot {salt}; salt (granulated) in pot,
 0:15,0:16,cook,potato (peeled) in pot,potato (cooked) in pot,
 0:17,0:18,turn on,stove (off),stove (on),
-0:19,0:21,mix,bowl {egg; flour}; egg (cracked) in bowl; flour in bowl; whisk,bowl {dough}; dough (mixed) {egg; flour} in bowl,
+0:19,0:21,mix,bowl {egg; flour}; egg (cracked) in bowl; flour in bowl,bowl {dough}; dough (mixed) {egg; flour} in bowl,
 """
 
 EPIC_HEADER = "narration_id,video_id,start_timestamp,stop_timestamp,narration,verb,noun,all_nouns"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 
 import pytest
+from drafting.kitchen_foon import ACTIVITYNET, EPIC_ROWS, YOUCOOK, activitynet, epic
 from hypothesis import given
 from hypothesis import strategies as st
-from drafting.kitchen_foon import ACTIVITYNET, EPIC_ROWS, YOUCOOK, activitynet, epic
 
 from foon_kg.errors import ReadError
 from foon_kg.loaders.captions import is_captions, read_captions
