@@ -15,6 +15,7 @@ from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
 from foon_kg.script import Recast
+from foon_kg.states import motion_for
 
 FAIR = 0.5
 """An equivalent below this confidence is none (contract, C6 and S5)."""
@@ -52,6 +53,7 @@ class Equivalents:
     state_similarity: Callable[[str, str], float]
     own_confidence: Callable[[str, str], float] | None = None
     _fair: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
+    _motion_named: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
     _labels_like: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
@@ -121,11 +123,17 @@ class Equivalents:
         return Recast(want.object, {best: want.state}, renamed), fit
 
     def _motion_for(self, state: str, motion: str) -> dict[str, str]:
-        """Answer the motion that stands for ``motion`` when ``state`` is made; nothing where FOON makes it so too."""
+        """Answer the motion that stands for ``motion`` when ``state`` is made; nothing where FOON makes it so too.
+
+        It is the one named after the state (minced, mince) before the commonest, and none that only moves food.
+        """
         known = self._motions.get(state, ())
         if not known or motion in {name for name, _ in known}:
             return {}
-        return {motion: known[0][0]}
+        if state not in self._motion_named:
+            made = motion_for(state, self.vocabulary)
+            self._motion_named[state] = made.motion if made is not None and made.count else known[0][0]
+        return {motion: self._motion_named[state]}
 
     @cached_property
     def _motions(self) -> dict[str, tuple[tuple[str, int], ...]]:

@@ -75,3 +75,10 @@ def test_a_state_that_the_line_passes_anyway_needs_no_substitution():
 def test_the_form_in_which_something_is_sold_may_be_called_otherwise_within_its_class():
     recast, fit = EQUIVALENTS.recast(RequiredIngredient("salt", "ground"), ["granulated"], [])
     assert (recast.states, fit) == ({"granulated": "ground"}, 0.8)
+
+
+def test_a_motion_named_after_the_state_stands_before_the_commonest_one_which_may_only_move_food():
+    made = (MadeBy("chopped", "chop", 4), MadeBy("diced", "dice", 1), MadeBy("diced", "scoop and pour", 7))
+    known = Equivalents(Vocabulary(VOCABULARY.foods, made, ("salad",)), Kitchen.default(), names, states)
+    recast, _ = known.recast(RequiredIngredient("onion", "diced"), ["chopped"], [("chopped", "chop")])
+    assert recast.motions == {"chop": "dice"}
