@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
-from math import prod
+from dataclasses import dataclass, replace
 
 from foon_kg import motions
 from foon_kg.drafting.drafts import DraftUnit
+from foon_kg.drafting.evidence import SOMETHING, Evidence, as_one
 from foon_kg.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.drafting.scene import MIXTURE, Scene, emptied, filled
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
@@ -16,28 +16,7 @@ from foon_kg.narration import Mention, NarratedAction
 
 _AWAY = frozenset({"into", "onto", "to"})
 _IMPLIED = 0.5
-_SOMETHING = 0.6  # a share below this is worth a word
 _UNSEEN = 0.5
-
-
-@dataclass
-class _Evidence:
-    """What speaks for a unit: shares that are multiplied, and doubts in words."""
-
-    shares: list[float] = field(default_factory=list)
-    doubts: list[str] = field(default_factory=list)
-    states: float = 1.0
-
-    def weigh_states(self, share: float, doubt: str = "") -> None:
-        """Weigh what is guessed of the states of a food: it is as unsure in every later unit."""
-        self.states *= share
-        self.weigh(share, doubt)
-
-    def weigh(self, share: float, doubt: str = "") -> None:
-        """Weigh a share, and doubt it in words where it is small."""
-        self.shares.append(share)
-        if doubt and share < _SOMETHING:
-            self.doubts.append(doubt)
 
 
 @dataclass(frozen=True)
@@ -50,7 +29,7 @@ class UnitDrafter:
     def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
         """Answer the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
         kitchen, first = self.precedents.kitchen, action.objects[0]
-        evidence = _Evidence([sure], list(doubts))
+        evidence = Evidence([sure], list(doubts))
         if kitchen.is_utensil(first.name):
             return (self._handled(action, motion, evidence),)
         merged = action.product is not None and len(action.objects) > 1
@@ -61,15 +40,15 @@ class UnitDrafter:
         found: list[DraftUnit] = []
         brought = motions.transfers(motion)
         for mention in action.objects:
-            own = _Evidence(list(evidence.shares), list(evidence.doubts))
+            own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self._like(motion, mention, own)
             bringing = motions.transfers(motion) or (like.brings and not motions.heats(motion))
             draft = self._brought if bringing else self._changed
             found += draft(action, mention, motion, like, own)
         self.scene.last = tuple(one.name for one in action.objects)
-        return (_as_one(found),) if brought else tuple(found)
+        return (as_one(found),) if brought else tuple(found)
 
-    def _like(self, motion: str, mention: Mention, evidence: _Evidence) -> Precedents:
+    def _like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
         like = self.precedents.of(motion, mention.name)
         evidence.shares.append(like.likeness)
         evidence.doubts += [like.doubt] if like.doubt else []
@@ -81,7 +60,7 @@ class UnitDrafter:
         self,
         mention: Mention,
         like: Precedents,
-        evidence: _Evidence,
+        evidence: Evidence,
         *,
         at: str | None = None,
         away_from: str | None = None,
@@ -101,7 +80,7 @@ class UnitDrafter:
         return node
 
     def _start(
-        self, mention: Mention, like: Precedents, evidence: _Evidence
+        self, mention: Mention, like: Precedents, evidence: Evidence
     ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
         if like.rows and like.likeness != _UNSEEN:
             place, at = like.place_before()
@@ -117,7 +96,7 @@ class UnitDrafter:
         if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
             known = self.precedents.start(near.name)
             doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
-            evidence.weigh_states(near.confidence * _SOMETHING, doubt)
+            evidence.weigh_states(near.confidence * SOMETHING, doubt)
         if known is None:
             states = mention.states or ("whole",)
             evidence.weigh_states(_UNSEEN, f"{mention.name} was never seen before: taken as {_listed(states)}")
@@ -141,7 +120,7 @@ class UnitDrafter:
         return self.scene.utensils[name]
 
     def _become(
-        self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: _Evidence
+        self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
     ) -> tuple[str, ...]:
         """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
         states, share = like.after(before.states) if like.rows else (before.states, _UNSEEN)
@@ -158,7 +137,7 @@ class UnitDrafter:
     # the kinds of units
 
     def _changed(
-        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
+        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
     ) -> list[DraftUnit]:
         """Answer a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
 
@@ -185,14 +164,15 @@ class UnitDrafter:
         made = self._unit(action, motion, [*vessel, before, *tools], [*held, after], evidence)
         return [*moved, made, *(self._moved(after.label, away, action) if away is not None else [])]
 
-    def _changed_together(self, action: NarratedAction, motion: str, evidence: _Evidence) -> DraftUnit:
+    def _changed_together(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
         """Answer one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self._utensil_place(action) or self._common_vessel(action)
         vessel = [self._vessel(at)] if at is not None else []
-        befores, afters, tools, left, gone = list[ObjectNode](), list[ObjectNode](), dict[str, None](), [], []
+        befores, afters, left, gone = (list[ObjectNode]() for _ in range(4))
+        tools = dict[str, None]()
         for mention in action.objects:
             like = self.precedents.of(motion, mention.name)
-            own = _Evidence()
+            own = Evidence()
             before = self._there(mention, like, own, at=at)
             after = replace(before, states=self._become(before, like, action, own))
             evidence.states = min(evidence.states, own.states)
@@ -212,7 +192,7 @@ class UnitDrafter:
         return self._unit(action, motion, [*vessel, *left, *befores, *used], [*held, *afters, *gone], evidence)
 
     def _brought(
-        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: _Evidence
+        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
     ) -> list[DraftUnit]:
         """Answer a unit that brings a food from where it is into a vessel, or onto another food."""
         told = self._utensil_place(action)
@@ -243,7 +223,7 @@ class UnitDrafter:
         return [vessel], [emptied(vessel, [food])]
 
     def _target(
-        self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: _Evidence
+        self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
     ) -> str | None:
         """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
         for place in action.places:
@@ -253,12 +233,12 @@ class UnitDrafter:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
         focus = self.scene.focus
         if focus is not None and focus != before.container and self.scene.held(focus):
-            evidence.weigh(_SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
+            evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
             return focus
         if like.rows:
             (_, container), share = like.place_after()
             if container is not None and container not in (before.container, mention.name):
-                evidence.weigh(share * _SOMETHING, f"nobody says where to: taken as the {container}")
+                evidence.weigh(share * SOMETHING, f"nobody says where to: taken as the {container}")
                 return container if self.precedents.kitchen.is_utensil(container) else self._food_place(container)
         evidence.weigh(_IMPLIED, "nobody says where to")
         return None
@@ -275,7 +255,7 @@ class UnitDrafter:
         if known is None or known.container == at:
             return []
         motion = self.precedents.bringing(food)
-        evidence = _Evidence([_IMPLIED], [f"nobody says how {food} comes to the {at}"])
+        evidence = Evidence([_IMPLIED], [f"nobody says how {food} comes to the {at}"])
         into = self._vessel(at)
         left, gone = self._source(known, food)
         after = replace(known, relation=self.precedents.relation(at), container=at)
@@ -289,7 +269,7 @@ class UnitDrafter:
         held = self.scene.held(at) if at else ()
         return len({*(one.name for one in action.objects), *held}) > 1
 
-    def _mixed(self, action: NarratedAction, motion: str, evidence: _Evidence) -> tuple[DraftUnit, ...]:
+    def _mixed(self, action: NarratedAction, motion: str, evidence: Evidence) -> tuple[DraftUnit, ...]:
         """Answer the unit that makes one mixture of foods, and of what is in their vessel already."""
         at = self._utensil_place(action) or self._common_vessel(action)
         if at is None:
@@ -299,9 +279,13 @@ class UnitDrafter:
         likes = {one.name: self.precedents.of(motion, one.name) for one in action.objects}
         vessel = self._vessel(at)
         said = {one.name: one for one in action.objects}
+        owns = [Evidence() for _ in names]
         foods = [
-            self._there(said.get(name, Mention(name)), likes.get(name, Precedents(())), _Evidence()) for name in names
+            self._there(said.get(name, Mention(name)), likes.get(name, Precedents(())), own)
+            for name, own in zip(names, owns, strict=True)
         ]
+        evidence.weigh_states(min(own.states for own in owns) * SOMETHING)
+        evidence.doubts += [doubt for own in owns for doubt in own.doubts]
         left = [
             pair for food in foods if food.container != at for pair in zip(*self._source(food, food.label), strict=True)
         ]
@@ -310,7 +294,6 @@ class UnitDrafter:
         made_of = tuple(dict.fromkeys(part for food in foods for part in (food.ingredients or (food.label,))))
         mixture = ObjectNode(label, (*action.results, "mixed"), made_of, self.precedents.relation(at), at)
         if action.product is None:
-            evidence.weigh(_SOMETHING)
             evidence.doubts.append(f"nobody names what {motion} makes: called “{label}”")
         self.scene.forget(names)
         self.scene.focus, self.scene.last = at, (label,)
@@ -327,7 +310,7 @@ class UnitDrafter:
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
         return next((at for at in held if at is not None and at in self.scene.utensils), self.scene.focus)
 
-    def _handled(self, action: NarratedAction, motion: str, evidence: _Evidence) -> DraftUnit:
+    def _handled(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
         """Answer a unit that changes a utensil: opened, washed, turned on, put somewhere."""
         mention = action.objects[0]
         like = self._like(motion, mention, evidence)
@@ -364,7 +347,7 @@ class UnitDrafter:
         motion: str,
         inputs: Sequence[ObjectNode],
         outputs: Sequence[ObjectNode],
-        evidence: _Evidence,
+        evidence: Evidence,
     ) -> DraftUnit:
         """Answer the unit, and let the scene be as it leaves it."""
         self.scene.keep(outputs)
@@ -373,27 +356,9 @@ class UnitDrafter:
         for node in outputs:
             if not self.precedents.kitchen.is_utensil(node.label):
                 self.scene.sure[node.label] = evidence.states
-        confidence = round(prod(evidence.shares), 2)
+        confidence = evidence.confidence()
         doubts = tuple(dict.fromkeys(evidence.doubts))
         return DraftUnit(Annotation(unit, action.timing), confidence, doubts, action.said)
-
-
-def _as_one(units: Sequence[DraftUnit]) -> DraftUnit:
-    """Answer one unit for several that follow each other: what they take from outside, and what is left of them."""
-    inputs, outputs = dict[Participant, None](), dict[Participant, None]()
-    for draft in units:
-        unit = draft.annotation.unit
-        inputs |= dict.fromkeys(one for one in unit.inputs if one not in outputs)
-        outputs = {one: None for one in outputs if one not in unit.inputs} | dict.fromkeys(unit.outputs)
-    first = units[0].annotation
-    whole = FunctionalUnit(tuple(inputs), first.unit.motion, tuple(outputs))
-    doubts = dict.fromkeys(doubt for draft in units for doubt in draft.doubts)
-    return replace(
-        units[0],
-        annotation=replace(first, unit=whole),
-        confidence=min(draft.confidence for draft in units),
-        doubts=tuple(doubts),
-    )
 
 
 def _listed(states: Sequence[str]) -> str:

@@ -1,0 +1,55 @@
+"""What speaks for and against one drafted unit, and several units of one action as one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from math import prod
+
+from foon_kg.drafting.drafts import DraftUnit
+from foon_kg.model import FunctionalUnit, Participant
+
+SOMETHING = 0.6
+"""A share below this is worth a word."""
+
+
+@dataclass
+class Evidence:
+    """What speaks for a unit: shares that are multiplied, and doubts in words."""
+
+    shares: list[float] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
+    states: float = 1.0
+
+    def weigh_states(self, share: float, doubt: str = "") -> None:
+        """Weigh what is guessed of the states of a food: it is as unsure in every later unit."""
+        self.states *= share
+        self.weigh(share, doubt)
+
+    def weigh(self, share: float, doubt: str = "") -> None:
+        """Weigh a share, and doubt it in words where it is small."""
+        self.shares.append(share)
+        if doubt and share < SOMETHING:
+            self.doubts.append(doubt)
+
+    def confidence(self) -> float:
+        """Answer the product of all shares, in hundredths."""
+        return round(prod(self.shares), 2)
+
+
+def as_one(units: Sequence[DraftUnit]) -> DraftUnit:
+    """Answer one unit for several that follow each other: what they take from outside, and what is left of them."""
+    inputs, outputs = dict[Participant, None](), dict[Participant, None]()
+    for draft in units:
+        unit = draft.annotation.unit
+        inputs |= dict.fromkeys(one for one in unit.inputs if one not in outputs)
+        outputs = {one: None for one in outputs if one not in unit.inputs} | dict.fromkeys(unit.outputs)
+    first = units[0].annotation
+    whole = FunctionalUnit(tuple(inputs), first.unit.motion, tuple(outputs))
+    doubts = dict.fromkeys(doubt for draft in units for doubt in draft.doubts)
+    return replace(
+        units[0],
+        annotation=replace(first, unit=whole),
+        confidence=min(draft.confidence for draft in units),
+        doubts=tuple(doubts),
+    )
