@@ -17,9 +17,13 @@ from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played
 from foon_kg.reading import Readings
+from foon_kg.recent import Recent
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Recast, Step
 from foon_kg.substitution import Candidate, Equivalents
+
+MOST_WANTS = 4096
+"""For how many wanted foods it is kept how they are made ready in one kitchen."""
 
 Derive = Callable[[Candidate], Sequence[KnownUnit] | None]
 """Answers the units, in order, that make a food in a state (the last one outputs it), or ``None``."""
@@ -77,7 +81,9 @@ class Preparations:
     kitchen: Kitchen
     derive: Derive
     make: Make
-    _made: dict[RequiredIngredient, tuple[Preparation, ...]] = field(default_factory=dict, repr=False)
+    _made: Recent[RequiredIngredient, tuple[Preparation, ...]] = field(
+        default_factory=lambda: Recent(MOST_WANTS), repr=False
+    )
 
     @cached_property
     def readings(self) -> Readings:

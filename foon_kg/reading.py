@@ -9,7 +9,11 @@ from functools import cached_property
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit
+from foon_kg.recent import Recent
 from foon_kg.script import Script
+
+MOST_READINGS = 2048
+"""How many scripts are kept read in one kitchen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +45,7 @@ class Readings:
     """The scripts that were read in one kitchen so far."""
 
     kitchen: Kitchen
-    _known: dict[tuple[str, ...], Reading] = field(default_factory=dict, repr=False)
+    _known: Recent[tuple[str, ...], Reading] = field(default_factory=lambda: Recent(MOST_READINGS), repr=False)
 
     def of(self, units: Sequence[KnownUnit]) -> Reading:
         """Answer the reading of ``units``, known or new."""

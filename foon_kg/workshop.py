@@ -11,6 +11,7 @@ from foon_kg.knowledge import SeenAs, TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.ordering import as_recorded
 from foon_kg.preparation import Preparations
+from foon_kg.recent import Recent
 from foon_kg.restoration import restored
 from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.settings import PlanSettings
@@ -88,6 +89,13 @@ ABSENT = 3
 a food is processed already, for then it would be said that the food is missing, and not the utensil."""
 
 
+MOST_TREES = 4096
+"""How many reference trees a workshop keeps; what else it keeps is no more than the FOON has of it."""
+
+MOST_KITCHENS = 16
+"""For how many kitchens a workshop keeps what was made ready in them; most recipes share one."""
+
+
 class Workshop:
     """Numbered units, and what was found among them: reference trees and the makings of foods."""
 
@@ -110,12 +118,12 @@ class Workshop:
             gap_cost=lambda node: ABSENT if self.kitchen.lacks(node) else cost(node),
         )
         self.foon = KnownFoon.of(units, goals)
-        self.references: dict[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = {}
+        self.references: Recent[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = Recent(MOST_TREES)
         self.explored = Explored()
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
         self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
         self.prepared: list[Preparations] = []
-        self.recorded: dict[tuple[tuple[str, ...], tuple[str, ...]], tuple[KnownUnit, ...]] = {}
+        self.recorded: Recent[tuple[tuple[str, ...], tuple[str, ...]], tuple[KnownUnit, ...]] = Recent(MOST_TREES)
 
     def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
         """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
@@ -139,7 +147,7 @@ class Workshop:
         known = next((made for made in self.prepared if made.equivalents is equivalents), None)
         if known is None:
             known = Preparations(equivalents, equivalents.kitchen, self.derive, self.make)
-            self.prepared.append(known)
+            self.prepared = [known, *self.prepared][:MOST_KITCHENS]
         return known
 
     def derive(self, candidate: Candidate) -> Sequence[KnownUnit] | None:

@@ -85,8 +85,9 @@ class Search(ABC):
 
     def _within(self, spare: int, weights: list[int], partial: Partial, options: Options) -> Options:
         """Leave out of ``options`` what no tree can have that weighs at most ``spare``."""
-        cuts = cut_bound(self.reduced.web, weights, partial.waiting, list(bits_of(partial.decided)))
-        if cuts is None or cuts.bound > spare:
+        decided = list(bits_of(partial.decided))
+        cuts = cut_bound(self.reduced.web, weights, partial.waiting, decided, limit=spare)
+        if cuts is None:
             return {}
         core = self.reduced.core
         return {

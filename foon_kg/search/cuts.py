@@ -105,8 +105,20 @@ def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> He
     return Heights(of_node, supporter)
 
 
-def cut_bound(web: Web, weights: Sequence[int], goals: Collection[int], there: Collection[int] = ()) -> CutBound | None:
-    """Answer the bound for making all of ``goals`` where the nodes ``there`` are free; ``None`` when nothing does."""
+def cut_bound(
+    web: Web,
+    weights: Sequence[int],
+    goals: Collection[int],
+    there: Collection[int] = (),
+    *,
+    limit: float = math.inf,
+) -> CutBound | None:
+    """Answer the bound for making all of ``goals`` where the nodes ``there`` are free.
+
+    ``None`` when nothing makes them, or when the bound is more than ``limit``. That is often plain before all cuts are
+    taken: a cut lowers the height of the dearest goal by no more than its price, so that the bound comes to at least
+    what was paid and the height that is left.
+    """
     left, paid = list(weights), 0
     while True:
         found = heights(web, left, there)
@@ -117,6 +129,8 @@ def cut_bound(web: Web, weights: Sequence[int], goals: Collection[int], there: C
                 return None
             if of_goal > height:
                 dearest, height = goal, of_goal
+        if paid + height > limit:
+            return None
         if height <= 0:
             return CutBound(paid, left, found)
         cut = _cut(web, left, found, dearest, there)

@@ -6,12 +6,16 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from foon_kg.recent import Recent
 from foon_kg.search.core import Core, bits_of, core_behind, core_behind_any, foods_of_steps
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.penalty import LeastPenalty, within_least_penalty
 from foon_kg.search.problem import ReferenceTree, SearchProblem
 from foon_kg.search.reduction import Reduced
 from foon_kg.search.unit_index import UnitIndex
+
+MOST_TREES = 4096
+"""How many trees are kept: one for each goal, and for each choice of foods that can be wanted of it."""
 
 _AT_FIRST, _THEN = 4, 16
 """How many times what the dearest gap costs at least is looked at first, and then, for all the gaps of a tree."""
@@ -70,7 +74,9 @@ class Explored:
     """What was found in one index so far: recipes that want different things mostly get the same tree of a goal."""
 
     grounds: dict[Goals, Ground | None] = field(default_factory=dict)
-    trees: dict[tuple[Goals, frozenset[frozenset[str]]], ReferenceTree] = field(default_factory=dict)
+    trees: Recent[tuple[Goals, frozenset[frozenset[str]]], ReferenceTree] = field(
+        default_factory=lambda: Recent(MOST_TREES)
+    )
 
     def ground(self, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
         """Answer :meth:`Ground.behind`, known or found now; what is not proven is not kept."""

@@ -6,7 +6,6 @@ always the exact answer.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
@@ -94,7 +93,7 @@ def _sharpened(core: Core, penalty: int) -> tuple[Core, CutBound]:
         dear = {
             gap
             for gap, cost in enumerate(core.costs)
-            if cost > spare and cost + _cuts(web, [*weights[:gap], 0, *weights[gap + 1 :]]).bound > penalty
+            if cost > spare and _costs_more(web, [*weights[:gap], 0, *weights[gap + 1 :]], penalty - cost)
         }
         if not spare or not dear:
             return core, cuts
@@ -106,6 +105,10 @@ def _cuts(web: Web, weights: list[int]) -> CutBound:
     if cuts is None:
         raise AssertionError("a tree of least penalty is never thrown out")
     return cuts
+
+
+def _costs_more(web: Web, weights: list[int], limit: int) -> bool:
+    return cut_bound(web, weights, [web.core.goal], limit=limit) is None
 
 
 def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
@@ -120,7 +123,7 @@ def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
     stack = [choice.start()]
     while stack and best > cuts.bound and not deadline.has_passed():
         partial = choice.forced(stack.pop())
-        if partial is None or _outlook(web, weights, partial) >= best:
+        if partial is None or not _may_cost_less(web, weights, partial, best):
             continue
         if not partial.waiting:
             best = core.penalty_of(partial.chosen)
@@ -132,12 +135,11 @@ def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
     return best
 
 
-def _outlook(web: Web, weights: list[int], partial: Partial) -> float:
-    left = list(weights)
+def _may_cost_less(web: Web, weights: list[int], partial: Partial, best: int) -> bool:
+    left, spare = list(weights), best - 1 - web.core.penalty_of(partial.chosen)
     for step in bits_of(partial.chosen):
         left[step] = 0
-    cuts = cut_bound(web, left, partial.waiting, list(bits_of(partial.decided)))
-    return math.inf if cuts is None else web.core.penalty_of(partial.chosen) + cuts.bound
+    return cut_bound(web, left, partial.waiting, list(bits_of(partial.decided)), limit=spare) is not None
 
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:

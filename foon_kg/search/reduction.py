@@ -54,9 +54,9 @@ class Reduced:
     def without_longer_than(self, units: int) -> Reduced:
         """Reduce further to what may be in a tree of at most so many units; ValueError where none is so short."""
         needed = self.landmarks.steps_of_node[self.core.goal]
-        cuts = cut_bound(self.web, self.unit_weights(needed), [self.core.goal])
         spare = units - self.core.units_in(needed)
-        if cuts is None or cuts.bound > spare:
+        cuts = cut_bound(self.web, self.unit_weights(needed), [self.core.goal], limit=spare)
+        if cuts is None:
             raise ValueError(f"no tree has at most {units} units")
         kept = [step for step in range(self.core.step_count) if cuts.least_with(self.core, step) <= spare]
         if len(kept) == self.core.step_count:
