@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Self, TypeVar
+from itertools import chain
+from typing import Any, Self, TypeVar
 
 import neo4j
 
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.edition import Edition
 from foon_kg.graph.equivalents import find_equivalents
+from foon_kg.graph.kept_rows import KeptRows
 from foon_kg.graph.known_units import known_units
 from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
@@ -62,6 +64,7 @@ class GraphView:
         self._edition = edition or Edition()
         self.round_trips = 0
         self.retrieved: list[RetrievedTree] = []
+        self._fetched: list[tuple[Statement[Any], dict[str, object], list[Any]]] = []
 
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
@@ -70,8 +73,9 @@ class GraphView:
         return self._edition.vocabulary
 
     def _read_vocabulary(self) -> Vocabulary:
-        (row,) = self._ask(VOCABULARY)
-        foods = (SeenAs(*food) for food in sorted(row.foods))  # rows sort several times quicker than values
+        (row,) = self._ask_once(VOCABULARY)
+        seen = (zip(labels, [state] * len(labels), made, used, strict=True) for state, labels, made, used in row.foods)
+        foods = map(SeenAs._make, sorted(chain.from_iterable(seen)))
         motions = (MadeBy(*motion) for motion in sorted(row.motions))
         return Vocabulary(tuple(foods), tuple(motions), tuple(sorted(row.dish_types)))
 
@@ -84,7 +88,7 @@ class GraphView:
         return self._edition.goals[dish_type]
 
     def _read_goals(self, asked: Sequence[str]) -> tuple[Goal, ...]:
-        (row,) = self._ask(GOALS, dish_types=asked)
+        (row,) = self._ask_once(GOALS, dish_types=list(asked))
         found = ((node_of(node), dish_type, videos) for node, dish_type, videos in row.goals)
         goals = (Goal(node, dish_type, node.ingredients, tuple(sorted(videos))) for node, dish_type, videos in found)
         return tuple(sorted(goals, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
@@ -162,6 +166,27 @@ class GraphView:
         self._edition = known.still(state.edition if state else None)
         return self._edition
 
+    def keep(self) -> None:
+        """Keep on disk what was fetched for good, where the graph is still of the edition with which this view began.
+
+        A write between two questions would have been seen by the second: what was fetched is then of no edition.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None) if self._fetched else None
+        if state and state.edition and state.edition == self._edition.name:
+            for statement, parameters, rows in self._fetched:
+                KeptRows(state.edition).write(statement, parameters, rows)
+        self._fetched.clear()
+
+    def _ask_once(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Answer what no program of this user asks twice of one edition."""
+        if self._edition.name is None:
+            return self._ask(statement, **parameters)
+        rows = KeptRows(self._edition.name).read(statement, parameters)
+        if rows is None:
+            rows = self._ask(statement, **parameters)
+            self._fetched.append((statement, parameters, rows))
+        return rows
+
     def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         self.round_trips += 1
         return ask(self._transaction, statement, **parameters)
@@ -171,7 +196,7 @@ class Neo4jGraph:
     """A FOON kept in Neo4j; implements :class:`~foon_kg.knowledge.KnowledgeGraph`. Close it, or use it in ``with``.
 
     A view begins with one round trip that checks the schema and asks which edition of the FOON it is. What an earlier
-    view of the same edition read is not read again.
+    view of the same edition read is not read again; words and goals not even by another program (``KeptRows``).
     """
 
     def __init__(self, settings: ConnectionSettings, kitchen: Kitchen | None = None) -> None:
@@ -187,6 +212,7 @@ class Neo4jGraph:
             view = GraphView(transaction)
             self._edition = view.begin(self._kitchen, self._edition)
             yield view
+            view.keep()
         if view.retrieved and self._keeps_trees:
             self._keeps_trees = keep_trees(self._connection, view.retrieved)
 

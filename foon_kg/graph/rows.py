@@ -111,9 +111,9 @@ class SubgraphRow:
 
 @dataclass(frozen=True)
 class VocabularyRow:
-    """The tables of the vocabulary, in no order."""
+    """The tables of the vocabulary, in no order; of each state the labels of its foods, and their counts."""
 
-    foods: list[tuple[str, str, int, int]]
+    foods: list[tuple[str, list[str], list[int], list[int]]]
     motions: list[tuple[str, str, int]]
     dish_types: list[str]
 
