@@ -14,7 +14,7 @@ from foon_kg import __version__
 from foon_kg.errors import FoonError, UsageError
 from foon_kg.json_fields import JsonObject
 from foon_kg.likeness import Substitute
-from foon_kg.web.models import MOST_INGREDIENTS, DishType, Words
+from foon_kg.web.asking import MOST_INGREDIENTS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService
 
@@ -114,8 +114,8 @@ class _Tools:
             raise ToolError(f"timeout: no answer within {TIMEOUT:g} seconds. Ask for fewer ingredients.") from error
         told = reply.value()
         if reply.status != 200:  # noqa: PLR2004 - what HTTP calls all right
-            error = told["error"]
-            raise ToolError(f"{error['message']} ({error['code']}). {error['hint']}")
+            said = told["error"]
+            raise ToolError(f"{said['message']} ({said['code']}). {said['hint']}")
         return told
 
 

@@ -21,10 +21,10 @@ from foon_kg import __version__
 from foon_kg.errors import FoonError
 from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
-from foon_kg.web import models
+from foon_kg.web import asking, telling
 from foon_kg.web.limits import BodyLimit, Limits, RateLimit
 from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
-from foon_kg.web.security import KnownHosts, SecurityHeaders, TokenRequired
+from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
 from foon_kg.web.words import Kind
 from foon_kg.web.workers import BusyError
@@ -43,11 +43,11 @@ _REFUSALS: dict[int | str, dict[str, Any]] = {
     503: {"description": "Too much is asked at once (see Retry-After), or no FOON answers."},
     504: {"description": "The answer takes too long."},
 }
-REFUSALS = {status: told | {"model": models.Refusal} for status, told in _REFUSALS.items()}
+REFUSALS = {status: told | {"model": telling.Refusal} for status, told in _REFUSALS.items()}
 
 _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, known or not.", examples=[["caper"]])
-_LABEL = Query(min_length=1, max_length=models.MOST_LETTERS, description="An object's name.", examples=["onion"])
-_BEGINNING = Query(max_length=models.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
+_LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
+_BEGINNING = Query(max_length=asking.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _LIMIT = Query(ge=1, le=50)
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
@@ -85,13 +85,14 @@ def web_app(
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
+    app.add_exception_handler(Exception, _crashed)
     return app
 
 
 @router.get("/summary")
-def summary(request: Request) -> models.Summary:
+def summary(request: Request) -> telling.Summary:
     """Answer how large the FOON is, and its dish types."""
-    return models.Summary.model_validate(_service(request).summary())
+    return telling.Summary.model_validate(_service(request).summary())
 
 
 @router.get("/complete")
@@ -104,20 +105,20 @@ def complete(
 
 @router.get("/similar")
 def similar(
-    request: Request, names: Annotated[list[models.Words], _NAMES], limit: Annotated[int, _LIMIT] = 5
-) -> list[models.SimilarTold]:
+    request: Request, names: Annotated[list[asking.Words], _NAMES], limit: Annotated[int, _LIMIT] = 5
+) -> list[telling.SimilarTold]:
     """Answer for each name the known foods that can stand for it, best first."""
-    return [models.SimilarTold.model_validate(told) for told in _service(request).similar(names, limit)]
+    return [telling.SimilarTold.model_validate(told) for told in _service(request).similar(names, limit)]
 
 
 @router.get("/object")
-def around(request: Request, label: Annotated[str, _LABEL]) -> models.ObjectTold:
+def around(request: Request, label: Annotated[str, _LABEL]) -> telling.ObjectTold:
     """Answer an object's nodes, the units that make and take it, and the videos it is in."""
-    return models.ObjectTold.model_validate(_service(request).around(label))
+    return telling.ObjectTold.model_validate(_service(request).around(label))
 
 
-@router.post("/plan", response_model=models.PlanTold)
-async def plan(request: Request, asked: models.PlanAsked) -> Response:
+@router.post("/plan", response_model=telling.PlanTold)
+async def plan(request: Request, asked: asking.PlanAsked) -> Response:
     """Plan a dish: the answer is the task tree, with its substitutions, and why it is as it is."""
     chosen = tuple(Substitute(one.food, one.like) for one in asked.substitutes)
     question = PlanQuestion(
@@ -126,8 +127,8 @@ async def plan(request: Request, asked: models.PlanAsked) -> Response:
     return await _answered(request, question)
 
 
-@router.post("/suggest", response_model=models.SuggestionsTold)
-async def suggest(request: Request, asked: models.SuggestAsked) -> Response:
+@router.post("/suggest", response_model=telling.SuggestionsTold)
+async def suggest(request: Request, asked: asking.SuggestAsked) -> Response:
     """Name the dishes that the foods at hand make best."""
     return await _answered(request, SuggestQuestion(tuple(asked.foods), asked.most))
 
@@ -176,6 +177,12 @@ def _refused(_: Request, error: Exception) -> Response:
     code = {400: "request", 404: "unknown", 405: "method"}.get(error.status_code, "http")
     told = {"code": code, "message": error.detail, "hint": "See /api/openapi.json."}
     return JSONResponse({"error": told}, error.status_code, error.headers)
+
+
+def _crashed(_: Request, __: Exception) -> Response:
+    """Tell nothing of what went wrong inside: that goes to the log. This is sent outside of every middleware."""
+    error = FoonError("the service has an error of its own", hint="See its log, and please report it.", code="internal")
+    return Response(Reply.of_error(error).body, 500, HEADERS, "application/json")
 
 
 def _picture_colours() -> Response:

@@ -172,6 +172,22 @@ def test_who_asks_too_often_has_to_wait():
         assert error_of(answer)["code"] == "rate"
 
 
+def test_an_error_of_its_own_tells_nothing_and_has_the_strict_policy():
+    class Broken:
+        def current(self):
+            raise ZeroDivisionError("secret")
+
+        def close(self):
+            """Nothing is open."""
+
+    with TestClient(app(foon=Broken()), base_url="http://localhost", raise_server_exceptions=False) as client:
+        answer = client.get("/api/summary")
+    assert answer.status_code == 500
+    assert error_of(answer)["code"] == "internal"
+    assert "secret" not in answer.text
+    assert answer.headers["content-security-policy"].startswith("default-src 'none'")
+
+
 def test_an_answer_that_takes_too_long_is_given_up():
     limits = Limits(seconds=0.0, per_second=PLENTY.per_second, burst=PLENTY.burst)
     with TestClient(app(limits=limits), base_url="http://localhost") as client:

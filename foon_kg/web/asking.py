@@ -1,0 +1,51 @@
+"""What is asked of the API, typed and bounded: the OpenAPI document is made from this."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from foon_kg.model import DISH_TYPES
+
+MOST_INGREDIENTS = 60
+MOST_LETTERS = 100
+
+DishType = Literal[(*DISH_TYPES, "")]  # type: ignore[valid-type] # the 30 names, and "" for any
+_WORDS = r"^[^\x00-\x1f\x7f]*[^\s\x00-\x1f\x7f,][^\x00-\x1f\x7f]*$"
+Words = Annotated[str, Field(min_length=1, max_length=MOST_LETTERS, pattern=_WORDS)]
+
+
+class Asked(BaseModel):
+    """A body that is sent: a field that it does not have is an error."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class SubstituteAsked(Asked):
+    """Handle this food like one that the FOON knows."""
+
+    food: Words = Field(examples=["kohlrabi"])
+    like: Words = Field(examples=["carrot"])
+
+
+class PlanAsked(Asked):
+    """A dish to be planned."""
+
+    dish_type: DishType = Field("", description="Empty for the one most like these ingredients.", examples=["salad"])
+    ingredients: list[Words] = Field(
+        min_length=1,
+        max_length=MOST_INGREDIENTS,
+        description="State first: “chopped onion”.",
+        examples=[["diced tomato", "sliced cucumber", "olive oil"]],
+    )
+    substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
+    avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
+    pictures: bool = Field(default=False, description="Also answer the tree and the progress lines as SVG.")
+
+
+class SuggestAsked(Asked):
+    """Foods at hand."""
+
+    foods: list[Words] = Field(min_length=1, max_length=MOST_INGREDIENTS, examples=[["egg", "chopped onion"]])
+    most: int = Field(5, ge=1, le=20)
