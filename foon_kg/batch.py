@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 import os
-import signal
-import threading
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
-from functools import cache
-from multiprocessing import active_children, get_context, parent_process
-from multiprocessing.connection import wait
+from functools import partial
 from pathlib import Path
 
 from foon_kg.avoidance import without_avoided
@@ -23,15 +17,13 @@ from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Substitute
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.planner import Planner
+from foon_kg.processes import spread
 from foon_kg.recipes import IngredientWords, ReadRecipe, read_recipe, recipe_of, with_states
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 
 MANY = 4
 """From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
-
-_MOST_AT_ONCE = 8
-_ROUNDS = 4
 
 
 @dataclass(frozen=True)
@@ -123,71 +115,21 @@ def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
     return (f"no dish type was asked: {result.recipe.dish_type} is most like these (foon suggest names others)",)
 
 
-@contextmanager
 def answering(
     questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit], jobs: int
-) -> Iterator[Iterator[Answer]]:
+) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
     Every process gets ``view`` and ``units``, all that the view knows, once. The answers raise
     :class:`~foon_kg.errors.FoonError` where one of them was ended from outside.
     """
-    workers = min(jobs, len(questions))
-    at_once = max(1, min(_MOST_AT_ONCE, len(questions) // (_ROUNDS * workers)))
-    pool = ProcessPoolExecutor(
-        workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(view, wishes, units)
-    )
-    try:
-        yield _told(pool.map(_answer, questions, chunksize=at_once))
-    except KeyboardInterrupt:
-        for process in active_children():
-            process.terminate()  # else each would end its share first
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
+    return spread(partial(_answers_of, view, wishes, units), questions, jobs)
 
 
-def _told(found: Iterator[Answer]) -> Iterator[Answer]:
-    try:
-        yield from found
-    except BrokenProcessPool as error:
-        raise FoonError(
-            "a process that was planning was ended from outside, perhaps for want of memory",
-            hint="Try --jobs 1; with --output a run goes on where this one stopped.",
-        ) from error
+def _answers_of(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
+    return Cook(view, wishes, units).answer
 
 
 def cores() -> int:
     """Answer how many cores this program may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-_given: tuple[KnowledgeView, Wishes, Sequence[KnownUnit]] | None = None
-"""What a working process was given to answer with; the one that asks has nothing."""
-
-
-def _begin(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> None:
-    global _given  # noqa: PLW0603 - the only way to keep something between the tasks of a working process
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that asks hears it, and ends this one
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    _given = view, wishes, units
-
-
-def _end_with_parent() -> None:
-    """End this process when the one that asks is killed: the queue between them would wait for ever."""
-    parent = parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
-
-
-@cache
-def _cook() -> Cook:
-    """Answer the cook of this process, made for its first question: what is wrong with the wishes is then told."""
-    if _given is None:
-        raise RuntimeError("a working process was asked before it had begun")
-    return Cook(*_given)
-
-
-def _answer(question: Question) -> Answer:
-    return _cook().answer(question)

@@ -26,7 +26,6 @@ from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
-from foon_kg.states import state_similarity
 from foon_kg.submission import submitted
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import CONTRACT, KnownFoon, Report, check
@@ -88,7 +87,8 @@ class Planner:
         self.likeness.learn(foods)
         known = next((e for e in self._equivalents if _same_kitchen(e.kitchen, kitchen)), None)
         if known is None:
-            known = Equivalents(self.vocabulary, kitchen, self.likeness, state_similarity, self.likeness.own)
+            like = self.settings.state_similarity
+            known = Equivalents(self.vocabulary, kitchen, self.likeness, like, self.likeness.own)
             self._equivalents.append(known)
         return known
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.likeness import Substitute
 from foon_kg.similarity import Similarity, food_similarity
+from foon_kg.states import state_similarity
 
 
 @dataclass(frozen=True)
 class PlanSettings:
-    """How to plan: what is at hand, how foods are compared, how long a search may take (seconds).
+    """How to plan: what is at hand, how foods and how states are compared, how long a search may take (seconds).
 
     A person's own wishes come before what the similarity says: ``substitutes`` are tried first however unlike they
     are, and no tree has a food of ``avoided`` (names of foods or of kinds of food).
@@ -22,3 +24,4 @@ class PlanSettings:
     time_limit: float | None = 20.0
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
+    state_similarity: Callable[[str, str], float] = state_similarity

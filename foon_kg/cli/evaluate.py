@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import typer
 
-from foon_kg.cli import evaluate_recipes
+from foon_kg.cli import evaluate_recipes, evaluate_videos
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -22,3 +22,4 @@ def evaluate() -> None:
 
 
 app.command(epilog=evaluate_recipes.EXAMPLES)(evaluate_recipes.recipes)
+app.command("leave-one-out", epilog=evaluate_videos.EXAMPLES)(evaluate_videos.leave_one_out)

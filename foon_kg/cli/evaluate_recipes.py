@@ -96,7 +96,7 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     if scores_to is not None:
         _write(scores_to, write_sheet(evaluation.recipes))
     agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
-    comparison = None if before is None else _compared(before, evaluation.to_json(), str(compare), seed)
+    comparison = None if before is None else compared(before, evaluation.to_json(), str(compare), seed)
     if as_json:
         print_json(_json(evaluation.to_json(), agreement, comparison))
     else:
@@ -229,7 +229,8 @@ def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet, path: Path) -> 
     return agreement(*scored_by_both(evaluation.recipes, sheet, path))
 
 
-def _compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
+def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
+    """Answer what changed between two evaluations in JSON, of which the first was read from ``where``."""
     from foon_kg.evaluation.comparison import compare, shares_of
 
     return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)

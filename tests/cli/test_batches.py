@@ -13,10 +13,10 @@ import psutil
 import pytest
 from typer.testing import CliRunner
 
-from foon_kg.batch import _told
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.errors import FoonError
+from foon_kg.processes import _told
 
 FOON = [sys.executable, "-c", "from foon_kg.cli import main; main()"]
 FILES = ["--files", str(demo_folder())]

@@ -60,7 +60,7 @@ def test_every_option_in_an_example_exists(words):
 def test_readme_names_every_command(words):
     text = README.read_text(encoding="utf-8")
     assert f"foon {words[0]}" in text
-    assert set(words) <= set(re.findall(r"\w+", text))
+    assert set(words) <= set(re.findall(r"[\w-]+", text))
 
 
 def test_every_command_that_readme_names_exists():
@@ -69,14 +69,14 @@ def test_every_command_that_readme_names_exists():
     assert called <= known
 
 
-@pytest.mark.parametrize("words", [(), ("server",), ("load",), *COMMANDS], ids=" ".join)
+@pytest.mark.parametrize("words", [(), ("server",), ("load",), ("evaluate",), *COMMANDS], ids=" ".join)
 def test_help_fits_a_terminal(words):
     answer = CliRunner().invoke(app, [*words, "--help"])
     assert answer.exit_code == 0
     assert max(map(len, answer.stdout.splitlines())) <= 80
 
 
-@pytest.mark.parametrize("words", [(), ("server",), ("load",)], ids=" ".join)
+@pytest.mark.parametrize("words", [(), ("server",), ("load",), ("evaluate",)], ids=" ".join)
 def test_the_list_of_commands_cuts_no_sentence(words):
     listed = CliRunner().invoke(app, [*words, "--help"]).stdout.split("Commands:")[1]
     assert "..." not in listed
