@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import sys
 from typing import Annotated
 
 import typer
@@ -12,6 +11,7 @@ from foon_kg import __version__
 from foon_kg.cli import (
     check,
     cypher,
+    data_frames,
     demo,
     draft,
     evaluate,
@@ -78,13 +78,8 @@ app.command(epilog=mcp.EXAMPLES)(mcp.mcp)
 app.add_typer(server.app)
 
 
-_LEFT_OUT = ("pandas", "pyarrow")
-"""What the Neo4j driver imports wherever it is installed, to answer data frames, which no command asks it for."""
-
-
 def main() -> None:
     """Run ``foon`` (the entry point of the installed program)."""
     gc.set_threshold(100_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
-    for name in _LEFT_OUT:  # importing them takes longer than connecting, asking and planning together
-        sys.modules.setdefault(name, None)  # type: ignore[arg-type] # None is how Python says: not here
+    data_frames.leave_out()
     app()

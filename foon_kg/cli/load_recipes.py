@@ -66,8 +66,10 @@ def recipes(
     whole recipes each; a load that was stopped goes on where it was when it is started again, and what is there already
     changes nothing. Recipes of one id are there once.
     """
+    from foon_kg.cli import data_frames
     from foon_kg.loaders.recipe_collections import RecipeCollections
 
+    data_frames.allow()  # CSV and Parquet are read by them
     say = sayer(quiet=quiet)
     with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
         usable = _check(collections, quiet=quiet)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 
 import pandas as pd
 import pytest
@@ -227,3 +229,12 @@ def test_a_path_without_recipes_is_wrong_usage(tmp_path, name):
     (tmp_path / "notes.txt").write_text("x", encoding="utf-8")
     with pytest.raises(UsageError, match=name), RecipeCollections([tmp_path / name], lambda _: None) as collections:
         collections.check()
+
+
+def test_the_program_reads_tables_though_it_starts_without_what_reads_them(tmp_path):
+    (tmp_path / "r.csv").write_text("title,ingredients\nOnion soup,2 onions|salt\n", encoding="utf-8")
+    program = [sys.executable, "-c", "from foon_kg.cli import main; main()"]
+    command = [*program, "load", "recipes", str(tmp_path / "r.csv"), "--dry-run", "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.stderr == ""
+    assert json.loads(done.stdout) == {"recipes": 1, "rejected_recipes": 0}

@@ -1,0 +1,24 @@
+"""Whether a command may import what makes data frames: it takes longer than connecting, asking and planning together.
+
+The Neo4j driver imports pandas and pyarrow wherever they are installed, to answer data frames, which no command asks
+it for. Commands that read tables themselves say so before they do.
+"""
+
+from __future__ import annotations
+
+import sys
+
+_PACKAGES = ("pandas", "pyarrow")
+
+
+def leave_out() -> None:
+    """Have imports of these packages fail as if they were not installed, unless they are imported already."""
+    for name in _PACKAGES:
+        sys.modules.setdefault(name, None)  # type: ignore[arg-type] # None is how Python says: not here
+
+
+def allow() -> None:
+    """Let these packages be imported where they are installed."""
+    for name in _PACKAGES:
+        if name in sys.modules and sys.modules[name] is None:  # type: ignore[comparison-overlap]
+            del sys.modules[name]
