@@ -48,7 +48,7 @@ def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
     for path in paths:
         found = sorted(path.rglob("*.csv")) if path.is_dir() else [path] * (path.suffix.lower() == ".csv")
         tables += [file for file in found if path.exists() and not _is_hidden(file.relative_to(path))]
-        if not found or any(path.rglob("*.txt")) or any(path.rglob("*.json")):
+        if not found or not path.exists() or any(path.rglob("*.txt")) or any(path.rglob("*.json")):
             others.append(path)
     for table in dict.fromkeys(tables):
         yield from read_video_table(table)

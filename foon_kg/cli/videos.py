@@ -14,14 +14,16 @@ if TYPE_CHECKING:
     from foon_kg.difference import VideoDifference
     from foon_kg.model import Subgraph
 
-DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff subgraphs/ --units", "foon diff new_salad.txt --json")
+DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff new_salad.csv --units", "foon diff subgraphs/ --json")
 REMOVE_EXAMPLES = examples("foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad")
 
 Units = Annotated[bool, typer.Option("--units", help="Show every unit, not only how many.")]
 
 
 def diff(
-    paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Subgraph files, or folders.")],
+    paths: Annotated[
+        list[Path], typer.Argument(metavar="PATH...", help="Subgraph files, plain tables of videos, or folders.")
+    ],
     *,
     files: Files = None,
     units: Units = False,
@@ -32,10 +34,11 @@ def diff(
 
     Units that are new, known from other videos, as before, or gone; and objects never seen before. Changes nothing.
     """
-    from foon_kg.loaders import Severity, read_paths
+    from foon_kg.loaders import Severity
+    from foon_kg.loaders.video_tables import read_videos
 
     say = sayer(quiet=quiet)
-    results = list(read_paths(paths))
+    results = list(read_videos(paths))
     for notice in (notice for result in results for notice in result.notices):
         if notice.severity is Severity.REJECTED:
             say(str(notice))

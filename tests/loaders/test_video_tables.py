@@ -167,6 +167,7 @@ def test_folders_hold_tables_and_subgraph_files_side_by_side(tmp_path):
     assert [result.subgraph.name for result in read_videos([tmp_path / "table.csv"])] == ["table"]
 
 
-def test_a_path_that_is_not_there_is_refused(tmp_path):
-    with pytest.raises(ReadError, match="nowhere"):
-        list(read_videos([tmp_path / "nowhere"]))
+@pytest.mark.parametrize("name", ["nowhere", "nowhere.csv", "nowhere.txt"])
+def test_a_path_that_is_not_there_is_refused(tmp_path, name):
+    with pytest.raises(ReadError, match=f"{name}: no such file"):
+        list(read_videos([tmp_path / name]))
