@@ -24,6 +24,7 @@ import pytest
 from filelock import FileLock
 
 from foon_kg.errors import FoonError
+from foon_kg.graph import Connection, Neo4jGraph
 from foon_kg.server import ConnectionSettings, connection_from_environment
 
 if TYPE_CHECKING:
@@ -89,6 +90,20 @@ def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings
     with FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock"):
         erase(neo4j_server)
         yield neo4j_server
+
+
+@pytest.fixture
+def connection(empty_graph: ConnectionSettings) -> Iterator[Connection]:
+    """An open connection to the empty graph, to load and to ask."""
+    with Connection(empty_graph) as connection:
+        yield connection
+
+
+@pytest.fixture
+def graph(empty_graph: ConnectionSettings) -> Iterator[Neo4jGraph]:
+    """The empty graph as the planner opens it."""
+    with Neo4jGraph(empty_graph) as graph:
+        yield graph
 
 
 MOST_ROUNDS = 100

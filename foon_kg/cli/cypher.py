@@ -88,9 +88,12 @@ def _list_queries(*, as_json: bool) -> None:
             for ours in explore_queries()
         )
         return print_json(list(rows))
+    from rich.padding import Padding
+    from rich.text import Text
+
     for ours in explore_queries():
         data().print(ours.name, style="bold", markup=False)
-        data().print(f"  {ours.answers}", markup=False, highlight=False)
+        data().print(Padding(Text(ours.answers), (0, 0, 0, 2), expand=False))
         data().print(f"  $ {command(ours)}", style="green", markup=False, highlight=False, soft_wrap=True)
     return None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,6 +11,9 @@ import typer
 from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
 
 EXAMPLES = examples("foon load weights motion_cost.json", "foon load weights motion_cost.json --json")
+
+
+_SHOWN = 10
 
 
 def weights(
@@ -35,9 +39,9 @@ def weights(
     with Connection(connection_settings(say)) as connection:
         report = load_weights(connection, costs)
     if report.not_in_graph:
-        say(f"no unit of the graph has: {', '.join(report.not_in_graph)}")
+        say(f"no unit of the graph has {_first(report.not_in_graph)}")
     if report.without_weight:
-        say(f"motions of the graph without a weight: {', '.join(report.without_weight)}")
+        say(f"without a weight in the graph: {_first(report.without_weight)}")
     if as_json:
         print_json(
             {
@@ -49,3 +53,8 @@ def weights(
         )
     else:
         typer.echo(f"{report.motions} motions, {report.units} units with a weight")
+
+
+def _first(motions: Sequence[str]) -> str:
+    rest = f" and {len(motions) - _SHOWN} more (--json has them all)" if motions[_SHOWN:] else ""
+    return ", ".join(motions[:_SHOWN]) + rest

@@ -134,7 +134,8 @@ def _print_table(title: str, columns: tuple[str, ...], rows: list[tuple[str, ...
     if not rows:
         typer.echo(f"{title}: none")
         return
-    table = Table(title=title, title_justify="left", box=None)
+    data().print(title, style="italic", markup=False, soft_wrap=True)
+    table = Table(box=None)
     for place, column in enumerate(columns):
         table.add_column(column, justify="right" if 0 < place < len(columns) - ("most often" in columns) else "left")
     for row in rows:

@@ -9,7 +9,7 @@ import pytest
 from kitchen_stories import node, unit
 
 from foon_kg.errors import SchemaError
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.graph import load, remove
 from foon_kg.graph.equivalents import FIRST
 from foon_kg.graph.free_cypher import ask_freely
 from foon_kg.kitchen import Kitchen
@@ -29,18 +29,6 @@ KITCHEN = Kitchen.default()
 
 MIX = unit("green olive(whole); onion(chopped); bowl > mix > salad{green olive,tomatoes}", "salad")
 TOSS = Subgraph("toss", (Annotation(MIX),))
-
-
-@pytest.fixture
-def connection(empty_graph):
-    with Connection(empty_graph) as connection:
-        yield connection
-
-
-@pytest.fixture
-def graph(empty_graph):
-    with Neo4jGraph(empty_graph) as graph:
-        yield graph
 
 
 @pytest.fixture(params=["snapshot", pytest.param("neo4j", marks=pytest.mark.neo4j)])

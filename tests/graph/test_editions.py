@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.graph import load, remove
 from foon_kg.graph.edition import MOST_UNITS, Edition
 from foon_kg.kitchen import Kitchen
 from foon_kg.snapshot import Snapshot
@@ -13,18 +13,6 @@ from foon_kg.snapshot import Snapshot
 salad = subgraph("salad", "salad", *SALAD)
 shorter = subgraph("salad", "salad", *SALAD[:3])
 other = subgraph("other", "omelette", *SALAD[2:])
-
-
-@pytest.fixture
-def connection(empty_graph):
-    with Connection(empty_graph) as connection:
-        yield connection
-
-
-@pytest.fixture
-def graph(empty_graph):
-    with Neo4jGraph(empty_graph) as graph:
-        yield graph
 
 
 def questions_of_a_plan(view):

@@ -24,18 +24,6 @@ KITCHEN = Kitchen.default()
 in_a_database = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
-@pytest.fixture
-def connection(empty_graph):
-    with Connection(empty_graph) as connection:
-        yield connection
-
-
-@pytest.fixture
-def graph(empty_graph):
-    with Neo4jGraph(empty_graph) as graph:
-        yield graph
-
-
 def ask(connection, text, **parameters):
     return list(ask_freely(connection, text, parameters, limit=100_000, timeout=60).rows)
 

@@ -47,18 +47,6 @@ WANTS = {
 
 
 @pytest.fixture
-def connection(empty_graph):
-    with Connection(empty_graph) as connection:
-        yield connection
-
-
-@pytest.fixture
-def graph(empty_graph):
-    with Neo4jGraph(empty_graph) as graph:
-        yield graph
-
-
-@pytest.fixture
 def searches(monkeypatch):
     """The goals for which a reference tree was searched, not remembered."""
     searched = []
