@@ -52,8 +52,13 @@ def test_an_unknown_database_is_said_to_be(neo4j_server):
 
 def test_warming_a_database_that_is_down_is_no_error(nobody):
     warm(nobody)
+    with Neo4jGraph(nobody) as graph, pytest.raises(GraphError, match="no Neo4j answers at"), graph.reading():
+        pass
 
 
 @pytest.mark.neo4j
-def test_an_empty_database_can_be_warmed(empty_graph):
+def test_warming_an_empty_database_writes_nothing_into_it(empty_graph, connection):
     warm(empty_graph)
+    for question in ("MATCH (n) RETURN count(n)", "SHOW CONSTRAINTS YIELD name RETURN count(name)"):
+        with connection.session() as session:
+            assert session.run(question).single().value() == 0

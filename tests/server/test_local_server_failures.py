@@ -160,3 +160,4 @@ def test_a_server_whose_folder_was_removed_ends(tmp_path, monkeypatch):
     server = psutil.Process(status().pid)
     shutil.rmtree(tmp_path / "home", ignore_errors=True)
     server.wait(120)
+    assert not server.is_running()
