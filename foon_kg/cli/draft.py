@@ -33,7 +33,7 @@ app = typer.Typer(
     name="draft",
     no_args_is_help=True,
     rich_markup_mode=None,
-    help="Draft subgraphs from narrated videos and from text; review and accept them.",
+    help="Draft subgraphs of narrated videos and of text.",
 )
 
 Output = Annotated[
@@ -46,7 +46,7 @@ Dish = Annotated[str | None, typer.Option("--dish", metavar="TYPE", help="The di
 
 @app.callback()
 def draft() -> None:
-    """Draft subgraphs from narrated videos and from text; review and accept them."""
+    """Draft subgraphs of narrated videos and of text."""
 
 
 @app.command(
