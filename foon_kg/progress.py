@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Self
 
@@ -207,7 +207,7 @@ def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) ->
 
 
 def _ways(
-    followed: Mapping[_Followed, Sequence[_Followed]], state: str, food: str, stages: _Stages, kitchen: Kitchen
+    followed: dict[_Followed, list[_Followed]], state: str, food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[tuple[_Followed, bool], _Way]:
     """Answer the best way of each to the goal: with True those that still pass ``state``, with False any.
 
