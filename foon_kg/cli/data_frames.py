@@ -20,5 +20,5 @@ def leave_out() -> None:
 def allow() -> None:
     """Let these packages be imported where they are installed."""
     for name in _PACKAGES:
-        if name in sys.modules and sys.modules[name] is None:  # type: ignore[comparison-overlap]
+        if name in sys.modules and sys.modules[name] is None:
             del sys.modules[name]
