@@ -38,7 +38,7 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Ask for each video without it, and compare the tree with the true one.
+    """Leave out each video, ask for it, and compare.
 
     The question is the video's dish type and the foods of its goal, in the states in which they first join others.
     Compared are, each as intersection over union: units (the motion with its main object; the same with its states),
