@@ -103,4 +103,4 @@ def test_a_plain_table_of_a_video_can_be_compared_as_well(tmp_path):
     table = tmp_path / "leek.csv"
     table.write_text("start,end,motion,inputs,outputs\n,,chop,leek (whole); knife,leek (chopped)\n", encoding="utf-8")
     answer = json.loads(foon("diff", table, "--files", demo_folder(), "--json").stdout)
-    assert [(one["name"], one["status"], one["new_labels"]) for one in answer] == [("leek", "new", ["leek"])]
+    assert [(one["video"], one["status"], one["new_labels"]) for one in answer] == [("leek", "new", ["leek"])]
