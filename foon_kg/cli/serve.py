@@ -38,7 +38,9 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     ] = None,
     quiet: Quiet = False,
 ) -> None:
-    """Serve a page to plan dishes and look around the FOON, and the same as JSON under /api (see /api/openapi.json).
+    """Serve a page to plan dishes, and the same as JSON.
+
+    The page also shows what the FOON has around an object. The JSON is under /api; /api/openapi.json describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
