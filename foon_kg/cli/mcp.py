@@ -17,7 +17,8 @@ EXAMPLES = examples("foon mcp", "foon mcp --files subgraphs/ --quiet")
 def mcp(files: Files = None, quiet: Quiet = False) -> None:
     """Serve the planner as tools to an agent (MCP).
 
-    The tools are plan, explain, similar, suggest and read-only Cypher, over standard input and output. It is started by the agent's own program, whose settings name the command. It ends with its input.
+    The tools are plan, explain, similar, suggest and read-only Cypher, over standard input and output. The agent's own
+    program starts it: its settings name the command. It ends with its input.
     """
     from foon_kg.cli.serve import served_foon
     from foon_kg.server import connection_settings
