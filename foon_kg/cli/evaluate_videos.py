@@ -13,8 +13,8 @@ from foon_kg.cli.evaluate_recipes import Compare, Jobs, Seed, compared, foon_key
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.evaluation.leave_one_out import LeaveOneOut, VideoFigures
     from foon_kg.evaluation.left_out_video import LeftOutVideo
+    from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
     from foon_kg.snapshot import Snapshot
 
 EXAMPLES = examples(
@@ -79,10 +79,10 @@ def _evaluated(
     jobs: int | None,
     quiet: bool,
 ) -> LeaveOneOut:
-    from foon_kg.evaluation.leave_one_out import LeaveOneOut
     from foon_kg.evaluation.left_out_video import left_out_video
     from foon_kg.evaluation.methods import methods
     from foon_kg.evaluation.sampling import known_enough, left_out, sampled
+    from foon_kg.evaluation.video_figures import LeaveOneOut
 
     found = [(subgraph.name, left_out_video(subgraph, snapshot.kitchen)) for subgraph in snapshot.subgraphs]
     videos = [video for _, video in found if video is not None and (not dishes or video.recipe.dish_type in dishes)]

@@ -6,10 +6,10 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from foon_kg.evaluation.leave_one_out import LeaveOneOut, VideosTogether
 from foon_kg.evaluation.methods import OURS
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.tree_overlap import MEASURES
+from foon_kg.evaluation.video_figures import LeaveOneOut, VideosTogether
 from foon_kg.views.evaluation import columns, interval_words, left_out_view, per_cent, section
 
 _TITLES = {
