@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
 from foon_kg.dish_classes import DishClass, dish_classes
@@ -19,13 +20,12 @@ from foon_kg.names import canonical
 from foon_kg.recipe_lines import LineReader, read_quickly
 from foon_kg.states import state_in
 
-READING = 2
+READING = 3
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
 _REMEMBERED = 200_000
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b")
-_NEGLIGIBLE = frozenset({"", "s", "es", "ies"})
 
 
 @dataclass
@@ -120,10 +120,16 @@ def state_beside(food: str, text: str) -> str | None:
     'sauteed'
     """
     line = _IN_BRACKETS.sub(" ", text.lower())
-    place = line.find(food.lower())
-    if place < 0:
+    found = _as_words(food.lower()).search(line)
+    if found is None:
         return None
-    before, after = line[:place], line[place + len(food) :]
+    before, after = line[: found.start()], line[found.end() :]
     phrases = [before, *_PHRASE.split(after)]
-    states = [state for phrase in phrases if phrase.strip() not in _NEGLIGIBLE and (state := state_in(phrase))]
+    states = [state for phrase in phrases if (state := state_in(phrase))]
     return states[-1] if states else ""
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _as_words(food: str) -> re.Pattern[str]:
+    """Answer what finds ``food`` in the singular or plural, and no longer word that begins with it (eggplant)."""
+    return re.compile(rf"(?<!\w){re.escape(food)}(?:e?s)?(?!\w)")

@@ -36,6 +36,7 @@ def test_the_state_is_the_last_thing_that_the_line_says_beside_the_food(food, te
 
 def test_a_food_that_is_not_in_the_line_has_no_state_beside_it():
     assert state_beside("leek", "1 chopped onion") is None
+    assert state_beside("egg", "1 sliced eggplant") is None
 
 
 def test_a_detected_food_goes_by_its_label_in_the_foon():
