@@ -64,6 +64,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.xdist_group("neo4j"))
 
 
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Refuse to run where pytest-xdist does not keep that group together: the tests would erase each other's graph."""
+    if getattr(session.config.option, "loadgroup", False):
+        apart = [item.nodeid for item in session.items if item.get_closest_marker("neo4j") and "@" not in item.nodeid]
+        if apart:
+            pytest.exit(f"pytest-xdist does not group {apart[0]}: this pytest is too new for it", returncode=3)
+
+
 @pytest.fixture(scope="session")
 def neo4j_server() -> ConnectionSettings:
     """A real Neo4j for the whole run: ``uri``, ``user``, ``password``, ``database``."""
