@@ -9,9 +9,9 @@ from typing import Literal
 from foon_kg.integration import Addition, FinalTree, Integration
 from foon_kg.lines import FoodLine, food_lines
 from foon_kg.model import KnownUnit, RequiredIngredient
-from foon_kg.preparation import Preparation
 from foon_kg.script import Casting, Recast
 from foon_kg.substitution import FAIR, Candidate
+from foon_kg.ways import Preparation
 
 MOST_UNLIKE = 2
 """How many of the nearest known foods are named where none of them has an equivalent."""

@@ -18,12 +18,13 @@ from foon_kg.kitchen import Kitchen, words
 from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
-from foon_kg.preparation import Preparation, Preparations, is_whole, needed, shows
+from foon_kg.preparation import Preparations, is_whole, needed, shows
 from foon_kg.reading import Reading
 from foon_kg.rehearsal import Rehearsal
 from foon_kg.script import Casting, Item, Recast, Replayed, Step
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
+from foon_kg.ways import Preparation
 
 _MEASURES = frozenset({"jigger", "measuring", "scoop", "spoon", "tablespoon", "teaspoon"})
 
@@ -70,6 +71,8 @@ class Integration:
     preparations: Preparations
     refused: frozenset[tuple[RequiredIngredient, int]] = frozenset()
     """Places of the script at which a food may not join: the judge would not have it there."""
+    joins_alike: bool = True
+    """Whether a food joins where one like it does; else at the last unit that takes any number of foods."""
     _rehearsals: list[Rehearsal] = field(default_factory=list, repr=False)
 
     @cached_property
@@ -151,7 +154,7 @@ class Integration:
         """Say whether FOON makes a processed food apart in a way that is surer than a renamed line of the reference."""
         if confidence >= 1 or self.kitchen.is_start_state(want.object, want.state):
             return False
-        return any(made.confidence > confidence and not made.stale for made in self.preparations.of(want))
+        return self.preparations.of(want).surer_than(confidence)
 
     def _can_be_opened(self, want: RequiredIngredient) -> bool:
         return bool(self.preparations.of(want))
@@ -222,6 +225,8 @@ class Integration:
         reference; then the place that a dropped food left open, so that the way of the reference is kept; then a unit
         that happens anyway; then the latest. After the last unit that mixes or heats nothing joins (sense, S2).
         """
+        if not self.joins_alike:
+            return sorted(self._open_places, reverse=True)
         if party.alive is None:
             steps, _ = self._executed(self._replay_with(party.casting, party.additions))
             party.alive = frozenset(step.place for step in steps)

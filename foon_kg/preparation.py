@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 
-from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
@@ -20,7 +19,9 @@ from foon_kg.reading import Readings
 from foon_kg.recent import Recent
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Recast, Step
+from foon_kg.stock import StockedKitchen
 from foon_kg.substitution import Candidate, Equivalents
+from foon_kg.ways import Preparation, Ways
 
 MOST_WANTS = 4096
 """For how many wanted foods it is kept how they are made ready in one kitchen."""
@@ -33,47 +34,6 @@ Make = Callable[[ObjectNode], Sequence[KnownUnit] | None]
 
 
 @dataclass(frozen=True)
-class Preparation:
-    """A required food made apart: its steps, the casting they are played with, and the node that is ready.
-
-    ``candidate`` is the equivalent whose units these are. ``stale`` counts the steps that take what an earlier step
-    took away.
-    """
-
-    want: RequiredIngredient
-    node: ObjectNode
-    steps: tuple[Step, ...]
-    casting: Casting
-    candidate: Candidate
-    stale: int
-
-    @property
-    def confidence(self) -> float:
-        """How likely a cook would accept what the candidate stands for."""
-        return self.candidate.confidence
-
-    @property
-    def is_cooked(self) -> bool:
-        """Whether a food that is sold raw was heated: an egg that was boiled before it was peeled."""
-        return any(motions.heats(step.motion) for step in self.steps)
-
-    def clashes(self, other: Preparation) -> bool:
-        """Say whether a step of each uses up the same food, and they are not the same step."""
-        own, theirs = self._used_up, other._used_up
-        return any(theirs.get(node, step) != step for node, step in own.items())
-
-    @cached_property
-    def _used_up(self) -> dict[ObjectNode, tuple[object, ...]]:
-        """For each food that a step uses up, what is done in that step."""
-        return {
-            node: (frozenset(step.input_nodes), step.motion, frozenset(step.output_nodes))
-            for step in self.steps
-            for node in step.input_nodes
-            if node not in step.output_nodes and node.label == self.want.object
-        }
-
-
-@dataclass(frozen=True)
 class Preparations:
     """The ways to have foods ready in one kitchen; each is worked out once, for whatever recipe."""
 
@@ -81,31 +41,33 @@ class Preparations:
     kitchen: Kitchen
     derive: Derive
     make: Make
-    _made: Recent[RequiredIngredient, tuple[Preparation, ...]] = field(
-        default_factory=lambda: Recent(MOST_WANTS), repr=False
-    )
+    _made: Recent[RequiredIngredient, Ways] = field(default_factory=lambda: Recent(MOST_WANTS), repr=False)
 
     @cached_property
     def readings(self) -> Readings:
         """The scripts read in this kitchen."""
         return Readings(self.kitchen)
 
-    def of(self, want: RequiredIngredient) -> tuple[Preparation, ...]:
+    def of(self, want: RequiredIngredient) -> Ways:
         """Answer the ways to make ``want``, best first.
 
         That is: with the fewest utensils that nobody has; fresh before stale; surest; shortest.
         """
         if want not in self._made:
-            if not self.kitchen.is_start_state(want.object, want.state):
-                found = list(self._processed(want, self.leaves_stand)) or list(
-                    self._processed(want, self._leaves_given)
-                )
-            elif is_whole(want.state):
-                found = [*self._opened(want), *self._parts(want)]
-            else:
-                found = []
-            self._made[want] = tuple(sorted(found, key=lambda made: (self._lacking(made), *_rank(made))))
+            self._made[want] = self._ways(want)
         return self._made[want]
+
+    def _ways(self, want: RequiredIngredient) -> Ways:
+        if not self.kitchen.is_start_state(want.object, want.state):
+            makes = [partial(self._processed, want, stand) for stand in (self.leaves_stand, self._leaves_given)]
+            ways = Ways.among(self.equivalents.candidates(want), makes)
+        elif is_whole(want.state):
+            ways = Ways.known(sorted((*self._opened(want), *self._parts(want)), key=lambda made: made.rank))
+        else:
+            ways = Ways.known(())
+        if not isinstance(self.kitchen, StockedKitchen):
+            return ways
+        return Ways.known(sorted(ways, key=lambda made: (self._lacking(made), *made.rank)))
 
     def forms(self, want: RequiredIngredient) -> Iterator[tuple[ObjectNode, Preparation | None]]:
         """Answer what can join a tree as ``want``, best first; last the bare food, as it is sold or assumed to be."""
@@ -145,15 +107,16 @@ class Preparations:
         at_hand = all(self.kitchen.is_start_state(recast.label, state) for state in states)
         return not at_hand and self.make(node) is not None
 
-    def _processed(self, want: RequiredIngredient, stands: Callable[[FoodLine, Recast], bool]) -> Iterator[Preparation]:
-        for candidate in self.equivalents.candidates(want):
-            script = self.derive(candidate)
-            line = self.readings.of(script).lines.get(candidate.label) if script else None
-            if not script or line is None:
-                continue
-            cast = self.equivalents.recast(want, [candidate.state], line.made_by)
-            if cast is not None and stands(line, cast[0]):
-                yield from self._executed(want, want.state, candidate, script, cast[0])
+    def _processed(
+        self, want: RequiredIngredient, stands: Callable[[FoodLine, Recast], bool], candidate: Candidate
+    ) -> Iterator[Preparation]:
+        script = self.derive(candidate)
+        line = self.readings.of(script).lines.get(candidate.label) if script else None
+        if not script or line is None:
+            return
+        cast = self.equivalents.recast(want, [candidate.state], line.made_by)
+        if cast is not None and stands(line, cast[0]):
+            yield from self._executed(want, want.state, candidate, script, cast[0])
 
     def _opened(self, want: RequiredIngredient) -> Iterator[Preparation]:
         for state in self.equivalents.states_known(want.object):
@@ -217,16 +180,6 @@ class Preparations:
     def _lies_in_a_utensil(self, node: ObjectNode) -> bool:
         """Say whether a food is where it can be taken from: butter spread on bread needs the bread."""
         return node.container is None or self.kitchen.is_utensil(node.container)
-
-
-def _rank(preparation: Preparation) -> tuple[object, ...]:
-    return (
-        preparation.stale > 0,
-        -round(preparation.confidence, 4),
-        len(preparation.steps),
-        preparation.node.sort_key,
-        [step.known.unit.key for step in preparation.steps],
-    )
 
 
 def is_whole(state: str) -> bool:
