@@ -11,14 +11,14 @@ from __future__ import annotations
 import difflib
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
 from foon_kg.errors import ReadError, UsageError
 from foon_kg.json_fields import Fields
-from foon_kg.kitchen import Kitchen, singular
+from foon_kg.kitchen import singular
 from foon_kg.model import ObjectNode
 from foon_kg.names import canonical
 from foon_kg.recipes import IngredientWords
@@ -39,7 +39,7 @@ _HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “ute
 class ReadKitchen:
     """What is at hand, and what had to be decided to read it, one sentence a note."""
 
-    kitchen: Kitchen
+    kitchen: StockedKitchen
     notes: tuple[str, ...]
 
 
@@ -54,6 +54,11 @@ def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
     entries = list(_json_entries(path, text) if is_json else _lines(path, text))
     if not entries:
         raise ReadError(f"{path}: it names nothing", hint=_HINT)
+    return kitchen_with(entries, words)
+
+
+def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitchen:
+    """Answer the kitchen in which just ``entries`` are at hand; ``words`` as for :func:`read_kitchen`."""
     reader = ThingReader(words)
     read = [reader.read(entry) for entry in entries]
     said: dict[str, set[str]] = {kind: set() for kind in (*_FIELDS, "")}

@@ -60,11 +60,11 @@ _given: Callable[[], Callable[[Any], Any]] | None = None
 def _begin(make: Callable[[], Callable[[Any], Any]]) -> None:
     global _given  # noqa: PLW0603 - the only way to keep something between the tasks of a working process
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that asks hears it, and ends this one
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    threading.Thread(target=end_with_parent, daemon=True).start()
     _given = make
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
     """End this process when the one that asks is killed: the queue between them would wait for ever."""
     parent = parent_process()
     if parent is not None:

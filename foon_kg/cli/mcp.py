@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 
 EXAMPLES = examples("foon mcp", "foon mcp --files subgraphs/ --quiet")
 
+SECONDS = 60.0
+"""How long an agent waits for a plan."""
+
 
 def mcp(files: Files = None, quiet: Quiet = False) -> None:
     """Serve the planner as tools to an agent (MCP).
@@ -26,7 +29,7 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
     from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
-    with FoonService(served_foon(files, say)) as service:
+    with FoonService(served_foon(files, say), processes=1, seconds=SECONDS) as service:
         cypher = None if files else _cypher(connection_settings(say))
         agent_server(service, cypher).run("stdio")
 

@@ -85,7 +85,7 @@ def _run(listener: socket.socket, host: str, token: str | None, foon: Foon, jobs
     from foon_kg.web.service import FoonService
 
     limits = Limits()
-    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting)
+    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
     app = web_app(service, names=own_names(host), token=token, limits=limits)
     config = uvicorn.Config(

@@ -14,7 +14,7 @@ from foon_kg import __version__
 from foon_kg.errors import FoonError, UsageError
 from foon_kg.json_fields import JsonObject
 from foon_kg.likeness import Substitute
-from foon_kg.web.asking import MOST_INGREDIENTS, DishType, Words
+from foon_kg.web.asking import AT_HAND, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService
 
@@ -22,9 +22,6 @@ T = TypeVar("T")
 
 Cypher = Callable[[str, dict[str, Any], int], JsonObject]
 """Asks the graph a query with parameters for at most so many rows; raises what :func:`ask_freely` raises."""
-
-TIMEOUT = 60.0
-"""Seconds for one answer."""
 
 _LOOKS = ToolAnnotations(read_only_hint=True, destructive_hint=False, idempotent_hint=True, open_world_hint=False)
 _INSTRUCTIONS = (
@@ -41,6 +38,7 @@ Substitutes = Annotated[
     dict[str, str], Field(max_length=MOST_INGREDIENTS, description="Handle this food like that known one.")
 ]
 Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kinds of food (nuts) to leave out.")]
+AtHand = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND)]
 Names = Annotated[list[Words], Field(min_length=1, max_length=20, description="Foods, known or not.")]
 Rows = Annotated[int, Field(ge=1, le=1000, description="Answer no more rows than this.")]
 Most = Annotated[int, Field(ge=1, le=20)]
@@ -64,27 +62,27 @@ class _Tools:
 
     def plan(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None,
+        avoid: Avoided | None = None, kitchen: AtHand | None = None,
     ) -> dict[str, Any]:  # fmt: skip
         """Plan a dish: its steps in order (units), what the kitchen must have, substitutions and assumptions."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid)
+        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
         return {name: value for name, value in told.items() if name != "explanations"}
 
     def explain(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None,
+        avoid: Avoided | None = None, kitchen: AtHand | None = None,
     ) -> dict[str, Any]:  # fmt: skip
         """Say why each ingredient of a plan is made as it is: like which food, where it joins, what was passed over."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid)
+        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
         return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
 
     def similar(self, names: Names, limit: Most = 5) -> dict[str, Any]:
         """Name the known foods that can best stand for each of these, and how likely a cook is to accept them."""
         return {"similar": _explained(lambda: self._service.similar(list(names), limit))}
 
-    def suggest(self, foods: Ingredients, most: Most = 5) -> dict[str, Any]:
+    def suggest(self, foods: Ingredients, most: Most = 5, kitchen: AtHand | None = None) -> dict[str, Any]:
         """Name the dishes that the foods at hand make best: what each takes, what is missing, what is left over."""
-        return self._answer(SuggestQuestion(tuple(foods), most))
+        return self._answer(SuggestQuestion(tuple(foods), most, tuple(kitchen or ())))
 
     def cypher(self, query: str, parameters: dict[str, Any] | None = None, limit: Rows = 100) -> dict[str, Any]:
         """Ask the graph in Cypher; whatever does more than look at the graph is refused.
@@ -103,15 +101,15 @@ class _Tools:
         dish_type: str,
         substitutes: dict[str, str] | None,
         avoid: Sequence[str] | None,
+        kitchen: Sequence[str] | None,
     ) -> JsonObject:
         chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
-        return self._answer(PlanQuestion(dish_type, tuple(ingredients), chosen, tuple(avoid or ())))
+        return self._answer(
+            PlanQuestion(dish_type, tuple(ingredients), chosen, tuple(avoid or ()), tuple(kitchen or ()))
+        )
 
     def _answer(self, question: Question) -> JsonObject:
-        try:
-            reply = _explained(lambda: self._service.answer(question, TIMEOUT))
-        except TimeoutError as error:
-            raise ToolError(f"timeout: no answer within {TIMEOUT:g} seconds. Ask for fewer ingredients.") from error
+        reply = _explained(lambda: self._service.answer(question))
         told = reply.value()
         if reply.status != 200:  # noqa: PLR2004 - what HTTP calls all right
             said = told["error"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import AsyncIterator, Callable, Collection
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import asynccontextmanager
 from importlib import resources
 from pathlib import Path
@@ -23,11 +22,10 @@ from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
 from foon_kg.web import asking, telling
 from foon_kg.web.limits import BodyLimit, Limits, RateLimit
-from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
+from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
 from foon_kg.web.words import Kind
-from foon_kg.web.workers import BusyError
 
 _REFUSALS: dict[int | str, dict[str, Any]] = {
     400: {"description": "The body cannot be read."},
@@ -122,7 +120,12 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
     """Plan a dish: the answer is the task tree, with its substitutions, and why it is as it is."""
     chosen = tuple(Substitute(one.food, one.like) for one in asked.substitutes)
     question = PlanQuestion(
-        asked.dish_type, tuple(asked.ingredients), chosen, tuple(asked.avoid), pictures=asked.pictures
+        asked.dish_type,
+        tuple(asked.ingredients),
+        chosen,
+        tuple(asked.avoid),
+        tuple(asked.kitchen),
+        pictures=asked.pictures,
     )
     return await _answered(request, question)
 
@@ -130,7 +133,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
 @router.post("/suggest", response_model=telling.SuggestionsTold)
 async def suggest(request: Request, asked: asking.SuggestAsked) -> Response:
     """Name the dishes that the foods at hand make best."""
-    return await _answered(request, SuggestQuestion(tuple(asked.foods), asked.most))
+    return await _answered(request, SuggestQuestion(tuple(asked.foods), asked.most, tuple(asked.kitchen)))
 
 
 async def _answered(request: Request, question: Question) -> Response:
@@ -138,13 +141,8 @@ async def _answered(request: Request, question: Question) -> Response:
     try:
         future = await asyncio.to_thread(service.ask, question)
         reply = await asyncio.wait_for(asyncio.shield(asyncio.wrap_future(future)), limits.seconds)
-    except TimeoutError:
-        error = FoonError(
-            f"no answer within {limits.seconds:g} seconds", hint="Ask for fewer ingredients.", code="timeout"
-        )
-        reply = Reply(504, Reply.of_error(error).body)
-    except BrokenProcessPool as broken:
-        raise BusyError("a process that was planning was ended", hint="Ask again.") from broken
+    except TimeoutError as error:
+        raise TooLongError(limits.seconds) from error
     return Response(reply.body, reply.status, media_type="application/json")
 
 
@@ -181,8 +179,7 @@ def _refused(_: Request, error: Exception) -> Response:
 
 def _crashed(_: Request, __: Exception) -> Response:
     """Tell nothing of what went wrong inside: that goes to the log. This is sent outside of every middleware."""
-    error = FoonError("the service has an error of its own", hint="See its log, and please report it.", code="internal")
-    return Response(Reply.of_error(error).body, 500, HEADERS, "application/json")
+    return Response(Reply.of_error(InternalError()).body, 500, HEADERS, "application/json")
 
 
 def _picture_colours() -> Response:

@@ -9,11 +9,18 @@ from pydantic import BaseModel, ConfigDict, Field
 from foon_kg.model import DISH_TYPES
 
 MOST_INGREDIENTS = 60
+MOST_THINGS = 200
 MOST_LETTERS = 100
 
 DishType = Literal[(*DISH_TYPES, "")]  # type: ignore[valid-type] # the 30 names, and "" for any
 _WORDS = r"^[^\x00-\x1f\x7f]*[^\s\x00-\x1f\x7f,][^\x00-\x1f\x7f]*$"
 Words = Annotated[str, Field(min_length=1, max_length=MOST_LETTERS, pattern=_WORDS)]
+
+AT_HAND = (
+    "What is at hand: “knife”, “oven, preheated”, “chopped onion”, “egg in carton”. Naming utensils says that there "
+    "are no others, and so with foods; of a kind that is not named everything is there."
+)
+Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
 
 
 class Asked(BaseModel):
@@ -41,11 +48,13 @@ class PlanAsked(Asked):
     )
     substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
+    kitchen: Kitchen = []
     pictures: bool = Field(default=False, description="Also answer the tree and the progress lines as SVG.")
 
 
 class SuggestAsked(Asked):
-    """Foods at hand."""
+    """Foods at hand; ``kitchen`` names what else is there."""
 
     foods: list[Words] = Field(min_length=1, max_length=MOST_INGREDIENTS, examples=[["egg", "chopped onion"]])
     most: int = Field(5, ge=1, le=20)
+    kitchen: Kitchen = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 
 from foon_kg.batch import Answer, Cook, Wishes
@@ -10,13 +11,14 @@ from foon_kg.errors import FoonError
 from foon_kg.explanation import Explanation
 from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen
-from foon_kg.kitchen_file import Entry, ThingReader
+from foon_kg.kitchen_file import Entry, ReadKitchen, kitchen_with
+from foon_kg.model_json import node_to_json
 from foon_kg.pictures.progress import progress_svg
 from foon_kg.pictures.tree import tree_svg
 from foon_kg.recipes import IngredientWords
 from foon_kg.result import PlanResult
+from foon_kg.shopping import shopping_list
 from foon_kg.snapshot import Snapshot
-from foon_kg.stock import StockedKitchen
 from foon_kg.suggestion import suggest
 from foon_kg.views.shown_tree import ShownTree
 from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
@@ -46,18 +48,24 @@ class PlanningDesk:
         except FoonError as error:
             return Reply.of_error(error)
 
+    def close(self) -> None:
+        """Nothing is held open."""
+
     def _plan(self, question: PlanQuestion) -> Reply:
-        answer = self._cook_for(question).answer(
+        read = self._at_hand(question.kitchen) if question.kitchen else None
+        answer = self._cook_for(question, read.kitchen if read else Kitchen.default()).answer(
             CookQuestion(dish_type=question.dish_type, texts=tuple(question.ingredients))
         )
+        notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
-            failure = answer.outcome.to_json()
-            return Reply.of_error(answer.error, failure | {"notes": list(answer.notes)} | _error_of(failure))
-        return Reply.of(plan_to_json(answer, pictures=question.pictures))
+            return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
+        return Reply.of(plan_to_json(answer, pictures=question.pictures) | {"notes": notes})
 
-    def _cook_for(self, question: PlanQuestion) -> Cook:
-        if question.substitutes or question.avoided:
-            wishes = Wishes(question.substitutes, question.avoided, explain=True, time_limit=TIME_LIMIT)
+    def _cook_for(self, question: PlanQuestion, kitchen: Kitchen) -> Cook:
+        if question.substitutes or question.avoided or question.kitchen:
+            wishes = Wishes(
+                question.substitutes, question.avoided, explain=True, kitchen=kitchen, time_limit=TIME_LIMIT
+            )
             return Cook(self.snapshot, wishes)
         if self._plans >= MOST_PLANS:
             self._cook, self._plans = self._new_cook(), 0
@@ -68,25 +76,28 @@ class PlanningDesk:
         return Cook(self.snapshot, Wishes(explain=True, time_limit=TIME_LIMIT), self.snapshot.units)
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
-        reader = ThingReader(IngredientWords(self.snapshot.vocabulary(), Kitchen.default()))
-        read = [reader.read(Entry(f"“{text}”", text)) for text in question.foods]
-        kitchen = StockedKitchen.of(Kitchen.default(), [thing for thing, _ in read])
-        found = suggest(self.snapshot, kitchen, most=question.most, time_limit=TIME_LIMIT)
+        read = self._at_hand((*question.foods, *question.kitchen))
+        found = suggest(self.snapshot, read.kitchen, most=question.most, time_limit=TIME_LIMIT)
         return {
             "suggestions": [one.to_json() for one in found.found],
             "considered": found.considered,
             "proven": found.proven,
-            "notes": [note for _, notes in read for note in notes],
+            "notes": list(read.notes),
         }
+
+    def _at_hand(self, things: Sequence[str]) -> ReadKitchen:
+        words = IngredientWords(self.snapshot.vocabulary(), Kitchen.default())
+        return kitchen_with([Entry(f"“{text}”", text) for text in things], words)
 
 
 def plan_to_json(answer: Answer, *, pictures: bool) -> JsonObject:
-    """Answer a plan as ``foon plan --json`` prints it, with its notes, reasons, video links and, if asked, pictures."""
+    """Answer a plan as ``foon plan --json`` prints it, with what to buy, why, where to look and, if asked, pictures."""
     if not isinstance(answer.outcome, PlanResult):
         raise TypeError("only a plan has steps")
     told: JsonObject = answer.outcome.to_json() | {
         "notes": list(answer.notes),
         "explanations": list(map(explanation_to_json, answer.explanations)),
+        "shopping": list(map(node_to_json, shopping_list(answer.outcome.kitchen, Kitchen.default()))),
         "videos": [seen_at(unit.seen_in) for unit in answer.outcome.units],
     }
     if pictures:
@@ -100,7 +111,3 @@ def explanation_to_json(one: Explanation) -> JsonObject:
     fields: JsonObject = asdict(one)
     fields["renamed"] = [{"known": known, "now": now} for known, now in one.renamed]
     return fields
-
-
-def _error_of(failure: JsonObject) -> JsonObject:
-    return {"error": failure["error"]}

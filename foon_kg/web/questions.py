@@ -10,26 +10,29 @@ from foon_kg.errors import FoonError, GraphError, NoTreeError, ServerError, Usag
 from foon_kg.json_fields import JsonObject
 from foon_kg.likeness import Substitute
 
-_STATUS = ((UsageError, 422), (NoTreeError, 404), (WriteRefused, 403), (GraphError, 503), (ServerError, 503))
-
 
 @dataclass(frozen=True)
 class PlanQuestion:
-    """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``."""
+    """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``.
+
+    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything.
+    """
 
     dish_type: str
     ingredients: tuple[str, ...]
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
+    kitchen: tuple[str, ...] = ()
     pictures: bool = False
 
 
 @dataclass(frozen=True)
 class SuggestQuestion:
-    """Name the at most ``most`` dishes that ``foods`` make best."""
+    """Name the at most ``most`` dishes that ``foods`` make best with what ``kitchen`` names beside them."""
 
     foods: tuple[str, ...]
     most: int
+    kitchen: tuple[str, ...] = ()
 
 
 Question = PlanQuestion | SuggestQuestion
@@ -39,6 +42,36 @@ class UnknownError(FoonError):
     """What was asked about is not in this FOON."""
 
     code = "unknown"
+
+
+class BusyError(FoonError):
+    """It cannot be answered now, and perhaps in a second."""
+
+    code = "busy"
+
+
+class TooLongError(FoonError):
+    """The answer took longer than anybody waits."""
+
+    code = "timeout"
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__(f"no answer within {seconds:g} seconds", hint="Ask for fewer ingredients, or again later.")
+
+
+class InternalError(FoonError):
+    """The service itself went wrong; it tells nothing of what: that is in the log."""
+
+    code = "internal"
+
+    def __init__(self) -> None:
+        super().__init__("the service has an error of its own", hint="See its log, and please report it.")
+
+
+_STATUS = (
+    (UsageError, 422), (NoTreeError, 404), (UnknownError, 404), (WriteRefused, 403), (GraphError, 503),
+    (ServerError, 503), (BusyError, 503), (TooLongError, 504),
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -67,6 +100,4 @@ class Reply:
 
 def status_of(error: FoonError) -> int:
     """Answer the HTTP status that says what kind of error this is."""
-    if isinstance(error, UnknownError):
-        return 404
     return next((status for kind, status in _STATUS if isinstance(error, kind)), 500)

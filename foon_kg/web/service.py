@@ -5,15 +5,17 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from concurrent.futures import CancelledError, Future
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from typing import Protocol
 
 from foon_kg.json_fields import JsonObject
 from foon_kg.web.foon import Served
-from foon_kg.web.questions import Question, Reply
+from foon_kg.web.questions import BusyError, Question, Reply, TooLongError
 from foon_kg.web.words import FoonWords, Kind
-from foon_kg.web.workers import BusyError, Workers
+from foon_kg.web.workers import Workers
+
+SECONDS = 20.0
+"""How long anybody waits for an answer."""
 
 MOST_KEPT = 512
 """How many answers are kept for who asks the same again."""
@@ -44,32 +46,34 @@ class FoonService:
     """Answers plans, suggestions, completions, likenesses and looks around objects. Any number of threads may ask.
 
     Plans are made by ``processes`` processes (0: by one thread of this one); more than ``most`` at once are refused
-    with BusyError. Equal questions to one edition of the FOON are answered once. Close it, or use it in ``with``.
+    with BusyError, and a process that plans for longer than ``seconds`` is replaced. Equal questions to one edition of
+    the FOON are answered once. Close it, or use it in ``with``.
     """
 
-    def __init__(self, foon: Foon, *, processes: int = 0, most: int = 16) -> None:
+    def __init__(self, foon: Foon, *, processes: int = 0, most: int = 16, seconds: float = SECONDS) -> None:
         self._foon = foon
         self._processes = processes
         self._most = most
+        self._seconds = seconds
         self._turn = threading.Lock()
         self._edition: _Edition | None = None
         self._kept: OrderedDict[Question, Future[Reply]] = OrderedDict()
 
     def ask(self, question: Question) -> Future[Reply]:
         """Take a question that takes a while; raises BusyError, or GraphError where there is no FOON."""
-        edition = self._current()
         try:
-            return self._taken(edition, question)
-        except RuntimeError:  # its processes were ended from outside, or another edition took its place meanwhile
-            self._drop(edition)
-        return self._taken(self._current(), question)
+            return self._taken(self._current(), question)
+        except RuntimeError:  # another edition took its place meanwhile
+            return self._taken(self._current(), question)
 
-    def answer(self, question: Question, timeout: float | None = None) -> Reply:
-        """Answer a question that takes a while, and wait for it at most ``timeout`` seconds (then TimeoutError)."""
+    def answer(self, question: Question) -> Reply:
+        """Answer a question that takes a while; raises TooLongError, BusyError or GraphError where there is none."""
         try:
-            return self.ask(question).result(timeout)
-        except (BrokenProcessPool, CancelledError) as error:
-            raise BusyError("a process that was planning was ended", hint="Ask again.") from error
+            return self.ask(question).result(self._seconds)
+        except TimeoutError as error:
+            raise TooLongError(self._seconds) from error
+        except CancelledError as error:
+            raise BusyError("the service is ending", hint="Ask again when it is there again.") from error
 
     def summary(self) -> JsonObject:
         """Answer how large the FOON is, and its dish types."""
@@ -112,7 +116,7 @@ class FoonService:
         if self._edition is not None:
             self._edition.workers.close()
         self._kept.clear()
-        workers = Workers(served.snapshot, self._processes, self._most)
+        workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
         return _Edition(served.edition, FoonWords(served.snapshot), workers)
 
     def _taken(self, edition: _Edition, question: Question) -> Future[Reply]:
@@ -125,13 +129,6 @@ class FoonService:
             while len(self._kept) > MOST_KEPT:
                 self._kept.popitem(last=False)
             return future
-
-    def _drop(self, edition: _Edition) -> None:
-        """Have the next question begin with new processes."""
-        with self._turn:
-            if self._edition is edition:
-                edition.workers.close()
-                self._edition = None
 
 
 def _failed(future: Future[Reply]) -> bool:

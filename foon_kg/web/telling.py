@@ -165,7 +165,8 @@ class Pictures(BaseModel):
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and how it came about.
 
-    ``videos`` has for each unit the web address of the second in which it is seen, or null.
+    ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
+    second in which it is seen, or null.
     """
 
     recipe: RecipeTold
@@ -178,6 +179,7 @@ class PlanTold(BaseModel):
     progress_lines: list[Line]
     notes: list[str]
     explanations: list[ExplanationTold]
+    shopping: list[Node]
     videos: list[str | None]
     pictures: Pictures | None = None
 

@@ -1,45 +1,57 @@
 """Who plans: some processes (or one thread), each with the FOON in its own memory, and not more work than they can do.
 
-What a process was given to answer with lives in a thread-local: one executor of each kind may live beside another.
+A process that answers nothing within its time, or that somebody ended, is replaced: the others go on meanwhile.
 """
 
 from __future__ import annotations
 
-import os
-import signal
 import threading
-from collections.abc import Callable
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
-from multiprocessing import get_context, parent_process
-from multiprocessing.connection import wait
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from queue import SimpleQueue
+from typing import Protocol
 
-from foon_kg.errors import FoonError
 from foon_kg.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
-from foon_kg.web.questions import Question, Reply
+from foon_kg.web.planning_process import PlanningProcess
+from foon_kg.web.questions import BusyError, Question, Reply
 
 
-class BusyError(FoonError):
-    """More is asked at once than can be answered soon."""
+class Desk(Protocol):
+    """What answers questions, one after the other."""
 
-    code = "busy"
+    def answer(self, question: Question) -> Reply:
+        """Answer ``question``."""
+        ...
+
+    def close(self) -> None:
+        """Give back what is held; a question that is under way is given up."""
+        ...
 
 
 class Workers:
-    """Answers questions from one FOON; refuses more than ``most`` that are under way or waiting."""
+    """Answers questions from one FOON; refuses more than ``most`` that are under way or waiting.
 
-    def __init__(self, snapshot: Snapshot, processes: int, most: int) -> None:
-        self._executor = _executor(snapshot, processes)
+    A process that takes more than ``seconds`` for one question is ended, and another takes its place. A thread
+    (``processes`` 0) cannot be ended: it is for who asks one question at a time and can wait.
+    """
+
+    def __init__(self, snapshot: Snapshot, processes: int, most: int, seconds: float) -> None:
+        self._desks: list[Desk] = [PlanningProcess(snapshot, seconds) for _ in range(processes)]
+        self._desks = self._desks or [PlanningDesk(snapshot)]
+        self._free: SimpleQueue[Desk] = SimpleQueue()
+        for desk in self._desks:
+            self._free.put(desk)
+        self._threads = ThreadPoolExecutor(len(self._desks), "foon-planning")  # a desk is free for each that is
         self._places = threading.BoundedSemaphore(most)
-        for _ in range(max(processes, 1)):
-            self._executor.submit(_ready)  # begin now, and not when somebody waits
 
     def submit(self, question: Question) -> Future[Reply]:
-        """Take ``question``; raises BusyError where there is no place left, RuntimeError where the processes ended."""
+        """Take ``question``; raises BusyError where there is no place left, RuntimeError where these were closed."""
         if not self._places.acquire(blocking=False):
             raise BusyError("too many plans are asked at once", hint="Ask again in a second.")
         try:
-            future = self._executor.submit(_answer, question)
+            future = self._threads.submit(self._answer, question)
         except RuntimeError:
             self._places.release()
             raise
@@ -47,41 +59,26 @@ class Workers:
         return future
 
     def close(self, *, at_once: bool = False) -> None:
-        """End when what was taken is done; ``at_once``: only what is under way."""
-        self._executor.shutdown(wait=at_once, cancel_futures=at_once)
+        """End when what was taken is done; ``at_once``: now, whatever is under way."""
+        if at_once:
+            for desk in self._desks:
+                desk.close()
+        else:
+            for _ in self._desks:
+                self._threads.submit(self._close_one)  # after all that was taken
+        self._threads.shutdown(wait=at_once, cancel_futures=at_once)
 
+    def _answer(self, question: Question) -> Reply:
+        with self._desk() as desk:
+            return desk.answer(question)
 
-def _executor(snapshot: Snapshot, processes: int) -> Executor:
-    if not processes:
-        return ThreadPoolExecutor(1, "foon-planning", initializer=_begin, initargs=(snapshot,))
-    begin: Callable[[Snapshot], None] = _begin_process
-    return ProcessPoolExecutor(processes, get_context("spawn"), initializer=begin, initargs=(snapshot,))
+    @contextmanager
+    def _desk(self) -> Iterator[Desk]:
+        desk = self._free.get()
+        try:
+            yield desk
+        finally:
+            self._free.put(desk)
 
-
-_own = threading.local()
-
-
-def _begin(snapshot: Snapshot) -> None:
-    _own.desk = PlanningDesk(snapshot)
-
-
-def _begin_process(snapshot: Snapshot) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    _begin(snapshot)
-
-
-def _end_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
-
-
-def _ready() -> None:
-    """Do nothing: a process that is asked has begun."""
-
-
-def _answer(question: Question) -> Reply:
-    desk: PlanningDesk = _own.desk
-    return desk.answer(question)
+    def _close_one(self) -> None:
+        self._free.get().close()

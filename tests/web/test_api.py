@@ -10,6 +10,9 @@ from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
 from foon_kg.batch import Cook, Question, Wishes
+from foon_kg.kitchen import Kitchen
+from foon_kg.snapshot import Snapshot
+from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
 
 
@@ -54,6 +57,32 @@ def test_another_equivalent_can_be_chosen(client):
 def test_an_avoided_food_is_left_out(client):
     told = client.post("/api/plan", json=SALAD | {"avoid": ["onion"]}).json()
     assert "onion" not in {one["object"] for one in told["recipe"]["ingredients"]}
+
+
+def test_what_is_at_hand_is_all_there_is(client):
+    answer = client.post("/api/plan", json=SALAD | {"kitchen": ["kohlrabi", "onion", "olive oil"]})
+    assert answer.status_code == 200
+    foods = [node["label"] for node in answer.json()["shopping"]]
+    assert set(foods) <= {"kohlrabi", "onion", "olive oil", "water"}
+    answer = client.post("/api/plan", json=SALAD | {"kitchen": ["chopped onion", "olive oil", "kohlrabi"]})
+    onions = [node for node in answer.json()["kitchen"] if node["label"] == "onion"]
+    assert [node["states"] for node in onions] == [["chopped"]]  # what is there chopped is not chopped again
+
+
+def test_what_the_kitchen_lacks_is_named_with_a_remedy():
+    one_dish = next(video for video in demo_foon().subgraphs if video.name == "greek_salad")
+    foon = FixedFoon(Snapshot.of([one_dish], Kitchen.default()))
+    with TestClient(app(foon=foon), base_url="http://localhost") as client:
+        answer = client.post("/api/plan", json=SALAD | {"kitchen": ["spoon"]})
+    assert answer.status_code == 404
+    told = error_of(answer)
+    assert told["code"] == "missing"
+    assert any(one["remedy"].startswith("get a ") for one in told["missing"])
+
+
+def test_a_thing_at_hand_that_nobody_knows_comes_with_a_note(client):
+    told = client.post("/api/plan", json=SALAD | {"kitchen": ["onionn", "kohlrabi", "olive oil", "onion"]}).json()
+    assert any("onionn" in note and "onion" in note for note in told["notes"])
 
 
 def test_no_tree_is_404_and_says_why(client):
@@ -200,15 +229,10 @@ def test_more_than_there_are_places_for_is_refused():
     application = app(most=1)
     service = application.state.service
     with TestClient(application, base_url="http://localhost") as client:
-        from foon_kg.web.questions import SuggestQuestion
-
-        under_way = service.ask(SuggestQuestion(("egg", "onion", "milk", "butter"), 20))
-        answer = client.post("/api/plan", json=SALAD)
-        if answer.status_code == 200:  # it was done before we asked
-            assert under_way.done()
-            return
+        places = service._current().workers._places
+        with places:  # the only one
+            answer = client.post("/api/plan", json=SALAD)
         assert answer.status_code == 503
         assert answer.headers["retry-after"] == "1"
         assert error_of(answer)["code"] == "busy"
-        under_way.result()
         assert client.post("/api/plan", json=SALAD).status_code == 200

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 
 import pytest
 from pictures.demo_plans import demo_foon
@@ -13,11 +13,12 @@ from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.kitchen import Kitchen
 from foon_kg.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon, LiveFoon, Served
-from foon_kg.web.questions import PlanQuestion, UnknownError
+from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, TooLongError, UnknownError
 from foon_kg.web.service import FoonService
-from foon_kg.web.workers import BusyError
 
 SALAD = PlanQuestion("salad", ("sliced kohlrabi", "chopped onion"))
+ONIONS = PlanQuestion("salad", ("chopped onion",))
+TOMATOES = PlanQuestion("salad", ("diced tomato",))
 
 
 def answered(service, question):
@@ -75,15 +76,55 @@ def test_many_threads_get_the_same_answers():
     assert all(found == words[0] for found in words)
 
 
-def test_processes_answer_as_a_thread_does_and_are_begun_anew_when_ended():
-    with FoonService(FixedFoon(demo_foon())) as inside, FoonService(FixedFoon(demo_foon()), processes=1) as outside:
+@pytest.fixture(scope="module")
+def outside():
+    """A service with one process that plans."""
+    with FoonService(FixedFoon(demo_foon()), processes=1, seconds=120) as service:
+        yield service
+
+
+def desk_of(service):
+    (desk,) = service._current().workers._desks
+    return desk
+
+
+def test_a_process_answers_as_a_thread_does_and_is_begun_anew_when_ended(outside):
+    with FoonService(FixedFoon(demo_foon())) as inside:
         assert outside.answer(SALAD).body == inside.answer(SALAD).body
-        (process,) = outside._edition.workers._executor._processes.values()
-        os.kill(process.pid, signal.SIGKILL)
-        process.join()
-        other = PlanQuestion("salad", ("chopped onion",))
-        answers = [answered(outside, other) for _ in range(2)]  # the first may still go to the process that ended
-        assert answers[-1].body == inside.answer(other).body
+        desk_of(outside)._process.kill()
+        answers = [answered(outside, ONIONS) for _ in range(2)]  # the first may still go to the process that ended
+        assert answers[-1].body == inside.answer(ONIONS).body
+
+
+@pytest.mark.skipif(os.name != "posix", reason="it stops a process as only POSIX can")
+def test_a_process_that_never_answers_is_replaced(outside, monkeypatch):
+    outside.answer(SALAD)
+    desk = desk_of(outside)
+    hung = desk._process
+    os.kill(hung.pid, signal.SIGSTOP)
+    with monkeypatch.context() as patch:
+        patch.setattr(desk, "_seconds", 0.2)
+        with pytest.raises(TooLongError, match=r"no answer within 0\.2 seconds"):
+            outside.answer(TOMATOES)
+    assert hung.exitcode == -signal.SIGKILL
+    assert outside.answer(TOMATOES).status == 200
+    assert desk._process.pid != hung.pid
+
+
+def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(outside):
+    with pytest.raises(InternalError):
+        outside.answer("no question at all")
+    assert outside.answer(PlanQuestion("salad", ("sliced onion",))).status == 200
+
+
+def test_a_plan_under_way_is_given_up_when_the_service_ends():
+    service = FoonService(FixedFoon(demo_foon()), processes=1)
+    process = desk_of(service)._process
+    future = service.ask(SALAD)
+    service.close()
+    with pytest.raises((BusyError, CancelledError)):
+        future.result()
+    assert not process.is_alive()
 
 
 @pytest.mark.neo4j
