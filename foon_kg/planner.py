@@ -88,7 +88,8 @@ class Planner:
         known = next((e for e in self._equivalents if _same_kitchen(e.kitchen, kitchen)), None)
         if known is None:
             like = self.settings.state_similarity
-            known = Equivalents(self.vocabulary, kitchen, self.likeness, like, self.likeness.own)
+            motions = self.settings.rules.motions
+            known = Equivalents(self.vocabulary, kitchen, self.likeness, like, self.likeness.own, motions)
             self._equivalents.append(known)
         return known
 
@@ -216,7 +217,7 @@ class _Question:
 
     def _goals_to_try(self) -> Iterator[tuple[RankedGoal, Workshop]]:
         ranked = self._ranked_goals()
-        self._near = min(near_ties(ranked), FIRST_GOALS)
+        self._near = min(near_ties(ranked), FIRST_GOALS) if self.settings.rules.ties else 1
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
@@ -256,7 +257,10 @@ class _Question:
         reference = workshop.reference(goal, self._wanted(ranked))
         script = workshop.script(reference, ranked.goal.videos)
         preparations = workshop.preparations(self.equivalents)
-        integration = Integration(script, goal, self.wants, self.equivalents, self.kitchen, preparations)
+        joins_alike = self.settings.rules.joining
+        integration = Integration(
+            script, goal, self.wants, self.equivalents, self.kitchen, preparations, joins_alike=joins_alike
+        )
         best = attempt = self._judged(integration, ranked, reference, workshop.foon)
         for _ in range(MOST_REPAIRS):
             blamed = attempt.integration.blamed(attempt.tree, attempt.report.of(_REPAIRED)) - integration.refused

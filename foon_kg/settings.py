@@ -12,6 +12,20 @@ from foon_kg.states import state_similarity
 
 
 @dataclass(frozen=True)
+class Rules:
+    """Which rules of choice are at work; each is switched off only to measure what it is worth (``foon evaluate``).
+
+    ``motions``: the motion that makes the wanted state takes the place of the equivalent's. ``joining``: a food joins
+    where one like it does; without it, at the last unit that takes any number of foods. ``ties``: goals that are nearly
+    alike are told apart by their trees; without it, the first is taken.
+    """
+
+    motions: bool = True
+    joining: bool = True
+    ties: bool = True
+
+
+@dataclass(frozen=True)
 class PlanSettings:
     """How to plan: what is at hand, how foods and how states are compared, how long a search may take (seconds).
 
@@ -25,3 +39,4 @@ class PlanSettings:
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
     state_similarity: Callable[[str, str], float] = state_similarity
+    rules: Rules = field(default_factory=Rules)

@@ -45,6 +45,7 @@ class Equivalents:
 
     ``name_confidence`` maps (required object, FOON label) to a probability; ``state_similarity`` two states to 0..1.
     ``own_confidence`` is what an answer says of the names, where a person's choice made ``name_confidence`` differ.
+    Without ``choose_motions`` every motion stays as the FOON has it.
     """
 
     vocabulary: Vocabulary
@@ -52,6 +53,7 @@ class Equivalents:
     name_confidence: Callable[[str, str], float]
     state_similarity: Callable[[str, str], float]
     own_confidence: Callable[[str, str], float] | None = None
+    choose_motions: bool = True
     _fair: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
     _motion_named: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
     _labels_like: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
@@ -128,7 +130,7 @@ class Equivalents:
         It is the one named after the state (minced, mince) before the commonest, and none that only moves food.
         """
         known = self._motions.get(state, ())
-        if not known or motion in {name for name, _ in known}:
+        if not self.choose_motions or not known or motion in {name for name, _ in known}:
             return {}
         if state not in self._motion_named:
             made = motion_for(state, self.vocabulary)
