@@ -40,9 +40,11 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
 ) -> None:
     """Leave out each video, ask for it, and compare.
 
-    The question is the video's dish type and the foods of its goal, in the states in which they first join others.
+    The question is the video's dish type and the foods of its goal, in the states in which they first join others; a
+    mixture that the video makes is asked as what it is made of.
     Compared are, each as intersection over union: units (the motion with its main object; the same with its states),
-    and triples of food, state and motion. A method without a tree has 0.
+    and triples of food, state and motion; and as graphs of units, by their edit distance (0 nothing in common, 1 the
+    same). A method without a tree has 0.
 
     Baselines in the same run: the reference tree of the nearest recipe (Algorithm 1) unchanged, and a search for which
     only the same food and state stand for a food and a state. With --parts also the planner without its similarity of

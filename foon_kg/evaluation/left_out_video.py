@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from foon_kg.kitchen import Kitchen, is_place, singular
+from foon_kg.kitchen import Kitchen, is_place, singular, words
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient, Subgraph
 from foon_kg.snapshot import goals_of
 
@@ -26,25 +26,67 @@ class LeftOutVideo:
 def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
     """Answer the question that ``subgraph`` becomes; ``None`` for one that marks no dish, or one of no foods.
 
-    Of several goals the one of most foods is asked, ties go to the first by content. Each of its foods is asked in the
-    state in which it first joins others (:func:`joining_state`); ``""`` where the video shows none.
+    Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
+    buy for it (:func:`bought`): its foods, and the goal itself where it is a food that the video begins with (a
+    beefsteak is made of beefsteak). Each is asked in the state in which it first joins others (:func:`joining_state`);
+    ``""`` where the video shows none.
     """
     goals = [(node, dish) for node, dish in goals_of(subgraph, kitchen) if kitchen.foods_in(node)]
     if not goals:
         return None
     node, dish_type = min(goals, key=lambda goal: (-len(kitchen.foods_in(goal[0])), goal[0].sort_key, goal[1]))
     units = tuple(annotation.unit for annotation in subgraph.annotations)
-    foods = {singular(name): name for name in kitchen.foods_in(node)}
+    own = [node.label] if kitchen.is_food(node) and not _maker(units, node.label, kitchen) else []
+    named = [name for food in kitchen.foods_in(node) for name in bought(units, food, kitchen)]
+    foods = {singular(name): name for name in (*own, *named)}
     wants = tuple(joining_state(units, foods[food], node, kitchen) for food in sorted(foods))
     return LeftOutVideo(Recipe(dish_type, wants, subgraph.name), units)
+
+
+def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[str, ...]:
+    """Answer the foods of which the video makes the food ``name``; the food itself where it is there from the start.
+
+    Nobody asks for a batter: it is asked as the flour, the milk and the egg of the unit in which the video first names
+    it, and lemon juice as the lemon. Free foods (water) that go into it are not asked. What is made of one food of
+    quite another name (a carrot of an onion) is a slip of the pen, and what is put together of its own parts (an egg of
+    egg white and egg yolk) is known by its name: both are asked as they are.
+    """
+    maker = _maker(units, name, kitchen)
+    if maker is None:
+        return (name,)
+    place, parts = maker
+    own = set(words(name))
+    is_slip = len(parts) == 1 and own.isdisjoint(words(parts[0]))
+    if is_slip or all(own < set(words(part)) for part in parts):
+        return (name,)
+    return tuple(dict.fromkeys(one for part in parts for one in bought(units[: place + 1], part, kitchen)))
+
+
+def _maker(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[int, list[str]] | None:
+    """Answer the place of the unit that makes the food, and of which foods; ``None`` where it is taken before that."""
+    food = singular(name)
+    for place, unit in enumerate(units):
+        taken = _named(unit.input_nodes, kitchen)
+        if food in taken:
+            return None
+        if food in _named(unit.output_nodes, kitchen):
+            return place, [part for part in taken.values() if not kitchen.is_free(part)]
+    return None
+
+
+def _named(nodes: Sequence[ObjectNode], kitchen: Kitchen) -> dict[str, str]:
+    """Answer the foods that ``nodes`` are, and those in vessels, as they are written, by their names in singular."""
+    foods = [node.label for node in nodes if kitchen.is_food(node)]
+    held = [name for node in nodes if not kitchen.is_food(node) for name in kitchen.foods_in(node)]
+    return {singular(name): name for name in (*held, *foods)}
 
 
 def joining_state(units: Sequence[FunctionalUnit], name: str, goal: ObjectNode, kitchen: Kitchen) -> RequiredIngredient:
     """Answer the food ``name`` as the video has it when it first joins others, under the video's own label.
 
     It joins at the first unit that takes the food itself and leaves the goal, or something new that holds it beside
-    another food; where none does, at the last that takes it. Of several states the one that it got last counts,
-    somebody's work before how it is sold.
+    another food (any other food, where the goal is called after it); where none does, at the last that takes it. Of
+    several states the one that it got last counts, somebody's work before how it is sold.
     """
     food, got, joined = singular(name), dict[str, int](), None
     for place, unit in enumerate(units):
@@ -66,4 +108,6 @@ def _takes_up(node: ObjectNode, food: str, goal: ObjectNode, kitchen: Kitchen) -
     if node == goal:
         return True
     inside = {singular(name) for name in kitchen.foods_in(node)}
+    if food == singular(goal.label):
+        return not inside <= {food}
     return food in inside and len(inside) > 1 and singular(node.label) != food

@@ -1,4 +1,4 @@
-"""How much two trees have in common: intersection over union of their units, and of what is done to which food."""
+"""How much two trees have in common: their units, what is done to which food, and how the units hang together."""
 
 from __future__ import annotations
 
@@ -6,10 +6,12 @@ from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from foon_kg.evaluation.edit_distance import edit_distance, unit_graph
+from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, ObjectNode
 
-MEASURES = ("units", "units_with_states", "triples")
+MEASURES = ("units", "units_with_states", "triples", "graph")
 """The measures of an overlap, each from 0 (nothing in common) to 1 (the same)."""
 
 
@@ -19,29 +21,36 @@ class Overlap:
 
     ``units``: the motion with its main object. ``units_with_states``: the same with the states of the main object.
     ``triples``: food, state and motion, for each food that a unit takes itself. Units count as often as they are there,
-    triples once.
+    triples once. ``graph``: the edit distance of the graphs of both (:mod:`~foon_kg.evaluation.edit_distance`) as a
+    likeness; where ``proven`` is false its search was given up, and it is at least so much.
     """
 
     units: float
     units_with_states: float
     triples: float
+    graph: float
+    proven: bool = True
 
-    def to_json(self) -> dict[str, float]:
-        """Answer the three figures as JSON, to six decimals."""
-        return {measure: round(getattr(self, measure), 6) for measure in MEASURES}
+    def to_json(self) -> JsonObject:
+        """Answer the figures as JSON, to six decimals."""
+        return {measure: round(getattr(self, measure), 6) for measure in MEASURES} | {"graph_proven": self.proven}
 
 
-NOTHING = Overlap(0.0, 0.0, 0.0)
+NOTHING = Overlap(0.0, 0.0, 0.0, 0.0)
 """The overlap of a tree that is not there."""
 
 
 def overlap(ours: Sequence[FunctionalUnit], truth: Sequence[FunctionalUnit], kitchen: Kitchen) -> Overlap:
-    """Answer what the units ``ours`` and ``truth`` have in common, whatever their order."""
+    """Answer what the units ``ours`` and ``truth`` have in common; but for ``graph`` their order says nothing."""
     one, other = ([(unit.motion, main_object(unit, kitchen)) for unit in units] for units in (ours, truth))
+    names, true_names = list(map(_without_states, one)), list(map(_without_states, other))
+    edits = edit_distance(unit_graph(ours, names), unit_graph(truth, true_names))
     return Overlap(
-        in_common(Counter(map(_without_states, one)), Counter(map(_without_states, other))),
+        in_common(Counter(names), Counter(true_names)),
         in_common(Counter(map(_with_states, one)), Counter(map(_with_states, other))),
         in_common(Counter(set(_triples(ours, kitchen))), Counter(set(_triples(truth, kitchen)))),
+        edits.closeness,
+        edits.proven,
     )
 
 

@@ -57,6 +57,11 @@ class VideosTogether:
         """Answer for how many videos a method found no tree."""
         return sum(method in video.failed for video in self.videos)
 
+    @property
+    def unproven(self) -> int:
+        """How many edit distances were given up before they were proven."""
+        return sum(not found.proven for video in self.videos for found in video.overlaps.values())
+
     def to_json(self) -> JsonObject:
         """Answer the entry under ``dish_types``."""
         others = [method for method in self.methods if method != OURS]

@@ -47,7 +47,7 @@ def figures(video, foon, names=COMPARED):
 def test_a_video_with_a_twin_is_its_own_nearest_recipe():
     found = figures(SALADS[0], SALADS)
     assert found.failed == {}
-    assert found.overlaps["nearest recipe"] == Overlap(1, 1, 1)
+    assert found.overlaps["nearest recipe"] == Overlap(1, 1, 1, 1)
     assert all(each.units > 0 for each in found.overlaps.values())
 
 

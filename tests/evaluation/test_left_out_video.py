@@ -50,3 +50,31 @@ def test_a_food_that_the_video_never_shows_by_itself_is_asked_without_a_state():
 
 def test_a_video_that_marks_no_dish_of_any_foods_is_no_question():
     assert left_out_video(subgraph("video", "salad", CHOP, "onion(chopped) > mix > salad"), Kitchen.default()) is None
+
+
+BATTER = "flour(powder); egg(whole); water(liquid) > mix > batter(raw){flour,egg}"
+BAKE = "batter(raw){flour,egg}; sugar(granulated) > bake > cake(baked){batter,sugar}"
+
+
+def test_a_mixture_that_the_video_makes_is_asked_as_what_it_is_made_of():
+    foods, _ = asked(BATTER, BAKE)
+    assert foods == {"flour": "powder", "egg": "whole", "sugar": "granulated"}
+
+
+def test_what_is_made_of_a_food_of_its_name_is_asked_as_that_food():
+    squeeze = "lemon(halved) > squeeze > lemon juice(liquid)@in bowl"
+    foods, _ = asked(squeeze, "lemon juice(liquid)@in bowl; sugar > mix > lemonade{lemon juice,sugar}")
+    assert foods == {"lemon": "halved", "sugar": ""}
+
+
+def test_a_slip_of_the_pen_and_a_food_put_together_of_its_parts_are_asked_as_they_are():
+    slip = "onion(whole); knife > peel > carrot(peeled)"
+    beat = "egg white(raw); egg yolk(raw) > beat > egg(beaten)"
+    foods, _ = asked(slip, beat, "carrot(peeled); egg(beaten) > mix > salad{carrot,egg}")
+    assert foods == {"carrot": "peeled", "egg": "beaten"}
+
+
+def test_a_dish_that_is_called_after_its_main_food_is_asked_for_with_it_before_anything_is_on_it():
+    salt = "steak(raw); salt(granulated) > sprinkle > steak(salted){salt}"
+    foods, _ = asked(salt, "steak(salted){salt}; pan > fry > steak(cooked){salt}")
+    assert foods == {"steak": "raw", "salt": "granulated"}
