@@ -87,25 +87,36 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         self, table: str, name: str, read: Callable[[Mapping[str, object]], Sequence[object] | None], tell: Tell
     ) -> None:
         """Put what the file beside says of each recipe on disk; a file that is not there says nothing."""
-        self._disk.execute(f"CREATE TABLE {table} (id TEXT PRIMARY KEY, said TEXT) WITHOUT ROWID")
+        self._disk.execute(f"CREATE TABLE {table} (id TEXT, said TEXT)")
         path = self._path.with_name(name)
-        if not path.exists():
-            return
+        if path.exists():
+            self._fill(table, path, read, tell)
+        # after the rows: ids come in any order, and to sort them once is quicker than to keep them sorted all the time
+        self._disk.execute(f"CREATE INDEX {table}_id ON {table} (id)")
+
+    def _fill(
+        self, table: str, path: Path, read: Callable[[Mapping[str, object]], Sequence[object] | None], tell: Tell
+    ) -> None:
+        """Put on disk what ``path`` says; what cannot be used of it is told."""
         self._disk.execute("BEGIN")
         for number, value in stream_list(path):
             said = read(value) if isinstance(value, dict) and isinstance(value.get("id"), str) else None
             if said is None:
-                message = f"no “id” with lists of one length in {name}"
+                message = f"no “id” with lists of one length in {path.name}"
                 place = f"{path}: element {number}"
                 tell(Notice(place, None, NoticeKind.BAD_FIELD, message, "what it says is not used"))
                 continue
             row = (_field(value, "id"), json.dumps(said))
-            self._disk.execute(f"INSERT OR REPLACE INTO {table} VALUES (?, ?)", row)  # noqa: S608 - the name is ours
+            self._disk.execute(f"INSERT INTO {table} VALUES (?, ?)", row)  # noqa: S608 - the name is ours
         self._disk.execute("COMMIT")
 
     def _beside(self, table: str, place: str, recipe_id: str, texts: Sequence[str], tell: Tell) -> Sequence[Any]:
-        """Answer what ``table`` says of each line; nothing where it has another number of lines, which is told."""
-        row = self._disk.execute(f"SELECT said FROM {table} WHERE id = ?", (recipe_id,)).fetchone()  # noqa: S608 - ours
+        """Answer what ``table`` says of each line; nothing where it has another number of lines, which is told.
+
+        Where a file says it twice, the last counts.
+        """
+        query = f"SELECT said FROM {table} WHERE id = ? ORDER BY rowid DESC LIMIT 1"  # noqa: S608 - the name is ours
+        row = self._disk.execute(query, (recipe_id,)).fetchone()
         said = json.loads(row[0]) if row else []
         if row and len(said) != len(texts):
             message = f"{len(texts)} ingredients here and {len(said)} beside ({table})"
