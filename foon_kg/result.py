@@ -230,6 +230,14 @@ class PlanResult:
         return Subgraph(name, tuple(Annotation(unit) for unit in units), sources)
 
 
+def error_to_json(error: FoonError) -> JsonObject:
+    """Answer what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
+    said: JsonObject = {"code": error.code, "message": error.message, "hint": error.hint}
+    if isinstance(error, ShortageError) and error.missing:
+        said["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in error.missing]
+    return said
+
+
 @dataclass(frozen=True)
 class PlanFailure:
     """There is no tree for ``recipe``: what :class:`~foon_kg.errors.FoonError` said, in the place of a result.
@@ -251,10 +259,8 @@ class PlanFailure:
 
     def to_json(self) -> JsonObject:
         """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
-        error: JsonObject = {"code": self.code, "message": self.message, "hint": self.hint}
-        if self.missing:
-            error["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in self.missing]
-        return {"recipe": recipe_to_json(self.recipe), "error": error}
+        error = ShortageError(self.message, missing=self.missing, hint=self.hint, code=self.code)
+        return {"recipe": recipe_to_json(self.recipe), "error": error_to_json(error)}
 
     @classmethod
     def from_json(cls, value: object, where: str = "plan") -> Self:

@@ -18,7 +18,17 @@ from foon_kg.errors import FoonError
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
 
-Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
+_JSON_ASKED = "foon_kg.cli.json"
+
+
+def _remember(context: typer.Context, asked: bool) -> bool:
+    context.meta[_JSON_ASKED] = asked
+    return asked
+
+
+Json = Annotated[
+    bool, typer.Option("--json", callback=_remember, is_eager=True, help="Print the answer as JSON, an error too.")
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no messages, only data and errors.")]
 Files = Annotated[
     list[Path] | None,
@@ -37,7 +47,10 @@ def examples(*lines: str) -> str:
 
 
 class ErrorsAtTheEdge(TyperGroup):
-    """The root of the commands: turns a :class:`~foon_kg.errors.FoonError` into a message and its exit code."""
+    """The root of the commands: turns a :class:`~foon_kg.errors.FoonError` into a message and its exit code.
+
+    Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.
+    """
 
     def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
         """Run the command that was asked for."""
@@ -45,6 +58,10 @@ class ErrorsAtTheEdge(TyperGroup):
             return super().invoke(ctx)
         except FoonError as error:
             show_error(error)
+            if ctx.meta.get(_JSON_ASKED):
+                from foon_kg.result import error_to_json
+
+                print_json({"error": error_to_json(error)})
             raise typer.Exit(error.exit_code) from error
 
 

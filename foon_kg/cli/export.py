@@ -30,32 +30,39 @@ def _formats(incomplete: str) -> list[str]:
     return [name for name in _FORMATS if name.startswith(incomplete)]
 
 
+Tree = Annotated[
+    Path | None,
+    typer.Argument(
+        metavar="FILE",
+        help="Task trees: plan results (JSON, JSON Lines), FOON text or FOON JSON; - is standard input. "
+        "Without one the whole FOON is exported.",
+    ),
+]
+Form = Annotated[
+    str | None,
+    typer.Option("--format", "-f", metavar="NAME", help="One of those above.", autocompletion=_formats),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="PATH", help="A file, or a folder for several; else standard output."),
+]
+Goal = Annotated[
+    str | None, typer.Option("--goal", metavar="NAME", help="For PDDL of the whole FOON: the dish to be made.")
+]
+RecipeFile = Annotated[
+    Path | None,
+    typer.Option("--recipe", metavar="FILE", help="For Markdown: a recipe (JSON) with a quantity and a unit each."),
+]
+
+
 def export(
-    tree: Annotated[
-        Path | None,
-        typer.Argument(
-            metavar="FILE",
-            help="Task trees: plan results (JSON, JSON Lines), FOON text or FOON JSON; - is standard input. "
-            "Without one the whole FOON is exported.",
-        ),
-    ] = None,
+    tree: Tree = None,
     *,
-    form: Annotated[
-        str | None,
-        typer.Option("--format", "-f", metavar="NAME", help="One of those above.", autocompletion=_formats),
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="PATH", help="A file, or a folder for several; else standard output."),
-    ] = None,
-    goal: Annotated[
-        str | None, typer.Option("--goal", metavar="NAME", help="For PDDL of the whole FOON: the dish to be made.")
-    ] = None,
+    form: Form = None,
+    output: Output = None,
+    goal: Goal = None,
     kitchen: KitchenFile = None,
-    recipe: Annotated[
-        Path | None,
-        typer.Option("--recipe", metavar="FILE", help="For Markdown: a recipe (JSON) with a quantity and a unit each."),
-    ] = None,
+    recipe: RecipeFile = None,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
@@ -79,9 +86,6 @@ def export(
     The JSON of a plan does not say which motions take any number of foods, nor what moves: where that matters,
     export "foon plan --foon".
     """  # noqa: D301 - click wants the character itself before lines that it must not join
-    from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
-    from foon_kg.exports.formats import export_tree
-
     say = sayer(quiet=quiet)
     form = _chosen(form, output)
     if recipe is not None and form != "markdown":
@@ -90,12 +94,19 @@ def export(
         written = list(_whole(form, goal, kitchen, files, say))
     else:
         _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
-        trees = read_exported_trees(tree, say)
-        written = [f for one in trees for f in export_tree(one, form, amounts_of(one, recipe))]
+        written = _trees(tree, form, recipe, say)
     _write(written, output)
     if form == "csv" and output is not None:
         say(f"In {output}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
         say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
+
+
+def _trees(file: Path, form: str, recipe: Path | None, say: Say) -> list[ExportFile]:
+    from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
+    from foon_kg.exports.formats import export_tree
+
+    trees = read_exported_trees(file, say)
+    return [written for tree in trees for written in export_tree(tree, form, amounts_of(tree, recipe))]
 
 
 def _chosen(form: str | None, output: Path | None) -> str:

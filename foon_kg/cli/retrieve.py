@@ -21,33 +21,38 @@ EXAMPLES = examples(
 )
 
 
+Goal = Annotated[str, typer.Argument(metavar="LABEL", help="What is to be made, as the FOON calls it.")]
+States = Annotated[
+    list[str] | None, typer.Option("--state", metavar="STATE", help="It has this state; may be given many times.")
+]
+Ingredients = Annotated[
+    list[str] | None,
+    typer.Option("--ingredient", metavar="FOOD", help="It has this ingredient; may be given many times."),
+]
+Container = Annotated[str | None, typer.Option("--in", metavar="PLACE", help="It is in, or on, this container.")]
+AtLevel = Annotated[int, typer.Option(min=1, max=3, help="1: labels; 2: states and places too; 3: ingredients too.")]
+By = Annotated[
+    Literal["units", "success"], typer.Option(help="What is best: the fewest units, or the greatest success.")
+]
+Weights = Annotated[
+    Path | None,
+    typer.Option("--weights", metavar="FILE", help="How hard motions are (JSON), in place of the stored weights."),
+]
+Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
+
+
 def retrieve(
-    goal: Annotated[str, typer.Argument(metavar="LABEL", help="What is to be made, as the FOON calls it.")],
+    goal: Goal,
     *,
-    states: Annotated[
-        list[str] | None, typer.Option("--state", metavar="STATE", help="It has this state; may be given many times.")
-    ] = None,
-    ingredients: Annotated[
-        list[str] | None,
-        typer.Option("--ingredient", metavar="FOOD", help="It has this ingredient; may be given many times."),
-    ] = None,
-    container: Annotated[
-        str | None, typer.Option("--in", metavar="PLACE", help="It is in, or on, this container.")
-    ] = None,
-    level: Annotated[
-        int,
-        typer.Option(min=1, max=3, help="1: labels; 2: states and places too; 3: ingredients too."),
-    ] = 2,
-    by: Annotated[
-        Literal["units", "success"], typer.Option(help="What is best: the fewest units, or the greatest success.")
-    ] = "units",
-    weights: Annotated[
-        Path | None,
-        typer.Option("--weights", metavar="FILE", help="How hard motions are (JSON), in place of the stored weights."),
-    ] = None,
+    states: States = None,
+    ingredients: Ingredients = None,
+    container: Container = None,
+    level: AtLevel = 2,
+    by: By = "units",
+    weights: Weights = None,
     kitchen: KitchenFile = None,
     as_json: Json = False,
-    foon: Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")] = False,
+    foon: Foon = False,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:

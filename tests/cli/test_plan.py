@@ -131,7 +131,6 @@ def test_no_tree_is_exit_code_3_with_a_reason_and_a_hint(foon):
         (["--dish", "salat", "chopped onion"], "“salat” is no dish type"),
         (["nowhere.json"], "there is no file or folder nowhere.json"),
         (["--dish", "salad", " "], "an ingredient is empty"),
-        ([*SALAD, "--json", "--foon"], "--json and --foon ask for two forms of one answer"),
         (["--dish", "salad"], "say what to plan"),
         (["--fish", "salad", "onion"], "No such option"),
     ],
@@ -140,6 +139,11 @@ def test_wrong_usage_is_exit_code_2_and_nothing_on_stdout(foon, arguments, messa
     answer = foon(*arguments)
     assert (answer.exit_code, answer.stdout) == (2, "")
     assert message in answer.stderr
+
+
+def test_two_forms_of_one_answer_are_refused_in_json(foon):
+    answer = foon(*SALAD, "--json", "--foon")
+    assert (answer.exit_code, json.loads(answer.stdout)["error"]["code"]) == (2, "usage")
 
 
 def test_foon_text_of_many_recipes_is_refused(foon, tmp_path):

@@ -71,7 +71,6 @@ def test_a_plan_shows_the_title_that_was_asked_and_the_dish_of_foon_that_it_is_l
         (["--substitute", "=onion"], "“=onion” is no substitute"),
         (["--substitute", "kohlrabi=tomatto"], "this FOON does not know “tomatto”"),
         (["--substitute", "kohlrabi=onion", "--substitute", "kohlrabi=carrot"], "has two substitutes"),
-        (["--explain", "--json"], "--json and --explain ask for two forms of one answer"),
         (["--explain", "--foon"], "--foon and --explain ask for two forms of one answer"),
         (["--jobs", "0"], "Invalid value for '--jobs'"),
         (["--avoid", "vegetable", "--avoid", "oil", "--avoid", "salt"], "nothing is left of the recipe"),
@@ -81,6 +80,13 @@ def test_wishes_that_make_no_sense_are_wrong_usage(arguments, message):
     answer = plan(*SALAD, *arguments)
     assert (answer.exit_code, answer.stdout) == (2, "")
     assert message in answer.stderr
+
+
+def test_two_forms_of_one_answer_are_refused_in_json_where_that_is_one_of_them():
+    answer = plan(*SALAD, "--explain", "--json")
+    said = "--json and --explain ask for two forms of one answer"
+    assert (answer.exit_code, json.loads(answer.stdout)["error"]["message"]) == (2, said)
+    assert said in answer.stderr
 
 
 def test_an_unknown_substitute_is_answered_with_near_words():

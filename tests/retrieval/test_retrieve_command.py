@@ -136,7 +136,6 @@ def test_no_tree_is_exit_code_3_and_says_what_is_missing(retrieve):
         (["salad", "--level", "4"], 2, "--level"),
         (["salad", "--level", "1", "--state", "mixed"], 2, "at level 1 a FOON has no states"),
         (["salad", "--ingredient", "onion"], 2, "at level 2 a FOON has no ingredients"),
-        (["salad", "--json", "--foon"], 2, "--json and --foon ask for two forms of one answer"),
         (["salad", "--weights", "lost.json"], 1, "lost.json: cannot be read"),
         ([" "], 2, "the goal has no name"),
     ],
@@ -145,3 +144,27 @@ def test_what_cannot_be_answered_has_its_exit_code_and_nothing_on_stdout(retriev
     answer = retrieve(*words)
     assert (answer.exit_code, answer.stdout) == (code, "")
     assert message in answer.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "exit_code", "code", "message"),
+    [
+        (["pie"], 3, "no-goal", "this FOON has no “pie”"),
+        (["salad", "--by", "success"], 2, "usage", "there are no weights of motions"),
+        (["salad", "--foon"], 2, "usage", "--json and --foon ask for two forms of one answer"),
+        (["salad", "--weights", "lost.json"], 1, "read", "lost.json: cannot be read"),
+    ],
+)
+def test_who_asked_for_json_gets_the_error_as_json_too(retrieve, words, exit_code, code, message):
+    answer = retrieve(*words, "--json")
+    assert answer.exit_code == exit_code
+    error = json.loads(answer.stdout)["error"]
+    assert (error["code"], message in error["message"], bool(error["hint"])) == (code, True, True)
+    assert f"error: {error['message']}\nhint: {error['hint']}" in answer.stderr
+
+
+def test_json_names_what_is_missing(retrieve):
+    answer = retrieve("soup", "--json")
+    (missing,) = json.loads(answer.stdout)["error"]["missing"]
+    assert (missing["node"]["label"], missing["node"]["states"]) == ("unicorn", ["tamed"])
+    assert missing["remedy"] == "have unicorn ready: tamed"
