@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from foon_kg.knowledge import KnowledgeView, Neighbour
 from foon_kg.model import FunctionalUnit, Recipe
 from foon_kg.names import canonical
 from foon_kg.planner import Planner
-from foon_kg.settings import PlanSettings
+from foon_kg.settings import PlanSettings, Rules
 from foon_kg.similarity.answers import Confidences, best
 
 Method = Callable[[KnowledgeView, Recipe], Sequence[FunctionalUnit]]
@@ -40,11 +41,6 @@ def same_state(one: str, other: str) -> float:
     return float(canonical(one) == canonical(other))
 
 
-def planned(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the tree of foon-kg."""
-    return _planned(view, recipe, PlanSettings())
-
-
 def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
     """Answer the reference tree of the goal that algorithm 1 finds nearest, unchanged."""
     planner = Planner(view, PlanSettings())
@@ -52,32 +48,35 @@ def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUn
     return [known.unit for known in planner.reference_tree(recipe, goal.goal.node)]
 
 
-def without_substitution(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer a tree for which only the same food and the same state stand for a food and a state."""
-    return _planned(view, recipe, PlanSettings(similarity=SameName(), state_similarity=same_state))
+@dataclass(frozen=True)
+class Planning:
+    """The method that plans with ``settings``, those of foon-kg unless told otherwise."""
 
+    settings: PlanSettings = field(default_factory=PlanSettings)
 
-def without_similarity(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer a tree for which only the same food stands for a food."""
-    return _planned(view, recipe, PlanSettings(similarity=SameName()))
-
-
-def without_state_classes(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer a tree for which only the same state stands for a state."""
-    return _planned(view, recipe, PlanSettings(state_similarity=same_state))
+    def __call__(self, view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
+        """Answer the units of the tree; raises NoTreeError where there is none."""
+        return [unit.as_unit() for unit in Planner(view, self.settings).plan(recipe).units]
 
 
 OURS = "foon-kg"
-BASELINES: Mapping[str, Method] = {"nearest recipe": nearest_recipe, "no substitution": without_substitution}
-PARTS: Mapping[str, Method] = {"no similarity": without_similarity, "no state classes": without_state_classes}
-METHODS: Mapping[str, Method] = {OURS: planned, **BASELINES, **PARTS}
+BASELINES: Mapping[str, Method] = {
+    "nearest recipe": nearest_recipe,
+    "no substitution": Planning(PlanSettings(similarity=SameName(), state_similarity=same_state)),
+}
+PARTS: Mapping[str, Method] = {
+    "no similarity": Planning(PlanSettings(similarity=SameName())),
+    "no state classes": Planning(PlanSettings(state_similarity=same_state)),
+    "no motion choice": Planning(PlanSettings(rules=Rules(motions=False))),
+    "no joining rule": Planning(PlanSettings(rules=Rules(joining=False))),
+    "first goal only": Planning(PlanSettings(rules=Rules(ties=False))),
+    "greedy search": Planning(PlanSettings(time_limit=0.0)),
+}
+"""The planner without one of its parts each; a search without time answers the cheapest producers and compares none."""
+METHODS: Mapping[str, Method] = {OURS: Planning(), **BASELINES, **PARTS}
 """Every method by its name."""
 
 
 def methods(*, parts: bool) -> tuple[str, ...]:
     """Answer the names of the methods to be compared, ours first; with ``parts`` those without one of our parts too."""
     return (OURS, *BASELINES, *(PARTS if parts else ()))
-
-
-def _planned(view: KnowledgeView, recipe: Recipe, settings: PlanSettings) -> Sequence[FunctionalUnit]:
-    return [unit.as_unit() for unit in Planner(view, settings).plan(recipe).units]
