@@ -36,3 +36,41 @@ def chromium(profile):
         yield driver
     finally:
         driver.quit()
+
+
+def on_screen(browser, width, height=700, *, touch=False):
+    """Show the page as on a screen of so many pixels, which fingers touch or not."""
+    screen = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": touch})
+
+
+def as_usual(browser):
+    """Show the page on the screen that the browser was begun with."""
+    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+
+
+def papers(browser, scheme, picture):
+    """The colours of the page and of the ``picture`` (a CSS selector) on it, in a light or a dark ``scheme``."""
+    media = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
+    script = """
+        return [getComputedStyle(document.body).backgroundColor,
+                getComputedStyle(document.querySelector(arguments[0] + ' .paper')).fill]"""
+    return browser.execute_script(script, picture)
+
+
+PAPERS = {"light": "rgb(255, 255, 255)", "dark": "rgb(22, 24, 29)"}
+
+
+def as_wide_as_the_screen(browser, width):
+    """Whether nothing of the page is beyond the side of a screen of ``width`` pixels."""
+    return browser.execute_script("return document.documentElement.scrollWidth") <= width
+
+
+def fingers(browser, *touches):
+    """Touch the screen: each is a kind of event, and where the fingers are then."""
+    for kind, places in touches:
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})

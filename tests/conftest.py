@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 import neo4j
 import pytest
+from chromium import chromium
 from filelock import FileLock
 
 from foon_kg.errors import FoonError
@@ -29,6 +30,7 @@ from foon_kg.server import ConnectionSettings, connection_from_environment
 
 if TYPE_CHECKING:
     import docker
+    from selenium.webdriver.chrome.webdriver import WebDriver
 
 IMAGE = "neo4j:2026.09.0-community"
 SESSION_FOLDER = "FOON_KG_TEST_SESSION"
@@ -193,3 +195,10 @@ def _own_server(folder: Path) -> ConnectionSettings:
             return start(idle_minutes=60, after_start=lambda _settings: None)
         except FoonError as error:
             pytest.fail(f"no Neo4j for the tests: {error.message} ({error.hint})", pytrace=False)
+
+
+@pytest.fixture(scope="session")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[WebDriver]:
+    """A real Chromium, for the tests of pages."""
+    with chromium(tmp_path_factory.mktemp("profile")) as driver:
+        yield driver

@@ -18,11 +18,22 @@ from foon_kg.views.shown_tree import ShownTree
 from foon_kg.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
+_KEYS = "Arrow keys move the picture, + and - zoom, 0 shows all of it."
+_HINTS = {
+    "fine": f"Drag to move, Ctrl and the wheel zoom. {_KEYS}",
+    "coarse": "Two fingers move and zoom; after a tap one finger moves.",
+}
+_BUTTONS = (
+    ("larger", "Larger", "+"),
+    ("smaller", "Smaller", "\N{MINUS SIGN}"),
+    ("all", "All of it", "All"),
+    ("own", "Its own size", "1:1"),
+)
 
 
 def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
     """Answer the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
-    style, script = (_file(name) for name in ("page.css", "page.js"))
+    style, stage, script = (_file(name) for name in ("page.css", "stage.js", "page.js"))
     parts = [
         f"<h1>{_text(tree.title)}</h1>",
         _section("tree", "Task tree", _stage(tree_svg(tree, kitchen, folded=folded))),
@@ -45,7 +56,8 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{_text(tree.title)}</title>\n<style>\n{style}</style>\n</head>\n"
-        f"<body>\n<main>\n{''.join(parts)}</main>\n<script>\n{script}</script>\n</body>\n</html>\n"
+        f"<body>\n<main>\n{''.join(parts)}</main>\n"
+        f'<script type="module">\n{stage}{script}</script>\n</body>\n</html>\n'
     )
 
 
@@ -56,12 +68,11 @@ def steps_list(tree: ShownTree) -> str:
 
 def _stage(svg: str) -> str:
     buttons = "".join(
-        f'<button type="button" data-do="{do}" aria-label="{label}">{sign}</button>'
-        for do, label, sign in (("in", "Larger", "+"), ("out", "Smaller", "-"), ("fit", "All of it", "fit"))
+        f'<button type="button" data-do="{do}" aria-label="{label}">{sign}</button>' for do, label, sign in _BUTTONS
     )
-    keys = "Arrow keys move the picture, + and - zoom, 0 shows all of it."
-    stage = f'<div id="stage" tabindex="0" role="group" aria-label="The task tree. {keys}">{svg}</div>'
-    return f'<div class="bar">{buttons}<span class="aside">{keys}</span></div>{stage}'
+    hints = "".join(f'<span class="aside {who}">{hint}</span>' for who, hint in _HINTS.items())
+    stage = f'<div id="stage" tabindex="0" role="group" aria-label="The task tree. {_KEYS}">{svg}</div>'
+    return f'<div class="bar">{buttons}{hints}</div>{stage}'
 
 
 def _step(unit: PlannedUnit, tree: ShownTree) -> str:

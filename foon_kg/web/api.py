@@ -79,6 +79,7 @@ def web_app(
     app.state.service, app.state.limits = service, limits
     app.include_router(router)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
+    app.add_api_route("/stage.js", _stage, include_in_schema=False)
     app.mount("/", StaticFiles(directory=_page_folder(), html=True))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -125,7 +126,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         chosen,
         tuple(asked.avoid),
         tuple(asked.kitchen),
-        pictures=asked.pictures,
+        picture_width=asked.picture_width if asked.pictures else None,
     )
     return await _answered(request, question)
 
@@ -184,6 +185,12 @@ def _crashed(_: Request, __: Exception) -> Response:
 
 def _picture_colours() -> Response:
     return Response(dark_colours(), media_type="text/css")
+
+
+def _stage() -> Response:
+    """Answer the program that moves a picture: the page of ``foon show --html`` has the same."""
+    program = resources.files("foon_kg.pictures").joinpath("stage.js").read_text(encoding="utf-8")
+    return Response(program, media_type="text/javascript")
 
 
 def _page_folder() -> Path:

@@ -50,6 +50,7 @@ class PlanAsked(Asked):
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
     kitchen: Kitchen = []
     pictures: bool = Field(default=False, description="Also answer the tree and the progress lines as SVG.")
+    picture_width: int = Field(1180, ge=280, le=4000, description="How wide the progress lines are, in pixels.")
 
 
 class SuggestAsked(Asked):

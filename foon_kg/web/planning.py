@@ -59,7 +59,7 @@ class PlanningDesk:
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
-        return Reply.of(plan_to_json(answer, pictures=question.pictures) | {"notes": notes})
+        return Reply.of(plan_to_json(answer, question.picture_width) | {"notes": notes})
 
     def _cook_for(self, question: PlanQuestion, kitchen: Kitchen) -> Cook:
         if question.substitutes or question.avoided or question.kitchen:
@@ -90,8 +90,8 @@ class PlanningDesk:
         return kitchen_with([Entry(f"“{text}”", text) for text in things], words)
 
 
-def plan_to_json(answer: Answer, *, pictures: bool) -> JsonObject:
-    """Answer a plan as ``foon plan --json`` prints it, with what to buy, why, where to look and, if asked, pictures."""
+def plan_to_json(answer: Answer, picture_width: int | None = None) -> JsonObject:
+    """Answer a plan as ``foon plan --json`` prints it, and what to buy, why, where to look, and pictures."""
     if not isinstance(answer.outcome, PlanResult):
         raise TypeError("only a plan has steps")
     told: JsonObject = answer.outcome.to_json() | {
@@ -100,9 +100,9 @@ def plan_to_json(answer: Answer, *, pictures: bool) -> JsonObject:
         "shopping": list(map(node_to_json, shopping_list(answer.outcome.kitchen, Kitchen.default()))),
         "videos": [seen_at(unit.seen_in) for unit in answer.outcome.units],
     }
-    if pictures:
+    if picture_width is not None:
         shown = ShownTree.of_result(answer.outcome)
-        told["pictures"] = {"tree": tree_svg(shown, Kitchen.default()), "progress": progress_svg(shown)}
+        told["pictures"] = {"tree": tree_svg(shown, Kitchen.default()), "progress": progress_svg(shown, picture_width)}
     return told
 
 

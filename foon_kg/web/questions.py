@@ -15,7 +15,8 @@ from foon_kg.likeness import Substitute
 class PlanQuestion:
     """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``.
 
-    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything.
+    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything. With a ``picture_width`` (pixels
+    of the progress lines) the answer has pictures.
     """
 
     dish_type: str
@@ -23,7 +24,7 @@ class PlanQuestion:
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
     kitchen: tuple[str, ...] = ()
-    pictures: bool = False
+    picture_width: int | None = None
 
 
 @dataclass(frozen=True)

@@ -15,10 +15,11 @@ from foon_kg.model import KnownUnit, Sighting
 from foon_kg.model_json import node_to_json, sighting_to_json
 from foon_kg.names import canonical
 from foon_kg.similarity import food_similarity
+from foon_kg.similarity.groups import food_groups
 from foon_kg.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
-Kind = Literal["ingredient", "food", "object", "state", "dish"]
+Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish"]
 
 MOST_UNITS = 40
 """How many of the units that make an object, and of those that take it, are told; the rest is counted."""
@@ -47,12 +48,18 @@ class FoonWords:
         """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
 
         An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
-        first.
+        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food.
         """
         if kind == "ingredient":
             return self._ingredients(text, limit)
-        names = {"food": self.foods, "object": self._objects, "state": self.states, "dish": self.dish_types}[kind]
-        return _matching(names, text.strip().lower())[:limit]
+        names = {
+            "food": self.foods, "avoidable": (*food_groups().groups, *self.foods), "object": self._objects,
+            "thing": self._objects, "state": self.states, "dish": self.dish_types,
+        }[kind]  # fmt: skip
+        found = _matching(dict.fromkeys(names), text.strip().lower())
+        if kind == "thing":
+            found = list(dict.fromkeys((*found, *self._ingredients(text, limit))))
+        return found[:limit]
 
     def similar(self, names: Sequence[str], limit: int) -> list[JsonObject]:
         """Answer for each name the known foods that can best stand for it, with what speaks for each."""

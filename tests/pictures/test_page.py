@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from chromium import chromium
+from chromium import PAPERS, as_usual, as_wide_as_the_screen, fingers, on_screen, papers
 from pictures.demo_plans import demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
@@ -23,16 +23,19 @@ def page(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory):
-    with chromium(tmp_path_factory.mktemp("profile")) as driver:
-        yield driver
-
-
 @pytest.fixture
 def opened(browser, page):
+    as_usual(browser)
+    browser.get("about:blank")
+    browser.get_log("browser")
     browser.get(page.as_uri())
+    drawn(browser)
     return browser
+
+
+def drawn(browser):
+    """Wait until the picture has its first view."""
+    browser.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
 
 
 def view(browser):
@@ -66,7 +69,11 @@ def test_arrow_keys_move_and_zoom_keys_zoom(opened):
     down = press(opened, "\ue015")
     assert down[1] > right[1]
     assert press(opened, "+")[2] < down[2]
-    assert press(opened, "0")[:2] == [0, 0]
+    x, y, width, height = press(opened, "0")
+    whole = opened.execute_script("const box = stage.querySelector('.paper').getBBox(); return [box.width, box.height]")
+    assert y == 0
+    assert [x + width, height] >= whole
+    assert press(opened, *["\ue012"] * 30)[0] == pytest.approx(-width / 2)  # it does not get lost
 
 
 def test_the_stage_is_reached_by_tab_and_says_what_it_is(opened):
@@ -77,8 +84,12 @@ def test_the_stage_is_reached_by_tab_and_says_what_it_is(opened):
 
 def test_buttons_do_what_the_keys_do(opened):
     before = view(opened)
-    opened.find_element("css selector", "[data-do=in]").click()
+    opened.find_element("css selector", "[data-do=larger]").click()
     assert view(opened)[2] < before[2]
+    opened.find_element("css selector", "[data-do=all]").click()
+    assert view(opened) == press(opened, "0")
+    opened.find_element("css selector", "[data-do=own]").click()
+    assert view(opened)[2] == opened.execute_script("return stage.clientWidth")
 
 
 def test_a_mouse_drags_the_picture(opened):
@@ -92,23 +103,56 @@ def test_a_mouse_drags_the_picture(opened):
     assert after[1] > before[1]
 
 
-@pytest.mark.parametrize(("scheme", "paper"), [("light", "rgb(255, 255, 255)"), ("dark", "rgb(22, 24, 29)")])
-def test_the_picture_and_the_page_follow_light_and_dark(opened, scheme, paper):
-    opened.execute_cdp_cmd(
-        "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
-    )
-    colours = opened.execute_script("""
-        return [getComputedStyle(document.body).backgroundColor,
-                getComputedStyle(document.querySelector('#stage .paper')).fill]""")
-    assert colours == [paper, paper]
+def test_the_wheel_scrolls_the_page_unless_it_is_asked_for_the_picture(opened):
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.action_chains import ScrollOrigin
+
+    stage = opened.find_element("id", "stage")
+    on_it = ScrollOrigin.from_element(stage)
+    before = view(opened)
+    ActionChains(opened).scroll_from_origin(on_it, 0, 40).perform()
+    assert view(opened) == before
+    ActionChains(opened).key_down("\ue009").scroll_from_origin(on_it, 0, -200).key_up("\ue009").perform()
+    larger = view(opened)
+    assert larger[2] < before[2]
+    stage.click()
+    ActionChains(opened).scroll_from_origin(on_it, 0, 40).perform()
+    after = view(opened)
+    assert after[1] > larger[1]
+    assert after[2:] == larger[2:]
+
+
+def test_two_fingers_zoom_and_move_and_one_scrolls_the_page(opened):
+    on_screen(opened, 375, touch=True)
+    opened.refresh()
+    drawn(opened)
+    opened.execute_script("stage.scrollIntoView({block: 'center'})")
+    before, scrolled = view(opened), opened.execute_script("return scrollY")
+    spread = [[(150, 350), (220, 350)], [(140, 350), (230, 350)], [(100, 350), (270, 350)]]
+    fingers(opened, ("touchStart", spread[0][:1]), ("touchStart", spread[0]), *[("touchMove", at) for at in spread[1:]])
+    fingers(opened, ("touchEnd", []))
+    zoomed = view(opened)
+    assert zoomed[2] == pytest.approx(before[2] * 70 / 170, rel=0.02)
+    together = [[(150, 350), (220, 350)], [(150, 330), (220, 330)], [(150, 300), (220, 300)]]
+    fingers(opened, ("touchStart", together[0]), *[("touchMove", at) for at in together[1:]], ("touchEnd", []))
+    moved = view(opened)
+    assert moved[1] > zoomed[1]
+    assert moved[2:] == zoomed[2:]
+    assert opened.execute_script("return scrollY") == scrolled
+    fingers(opened, ("touchStart", [(150, 350)]), *[("touchMove", [(150, y)]) for y in (320, 280, 240)])
+    fingers(opened, ("touchEnd", []))
+    assert view(opened) == moved
+
+
+@pytest.mark.parametrize("scheme", PAPERS)
+def test_the_picture_and_the_page_follow_light_and_dark(opened, scheme):
+    assert papers(opened, scheme, "#stage") == [PAPERS[scheme]] * 2
 
 
 @pytest.mark.parametrize("width", [360, 1200])
 def test_the_page_is_no_wider_than_the_screen(opened, width):
-    screen = {"width": width, "height": 700, "deviceScaleFactor": 1, "mobile": False}
-    opened.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
-    assert opened.execute_script("return document.documentElement.scrollWidth") <= width
-    opened.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+    on_screen(opened, width)
+    assert as_wide_as_the_screen(opened, width)
 
 
 def test_hostile_words_stay_words():

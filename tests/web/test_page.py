@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 
 import pytest
-from chromium import chromium
+from chromium import PAPERS, as_usual, as_wide_as_the_screen, on_screen, papers
 from web.serving import app, served
 
 TOKEN = "a-token-of-enough-letters"
@@ -18,18 +18,13 @@ def address():
         yield found
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory):
-    with chromium(tmp_path_factory.mktemp("profile")) as driver:
-        yield driver
-
-
 @pytest.fixture
 def page(browser, address):
     """The page, begun anew."""
     browser.execute_cdp_cmd("Network.setBlockedURLs", {"urls": []})
-    browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
-    browser.get("about:blank")
+    as_usual(browser)
+    browser.get(f"{address}/icon.svg")
+    browser.execute_script("localStorage.clear()")
     browser.get_log("browser")
     browser.get(f"{address}/")
     until(browser, "return document.querySelectorAll('#dish option').length > 1")
@@ -87,7 +82,7 @@ def test_a_dish_is_planned_by_keyboard_alone(page):
     assert page.find_element("id", active).text == "chopped onion"
     press(ENTER)
     assert page.execute_script("return [...wanted.children].map(li => li.firstChild.data)") == ["chopped onion"]
-    press("sliced kohlrabi", ENTER, TAB, TAB, TAB, TAB)
+    press("sliced kohlrabi", ENTER, *[TAB] * 5)
     assert focused(page).get_attribute("id") == "go"
     press(ENTER)
     asked(page)
@@ -124,6 +119,56 @@ def test_another_equivalent_is_chosen_and_taken_back(page):
     page.find_element("xpath", "//button[text()='undo my choice']").send_keys(ENTER)
     until(page, "return !result.innerText.includes('your choice')")
     assert text_of(page, "#result .plain strong") == first
+
+
+def chips(browser, name):
+    return browser.execute_script("return [...window[arguments[0]].children].map(li => li.firstChild.data)", name)
+
+
+def test_what_is_at_hand_left_out_and_chosen_goes_into_the_plan_and_its_address(page):
+    page.find_element("css selector", "#wishes > summary").send_keys(ENTER)
+    for thing in ("kohlrabi", "onion", "chopped onion"):
+        page.find_element("id", "thing").send_keys(thing, ENTER)
+    page.find_element("id", "avoid").send_keys("nuts", ENTER)
+    page.find_element("id", "food").send_keys("kohlrabi")
+    page.find_element("id", "like").send_keys("onion", ENTER)
+    assert text_of(page, "#wishes-told") == "3 at hand · without nuts · kohlrabi like onion"
+    plan(page, "sliced kohlrabi", "chopped onion", "walnut")
+    assert "“walnut” is left out" in text_of(page, "#result")
+    assert "handled like onion" in text_of(page, "#result")
+    told = text_of(page, "#result")
+    page.refresh()
+    until(page, "return result.innerText.includes('Task tree')")
+    assert text_of(page, "#result") == told
+    assert chips(page, "at-hand") == ["kohlrabi", "onion", "chopped onion"]
+
+
+def test_the_kitchen_is_kept_and_what_is_odd_about_it_is_told_even_without_a_tree(page):
+    page.find_element("css selector", "#wishes > summary").send_keys(ENTER)
+    page.execute_script("""
+        const told = new DataTransfer();
+        told.setData('text/plain', '- egg\\n# mine\\nspoon\\nonionn');
+        thing.dispatchEvent(new ClipboardEvent('paste', {clipboardData: told, cancelable: true}))""")
+    assert chips(page, "at-hand") == ["egg", "spoon", "onionn"]
+    page.execute_script("dish.append(new Option('pizza')); dish.value = 'pizza'")  # of which this FOON has none
+    page.find_element("id", "ingredient").send_keys("chopped onion", ENTER, CONTROL + ENTER)
+    until(page, "return !!document.querySelector('#result [role=alert]')")
+    told = text_of(page, "#result [role=alert]")
+    assert "This FOON has no pizza" in told
+    assert "no food “onionn”" in told
+    page.get(page.current_url.split("#")[0])
+    assert chips(page, "at-hand") == ["egg", "spoon", "onionn"]
+
+
+def test_going_back_from_an_object_leads_to_the_plan_again(page):
+    plan(page, "chopped onion")
+    page.find_element("css selector", "#result ol a.link").send_keys(ENTER)
+    until(page, "return around.innerText.includes('Steps that take it')")
+    page.find_element("css selector", "#wanted button").send_keys(ENTER)
+    assert chips(page, "wanted") == []
+    page.back()
+    until(page, "return wanted.children.length === 1 && result.getAttribute('aria-busy') === 'false'")
+    assert "Task tree" in text_of(page, "#result")
 
 
 def test_an_ingredient_is_removed_and_the_focus_stays_near(page):
@@ -198,23 +243,18 @@ def test_the_picture_moves_by_keys_and_buttons(page):
 
 @pytest.mark.parametrize("width", [320, 360, 800, 1200])
 def test_the_page_is_no_wider_than_the_screen(page, width):
-    screen = {"width": width, "height": 700, "deviceScaleFactor": 1, "mobile": width < 500}
-    page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", screen)
+    on_screen(page, width, touch=width < 500)
+    page.execute_script("wishes.open = true")
     plan(page, "sliced kohlrabi", "chopped onion", "a-food-with-a-name-that-is-long-and-has-no-space-anywhere-in-it")
     page.get(page.current_url.split("#")[0] + "#look=onion")
     until(page, "return around.innerText.includes('Steps that take it')")
-    assert page.execute_script("return document.documentElement.scrollWidth") <= width
+    assert as_wide_as_the_screen(page, width)
 
 
-@pytest.mark.parametrize(("scheme", "paper"), [("light", "rgb(255, 255, 255)"), ("dark", "rgb(22, 24, 29)")])
-def test_page_and_picture_follow_light_and_dark(page, scheme, paper):
-    media = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
-    page.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
+@pytest.mark.parametrize("scheme", PAPERS)
+def test_page_and_picture_follow_light_and_dark(page, scheme):
     plan(page, "chopped onion")
-    colours = page.execute_script("""
-        return [getComputedStyle(document.body).backgroundColor,
-                getComputedStyle(document.querySelector('.stage .paper')).fill]""")
-    assert colours == [paper, paper]
+    assert papers(page, scheme, ".stage") == [PAPERS[scheme]] * 2
 
 
 def test_nothing_comes_from_elsewhere(page, address):

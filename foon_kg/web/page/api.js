@@ -3,12 +3,12 @@
 const KEPT = "foon-token";
 
 export class Refusal extends Error {
-  constructor(status, told) {
+  constructor(status, told, notes = []) {
     super(told.message);
     this.status = status;
     this.code = told.code;
     this.hint = told.hint;
-    this.missing = told.missing ?? [];
+    this.notes = notes;
   }
 }
 
@@ -33,7 +33,7 @@ const ask = async (path, options = {}) => {
     throw new Refusal(0, { code: "offline", message: "The service does not answer.", hint: "Is foon serve still running?" });
   }
   const told = await answer.json().catch(() => ({}));
-  if (!answer.ok) throw new Refusal(answer.status, told.error ?? { code: "http", message: answer.statusText, hint: "" });
+  if (!answer.ok) throw new Refusal(answer.status, told.error ?? { code: "http", message: answer.statusText, hint: "" }, told.notes ?? []);
   return told;
 };
 
@@ -43,6 +43,6 @@ const post = (path, body) =>
 
 export const summary = () => ask("summary");
 export const complete = (kind, text, signal) => ask(`complete?${query({ kind, text, limit: 12 })}`, { signal });
-export const plan = (question) => post("plan", { ...question, pictures: true });
-export const suggest = (foods) => post("suggest", { foods });
+export const plan = (question) => post("plan", { ...question, pictures: true, picture_width: matchMedia("(max-width: 700px)").matches ? 326 : 1100 });
+export const suggest = (foods, kitchen) => post("suggest", { foods, kitchen });
 export const around = (label) => ask(`object?${query({ label })}`);

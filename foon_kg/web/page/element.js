@@ -14,17 +14,11 @@ export const heading = (level, text) => element(`h${level}`, {}, text);
 export const list = (items, attributes = {}, name = "ul") =>
   element(name, attributes, ...items.map((item) => (item instanceof HTMLLIElement ? item : element("li", {}, ...[item].flat()))));
 
-// An SVG text as elements, without its style sheet: the page has the same one as a file of its own (picture.css), and
-// its policy allows no other.
-export const picture = (text) => {
-  const plain = text.replace(/<style>[^<]*<\/style>/, "");
-  return document.importNode(new DOMParser().parseFromString(plain, "image/svg+xml").documentElement, true);
-};
-
 export const errorNotice = (error) =>
   element("div", { class: "notice error", role: "alert" },
     element("p", {}, element("strong", {}, sentence(error.message))),
-    error.hint ? element("p", {}, error.hint) : null);
+    error.hint ? element("p", {}, error.hint) : null,
+    ...(error.notes ?? []).map((note) => element("p", { class: "aside" }, sentence(note))));
 
 export const sentence = (text) => {
   const begun = text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,60 +1,37 @@
 // The page: what is wanted, and what comes of it.
 
+import { fromAddress, toAddress } from "./address.js";
 import * as api from "./api.js";
 import { aroundView } from "./around.js";
+import { chipField } from "./chips.js";
 import { combobox } from "./combobox.js";
 import { element, errorNotice } from "./element.js";
 import { planView, suggestionsView } from "./plan.js";
+import { wishes } from "./wishes.js";
 
 const at = (id) => document.getElementById(id);
-const [dish, ingredient, wanted, result, status] = ["dish", "ingredient", "wanted", "result", "status"].map(at);
-const MOST = 60;
-let foods = [];
-let chosen = new Map(); // food -> the known one that the person wants it to be handled like
-let turn = 0;
-
-const showFoods = () => {
-  wanted.replaceChildren(...foods.map((food) => element("li", {}, food,
-    element("button", { type: "button", "aria-label": `Remove ${food}`, onclick: () => remove(food) }, "×"))));
-};
-
-const add = (text = ingredient.value) => {
-  const food = text.split(/\s+/).join(" ").trim();
-  if (!food.replaceAll(",", "").trim()) return false;
-  if (!foods.includes(food) && foods.length < MOST) foods = [...foods, food];
-  ingredient.value = "";
-  typed.close();
-  showFoods();
-  status.textContent = `${food} is added: ${foods.length} in all.`;
-  return true;
-};
-
-const remove = (food) => {
-  const place = foods.indexOf(food);
-  foods = foods.filter((other) => other !== food);
-  showFoods();
-  status.textContent = `${food} is removed.`;
-  (wanted.querySelectorAll("button")[Math.min(place, foods.length - 1)] ?? ingredient).focus();
-};
-
-const typed = combobox(ingredient, at("ingredient-list"), "ingredient", (text) => add(text));
+const [dish, ingredient, result, status] = ["dish", "ingredient", "result", "status"].map(at);
+const say = (text) => { status.textContent = text; };
+const foods = chipField(ingredient, at("ingredient-list"), at("wanted"), "ingredient", { most: 60, say });
+const wished = wishes(say);
 const looked = combobox(at("object"), at("object-list"), "object", (text) => { location.hash = `look=${encodeURIComponent(text)}`; });
+let turn = 0;
 
 // Only the answer to the last question is shown, whatever comes late.
 const answer = async (words, question, view) => {
   const mine = ++turn;
-  status.textContent = words;
+  say(words);
   result.setAttribute("aria-busy", "true");
   let shown;
   try {
     const told = await question();
     if (mine !== turn) return;
-    status.textContent = "Done.";
     shown = view(told);
+    say("Done.");
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
     if (mine !== turn) return;
-    status.textContent = "";
+    say("");
     shown = [errorNotice(error)];
     if (error.status === 401) askToken();
   }
@@ -65,8 +42,9 @@ const answer = async (words, question, view) => {
 };
 
 const ready = () => {
-  add();
-  if (foods.length) return true;
+  foods.add();
+  wished.gather();
+  if (foods.words().length) return true;
   result.replaceChildren(errorNotice({ message: "Name an ingredient first", hint: "For example: chopped onion." }));
   ingredient.focus();
   return false;
@@ -74,26 +52,24 @@ const ready = () => {
 
 const plan = () => {
   if (!ready()) return;
-  const substitutes = [...chosen].map(([food, like]) => ({ food, like }));
-  const question = { dish_type: dish.value, ingredients: foods, substitutes };
-  answer("Planning …", () => api.plan(question), (told) => planView(told, chosen, choose));
+  const question = { dish_type: dish.value, ingredients: foods.words(), ...wished.question() };
+  const address = toAddress(question);
+  if (location.hash !== address) history.pushState(null, "", address);
+  answer("Planning …", () => api.plan(question), (told) => planView(told, wished.chosen(), choose));
 };
 
 const choose = (food, like) => {
-  if (like === null) chosen.delete(food);
-  else chosen.set(food, like);
+  wished.choose(food, like);
   plan();
 };
 
 const suggest = () => {
   if (!ready()) return;
   const take = (dishType) => { dish.value = dishType; plan(); };
-  answer("Looking at every dish …", () => api.suggest(foods), (told) => suggestionsView(told, take));
+  answer("Looking at every dish …", () => api.suggest(foods.words(), wished.question().kitchen), (told) => suggestionsView(told, take));
 };
 
-const look = async () => {
-  const label = new URLSearchParams(location.hash.slice(1)).get("look");
-  if (!label) return;
+const look = async (label) => {
   at("object").value = label;
   looked.close();
   const around = at("around");
@@ -109,6 +85,17 @@ const look = async () => {
   around.focus({ preventScroll: true });
 };
 
+// What the address asks: an object to look at, or a plan.
+const follow = () => {
+  const asked = fromAddress();
+  if (asked.look) look(asked.look);
+  if (!asked.ingredients.length) return;
+  dish.value = [...dish.options].some((option) => option.value === asked.dish) ? asked.dish : "";
+  foods.set(asked.ingredients);
+  wished.set(asked.wishes);
+  plan();
+};
+
 const askToken = () => {
   at("token").hidden = false;
   at("token-text").focus();
@@ -121,7 +108,7 @@ const begin = async () => {
     at("summary").textContent = `${told.units} steps of ${told.videos} videos, ${told.foods} foods`;
     dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)));
     if (!told.units) result.replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
-    look();
+    follow();
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
     if (error.status === 401) askToken();
@@ -129,20 +116,20 @@ const begin = async () => {
   }
 };
 
-ingredient.addEventListener("keydown", (event) => {
-  if (event.key !== "Enter") return;
-  event.preventDefault();
-  if (event.ctrlKey || event.metaKey) plan();
-  else if (!add() && foods.length) plan();
+at("ask").addEventListener("keydown", (event) => {
+  if (event.key !== "Enter" || event.defaultPrevented) return;
+  if (event.ctrlKey || event.metaKey || event.target === ingredient) {
+    event.preventDefault();
+    if (event.ctrlKey || event.metaKey || foods.words().length) plan();
+  } else if (event.target.matches("input")) event.preventDefault(); // an empty field asks nothing
 });
-at("add").addEventListener("click", () => { add(); ingredient.focus(); });
+at("add").addEventListener("click", () => { foods.add(); ingredient.focus(); });
 at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan(); });
 at("suggest").addEventListener("click", suggest);
 at("clear").addEventListener("click", () => {
-  foods = [];
-  chosen = new Map();
-  showFoods();
-  status.textContent = "All ingredients are removed.";
+  foods.set([]);
+  wished.question().substitutes.forEach(({ food }) => wished.choose(food, null));
+  say("All ingredients are removed.");
   ingredient.focus();
 });
 at("find").addEventListener("submit", (event) => {
@@ -150,7 +137,7 @@ at("find").addEventListener("submit", (event) => {
   const label = at("object").value.trim();
   if (!label) return;
   const hash = `#look=${encodeURIComponent(label)}`;
-  if (location.hash === hash) look();
+  if (location.hash === hash) look(label);
   else location.hash = hash;
 });
 at("token-form").addEventListener("submit", (event) => {
@@ -158,6 +145,6 @@ at("token-form").addEventListener("submit", (event) => {
   api.keepToken(at("token-text").value.trim());
   begin();
 });
-addEventListener("hashchange", look);
+addEventListener("hashchange", follow);
 api.tokenFromAddress();
 begin();

@@ -1,8 +1,8 @@
 // A plan: the tree, its steps with their videos, what stands for what (and what could), progress lines, reasons.
 
-import { element, heading, list, picture } from "./element.js";
+import { element, heading, list } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
-import { stage } from "./stage.js";
+import { picture, staged } from "./picture.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 
@@ -17,17 +17,23 @@ export const planView = (plan, chosen, choose) => {
     ...plan.notes.map((note) => element("p", { class: "notice" }, note)),
     ...substitutions(plan, chosen, choose),
     heading(3, "Task tree"),
-    ...stage(picture(plan.pictures.tree), "The task tree, from the kitchen down to the dish"),
+    ...staged(plan.pictures.tree, "The task tree, from the kitchen down to the dish"),
     heading(3, "Steps"),
     list(plan.units.map((unit, i) => step(unit, plan.videos[i], unseen)), { class: "steps" }, "ol"),
-    heading(3, "In the kitchen"),
-    list(plan.kitchen.map((node) => nodeWords(node, unseen)), { class: "columns" }),
+    heading(3, "What to buy"),
+    list(plan.shopping.map((node) => nodeWords(node, unseen)), { class: "columns" }),
+    heading(3, "Utensils, and what is always there"),
+    list(besides(plan).map((node) => nodeWords(node, unseen)), { class: "columns" }),
     assumptions(plan, unseen),
     heading(3, "Progress of each ingredient"),
-    element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines; scroll sideways" },
-      picture(plan.pictures.progress)),
+    element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)),
     reasons(plan),
   ];
+};
+
+const besides = (plan) => {
+  const bought = new Set(plan.shopping.map((node) => node.label));
+  return plan.kitchen.filter((node) => !bought.has(node.label));
 };
 
 const step = (unit, address, unseen) => {
