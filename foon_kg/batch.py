@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from foon_kg.avoidance import without_avoided
+from foon_kg.cluster import spread_over
 from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
 from foon_kg.explanation import Explanation
 from foon_kg.kitchen import Kitchen
@@ -124,6 +125,13 @@ def answering(
     :class:`~foon_kg.errors.FoonError` where one of them was ended from outside.
     """
     return spread(partial(_answers_of, view, wishes, units), questions, jobs)
+
+
+def answering_on(
+    address: str, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]
+) -> AbstractContextManager[Iterator[Answer]]:
+    """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
+    return spread_over(partial(_answers_of, view, wishes, units), questions, address)
 
 
 def _answers_of(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:

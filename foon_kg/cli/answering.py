@@ -48,15 +48,24 @@ def knowledge_for(files: Sequence[Path] | None, count: int, say: Say) -> Iterato
 
 
 def answer_all(
-    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None, writing: Writing
+    questions: Sequence[Question],
+    view: KnowledgeView,
+    wishes: Wishes,
+    jobs: int | None,
+    writing: Writing,
+    *,
+    dask: str | None = None,
 ) -> int:
-    """Answer and write ``questions``, those that the output file answers already apart; return the exit code."""
+    """Answer and write ``questions``, those that the output file answers already apart; return the exit code.
+
+    They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
+    """
     done = None if writing.output is None else _answered_before(writing.output, questions, view, wishes)
     there = 0 if done is None else len(done.lines)
     if there:
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
     to = nullcontext(writing.show) if done is None else _writes_to(done)
-    with _answering(questions[there:], view, wishes, jobs) as answers, to as write:
+    with _answering(questions[there:], view, wishes, jobs, dask) as answers, to as write:
         beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
         shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
         codes = [_write(answer, write, writing.say) for answer in shown]
@@ -104,12 +113,14 @@ def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeV
 
 
 def _answering(
-    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None, dask: str | None
 ) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.batch import MANY, Cook, answering, cores
+    from foon_kg.batch import MANY, Cook, answering, answering_on, cores
     from foon_kg.snapshot import Snapshot
 
     units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
+    if dask is not None and units is not None:
+        return answering_on(dask, questions, view, wishes, units)
     processes = cores() if jobs is None else jobs
     if units is not None and len(questions) >= MANY and processes > 1:
         return answering(questions, view, wishes, units, processes)
