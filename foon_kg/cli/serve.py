@@ -14,12 +14,15 @@ from foon_kg.errors import UsageError
 if TYPE_CHECKING:
     import socket
 
+    from fastapi import FastAPI
+
     from foon_kg.web.service import Foon
 
 EXAMPLES = examples(
     "foon serve",
     "foon serve --files subgraphs/ --port 8080",
     "foon serve --host 0.0.0.0 --token-file ~/.foon-token",
+    "foon serve --name foon.example.org --token-file ~/.foon-token",
 )
 
 
@@ -31,6 +34,10 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     token_file: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Ask who calls the API for the token in this file (made if missing)."),
+    ] = None,
+    names: Annotated[
+        list[str] | None,
+        typer.Option("--name", metavar="NAME", help="Also answer under this name: a proxy serves it so. Repeatable."),
     ] = None,
     files: Files = None,
     jobs: Annotated[
@@ -44,21 +51,31 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
-    somebody changes is read anew.
+    somebody changes is read anew. A proxy that serves it under a name of its own is told with --name; it is the one
+    that asks, so that all who come through it share one rate, and it has to bring TLS.
     """
-    from foon_kg.web.security import is_loopback, token_from
+    from foon_kg.batch import cores
+    from foon_kg.web.api import web_app
+    from foon_kg.web.limits import Limits
+    from foon_kg.web.security import is_loopback, own_names, public_name, token_from
+    from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
-    if token_file is None and not is_loopback(host):
+    public = [public_name(name) for name in names or ()]
+    if token_file is None and (public or not is_loopback(host)):
         raise UsageError(
-            f"anybody could reach {host}, and there is no token",
-            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1.",
+            f"anybody could reach {public[0] if public else host}, and there is no token",
+            hint="Add --token-file FILE (it is made), or stay with 127.0.0.1 and no --name.",
         )
     token = None if token_file is None else token_from(token_file.expanduser())
     foon = served_foon(files, say)
     listener = _listening(host, port)
     say(_address(host, listener) + (f"#token={token}" if token else ""))
-    _run(listener, host, token, foon, jobs)
+    limits = Limits()
+    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
+    service.summary()  # the processes begin now
+    app = web_app(service, names=own_names(host), public=public, token=token, limits=limits)
+    _run(app, listener, limits.connections)
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
@@ -75,26 +92,16 @@ def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     return foon
 
 
-def _run(listener: socket.socket, host: str, token: str | None, foon: Foon, jobs: int | None) -> None:
+def _run(app: FastAPI, listener: socket.socket, connections: int) -> None:
     import uvicorn
 
-    from foon_kg.batch import cores
-    from foon_kg.web.api import web_app
-    from foon_kg.web.limits import Limits
-    from foon_kg.web.security import own_names
-    from foon_kg.web.service import FoonService
-
-    limits = Limits()
-    service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
-    service.summary()  # the processes begin now
-    app = web_app(service, names=own_names(host), token=token, limits=limits)
     config = uvicorn.Config(
         app,
         log_level="warning",
         server_header=False,
         proxy_headers=False,
         ws="none",
-        limit_concurrency=limits.connections,
+        limit_concurrency=connections,
         timeout_keep_alive=5,
         timeout_graceful_shutdown=5,
     )

@@ -52,16 +52,21 @@ router = APIRouter(prefix="/api", responses=REFUSALS)
 
 
 def web_app(
-    service: FoonService, *, names: Collection[str], token: str | None = None, limits: Limits | None = None
+    service: FoonService,
+    *,
+    names: Collection[str],
+    public: Collection[str] = (),
+    token: str | None = None,
+    limits: Limits | None = None,
 ) -> FastAPI:
     """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
-    With a ``token`` everything below ``/api`` asks for it.
+    Under the ``public`` names a proxy serves it. With a ``token`` everything below ``/api`` asks for it.
     """
     limits = limits or Limits()
     middleware = [
         Middleware(SecurityHeaders),
-        Middleware(KnownHosts, names=names),
+        Middleware(KnownHosts, names=names, public=public),
         Middleware(RateLimit, limits=limits),
         *([Middleware(TokenRequired, token=token)] if token else []),
         Middleware(BodyLimit, limits=limits),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 import os
+import re
 import secrets
 import socket
 import stat
@@ -30,7 +31,11 @@ HEADERS = {
     "cache-control": "no-store",
 }
 
-_OTHER_NAME = FoonError("this service has another name", hint="Use the address that foon serve printed.", code="host")
+_OTHER_NAME = FoonError(
+    "this service has another name",
+    hint="Use the address that foon serve printed; behind a proxy, start it with --name NAME.",
+    code="host",
+)
 _OTHER_SITE = FoonError(
     "another site's page may not ask here", hint="Open the service's own page, or ask from a program.", code="origin"
 )
@@ -40,6 +45,7 @@ _NO_TOKEN = FoonError(
     code="token",
 )
 _SHORTEST = 16
+_NAME = re.compile(r"(?=.{1,253}$)[a-z0-9]([a-z0-9-]{0,61}[a-z0-9])?(\.[a-z0-9]([a-z0-9-]{0,61}[a-z0-9])?)*")
 
 
 class SecurityHeaders:
@@ -64,12 +70,14 @@ class SecurityHeaders:
 class KnownHosts:
     """Refuses requests under another name than the machine's (DNS rebinding), and those that other sites' pages send.
 
-    Addresses are always fine: to rebind one needs a name.
+    Addresses are always fine: to rebind one needs a name. A page may ask under the name and port that it came from, and
+    from the ``public`` names under any port: a proxy has another than this service.
     """
 
-    def __init__(self, app: ASGIApp, names: Collection[str]) -> None:
+    def __init__(self, app: ASGIApp, names: Collection[str], public: Collection[str] = ()) -> None:
         self.app = app
-        self.names = frozenset(name.lower() for name in names)
+        self.public = frozenset(name.lower() for name in public)
+        self.names = frozenset(name.lower() for name in names) | self.public
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on, or refuse it."""
@@ -79,14 +87,18 @@ class KnownHosts:
             if not self.knows(host):
                 return await refuse(scope, send, 421, _OTHER_NAME)
             origin = headers.get("origin")
-            if origin is not None and origin.partition("://")[2].lower() != host.lower():
+            if origin is not None and not self._is_own(origin, host):
                 return await refuse(scope, send, 403, _OTHER_SITE)
         return await self.app(scope, receive, send)
 
     def knows(self, host: str) -> bool:
         """Whether the service answers under ``host`` (with or without its port)."""
-        name = host.partition("]")[0].removeprefix("[") if host.startswith("[") else host.partition(":")[0]
-        return name.lower() in self.names or _is_address(name)
+        name = _name_of(host)
+        return name in self.names or _is_address(name)
+
+    def _is_own(self, origin: str, host: str) -> bool:
+        scheme, _, asker = origin.partition("://")
+        return scheme in {"http", "https"} and (asker.lower() == host.lower() or _name_of(asker) in self.public)
 
 
 class TokenRequired:
@@ -118,6 +130,14 @@ def own_names(host: str) -> frozenset[str]:
     return frozenset({"localhost", host, *machine})
 
 
+def public_name(text: str) -> str:
+    """Answer a name under which a proxy serves this; raises UsageError where it is more or less than a name."""
+    name = text.rstrip(".").lower()
+    if not _NAME.fullmatch(name) or _is_address(name):
+        raise UsageError(f"“{text}” is no host name", hint="Give the name alone: --name kitchen.example.org")
+    return name
+
+
 def token_from(path: Path) -> str:
     """Answer the token in ``path``, made where there is none yet; raises UsageError for one that others can read."""
     try:
@@ -147,6 +167,12 @@ def _read_token(path: Path) -> str:
             hint="Remove the file: another is made.",
         )
     return token
+
+
+def _name_of(host: str) -> str:
+    """Answer ``host`` without its port, in small letters."""
+    name = host.partition("]")[0].removeprefix("[") if host.startswith("[") else host.partition(":")[0]
+    return name.lower()
 
 
 def _is_address(name: str) -> bool:

@@ -13,7 +13,7 @@ from web.serving import SALAD, app
 
 from foon_kg.cli import app as commands
 from foon_kg.errors import UsageError
-from foon_kg.web.security import KnownHosts, is_loopback, own_names, token_from
+from foon_kg.web.security import KnownHosts, is_loopback, own_names, public_name, token_from
 
 TOKEN = "a-token-of-enough-letters"
 
@@ -61,6 +61,48 @@ def test_the_machines_own_names_and_addresses_are_fine(client, host):
 @given(st.text(alphabet="abcdefghijklmnopqrstuvwxyz-.", min_size=1).filter(lambda name: name != "localhost"))
 def test_no_other_name_is_ever_known(name):
     assert not KnownHosts(None, own_names("127.0.0.1")).knows(name)
+
+
+@pytest.fixture(scope="module")
+def behind_a_proxy():
+    with TestClient(app(token=TOKEN, public=["kitchen.example"]), base_url="http://kitchen.example") as made:
+        made.headers["authorization"] = f"Bearer {TOKEN}"
+        yield made
+
+
+def test_behind_a_proxy_it_answers_under_the_name_that_it_was_given(behind_a_proxy):
+    for host in ("kitchen.example", "KITCHEN.example:443", "localhost"):
+        assert behind_a_proxy.get("/api/summary", headers={"host": host}).status_code == 200
+    for host in ("evil.example", "kitchen.example.evil", "evil.kitchen.example", "xkitchen.example"):
+        assert behind_a_proxy.get("/api/summary", headers={"host": host}).status_code == 421
+
+
+@pytest.mark.parametrize(
+    ("origin", "status"),
+    [
+        ("https://kitchen.example", 200),
+        ("https://kitchen.example:8443", 200),
+        ("https://evil.example", 403),
+        ("https://kitchen.example.evil", 403),
+        ("ftp://kitchen.example", 403),
+        ("null", 403),
+    ],
+)
+def test_behind_a_proxy_its_own_page_may_ask_whether_or_not_the_proxy_keeps_the_name(behind_a_proxy, origin, status):
+    for host in ("kitchen.example", "127.0.0.1:8000"):
+        assert behind_a_proxy.get("/api/summary", headers={"host": host, "origin": origin}).status_code == status
+
+
+@pytest.mark.parametrize("name", ["*", "", "https://kitchen.example", "a b", "kitchen.example:80", "127.0.0.1", "-a.b"])
+def test_only_a_whole_name_can_be_given(name):
+    with pytest.raises(UsageError, match="no host name"):
+        public_name(name)
+
+
+def test_under_a_public_name_it_asks_for_a_token():
+    answer = CliRunner().invoke(commands, ["serve", "--name", "kitchen.example"])
+    assert answer.exit_code == 2
+    assert "anybody could reach kitchen.example" in " ".join(answer.stderr.split())
 
 
 @pytest.mark.parametrize("origin", ["https://evil.example", "null", "http://localhost:1", "file://"])
