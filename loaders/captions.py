@@ -2,59 +2,99 @@
 
 ActivityNet Captions: ``{video: {"duration": s, "timestamps": [[start, end], …], "sentences": […]}}``. YouCook2:
 ``{"database": {video: {"annotations": [{"segment": [start, end], "sentence": …}], …}}}``. Times are in seconds.
+
+The files are read as streams, one video after another: once to the end, so that a broken one gives nothing, and again
+for whoever wants the videos.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
 
-from foon_kg.loaders.json_document import parse_fields
+from foon_kg.errors import ReadError
+from foon_kg.loaders.json_document import stream_fields
 from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark, UnreadableFile
+from foon_kg.loaders.text_blocks import text_blocks
 from foon_kg.loaders.times import is_time
 from foon_kg.model import Timing
 from foon_kg.narration import Narration, Sentence
 
 _DATABASE = "database"
+_FORMS = (('"timestamps"', '"sentences"'), ('"database"', '"annotations"'))
+_LONGEST_NAME = max(len(name) for form in _FORMS for name in form)
 _PAIR = 2
 
 
-def is_captions(text: str) -> bool:
-    """Answer whether ``text`` is JSON of one of the two forms, by its names alone: truncated text may be one, too."""
-    head = text.lstrip("\ufeff \t\r\n")[:1]
-    return head == "{" and (
-        ('"timestamps"' in text and '"sentences"' in text) or ('"database"' in text and '"annotations"' in text)
-    )
+def is_captions(path: Path) -> bool:
+    """Answer whether ``path`` is JSON of one of the two forms, by its names alone: a truncated file may be one, too."""
+    seen: set[str] = set()
+    tail = ""
+    try:
+        for block in text_blocks(path):
+            text = tail + block
+            if not (seen or tail or text.lstrip().startswith("{")):
+                return False
+            seen |= {name for form in _FORMS for name in form if name in text}
+            if any(seen.issuperset(form) for form in _FORMS):
+                return True
+            tail = text[-_LONGEST_NAME:]
+    except (UnreadableFile, OSError):
+        return False
+    return False
 
 
-def read_captions(text: str, file: str) -> NarratedFile:
-    """Answer a narration of sentences for every video of a JSON text, sorted by their starts. Never raises.
+@dataclass(frozen=True)
+class Captions(Iterable[Narration]):
+    """The videos of a file that was read to its end before, each a narration of sentences, read again each time."""
+
+    path: Path
+
+    def __iter__(self) -> Iterator[Narration]:
+        """Answer one video after another. Raises ReadError where the file is not what it was any more."""
+        try:
+            yield from _narrations(self.path, Journal(str(self.path)))
+        except (UnreadableFile, OSError) as error:
+            raise ReadError(f"{self.path}: changed while it was read", hint="Try again.") from error
+
+
+def read_captions(path: Path) -> NarratedFile:
+    """Answer the videos of a JSON file, the sentences of each sorted by their starts. Never raises.
 
     A sentence that cannot be used is left out and told with its video; a time that cannot be is left out and told.
     """
-    journal = Journal(file)
+    journal, file = Journal(str(path)), str(path)
     try:
-        fields = parse_fields(text.removeprefix("\ufeff"))
+        videos = sum(1 for _ in _narrations(path, journal))
     except UnreadableFile as unreadable:
         journal.reject_file(unreadable.line, unreadable.problem)
         return NarratedFile(file, (), journal.notices())
-    narrations = tuple(_narrations(fields, file, journal))
-    if not narrations and not journal.notices():
+    except OSError as error:
+        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
+        journal.reject_file(None, problem)
+        return NarratedFile(file, (), journal.notices())
+    if not videos and not journal.notices():
         journal.reject_file(None, Problem(NoticeKind.NO_UNITS, "no sentence in it"))
-    return NarratedFile(file, narrations, journal.notices())
+    return NarratedFile(file, Captions(path) if videos else (), journal.notices())
 
 
-def _narrations(fields: Sequence[tuple[int, str, object]], file: str, journal: Journal) -> Iterator[Narration]:
-    for line, name, value in fields:
-        if name == _DATABASE and isinstance(value, Mapping):
-            yield from _narrations([(line, video, told) for video, told in value.items()], file, journal)
+def _narrations(path: Path, journal: Journal) -> Iterator[Narration]:
+    names: set[str] = set()
+    for line, name, value in stream_fields(text_blocks(path), _DATABASE):
+        if problem := _name_problem(name, names):
+            journal.reject(line, problem)
             continue
-        if not is_video_name(name):
-            journal.reject(line, Problem(NoticeKind.ODD_NAME, f"{name[:40]!a} can be the name of no video"))
-            continue
-        sentences = _sentences(line, name, value, journal)
-        if sentences:
-            yield Narration(name, sentences=ordered(sentences), source=file)
+        names.add(name)
+        if sentences := _sentences(line, name, value, journal):
+            yield Narration(name, sentences=ordered(sentences), source=str(path))
+
+
+def _name_problem(name: str, names: set[str]) -> Problem | None:
+    if not is_video_name(name):
+        return Problem(NoticeKind.ODD_NAME, f"{name[:40]!a} can be the name of no video")
+    return Problem(NoticeKind.SAME_VIDEO, f"a second video {name}") if name in names else None
 
 
 def _sentences(line: int, video: str, value: object, journal: Journal) -> list[Sentence]:

@@ -8,14 +8,13 @@ is turned round ("oil:olive"). The narration tells which noun is a place or an i
 from __future__ import annotations
 
 import ast
-import csv
-import io
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
+from foon_kg.loaders.csv_table import columns_of, table_rows
 from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
-from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark
+from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark, UnreadableFile
 from foon_kg.loaders.video_tables import row_timing
 from foon_kg.narration import Mention, NarratedAction, Narration, Place
 
@@ -29,8 +28,7 @@ _WITH = "with|using"
 
 def is_epic_kitchens(text: str) -> bool:
     """Answer whether the first line of ``text`` has the columns of EPIC-KITCHENS-100 annotations."""
-    header = next(csv.reader(text.removeprefix("\ufeff").splitlines()[:1]), [])
-    return set(COLUMNS) <= {column.strip().lower() for column in header}
+    return set(COLUMNS) <= set(columns_of(text))
 
 
 def read_epic_kitchens(text: str, file: str) -> NarratedFile:
@@ -39,33 +37,23 @@ def read_epic_kitchens(text: str, file: str) -> NarratedFile:
     A row that cannot be used is left out and told with its line. Never raises.
     """
     journal = Journal(file)
+    missing = dict.fromkeys(COLUMNS, "")
     videos: defaultdict[str, list[NarratedAction]] = defaultdict(list)
     try:
-        for line, row in _rows(text.removeprefix("\ufeff")):
-            action = _action(line, row, journal)
-            if action is not None:
-                videos[row["video_id"]].append(action)
-    except csv.Error as error:
-        journal.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"no table: {error}"))
+        for told in table_rows(text):
+            row = missing | told.cells
+            if problem := told.problem or _problem(row):
+                journal.reject(told.line, problem)
+            else:
+                videos[row["video_id"]].append(_action(told.line, row, journal))
+    except UnreadableFile as unreadable:
+        journal.reject_file(unreadable.line, unreadable.problem)
         return NarratedFile(file, (), journal.notices())
     narrations = tuple(Narration(name, ordered(actions), source=file) for name, actions in videos.items())
     return NarratedFile(file, narrations, journal.notices())
 
 
-def _rows(text: str) -> Iterator[tuple[int, Mapping[str, str]]]:
-    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
-    columns = [column.strip().lower() for column in next(reader, [])]
-    missing = dict.fromkeys(COLUMNS, "")
-    for cells in reader:
-        if any(cell.strip() for cell in cells):
-            yield reader.line_num, missing | {c: cell.strip() for c, cell in zip(columns, cells, strict=False)}
-
-
-def _action(line: int, row: Mapping[str, str], journal: Journal) -> NarratedAction | None:
-    problem = _problem(row)
-    if problem is not None:
-        journal.reject(line, problem)
-        return None
+def _action(line: int, row: Mapping[str, str], journal: Journal) -> NarratedAction:
     timing, odd = row_timing(row["start_timestamp"], row["stop_timestamp"], hours=True)
     for remark in odd:
         journal.remark(line, remark)

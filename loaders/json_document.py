@@ -1,10 +1,13 @@
-"""The outer shape of a JSON subgraph, with the line on which each unit begins."""
+"""The outer shape of a JSON document, with the line on which each of its parts begins.
+
+A subgraph is in memory as a whole. A long document comes in blocks, and no more of it is held than one of its parts.
+"""
 
 from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NoReturn
 
@@ -50,23 +53,40 @@ def _object_document(cursor: _Cursor) -> Document:
     return Document(units, fields)
 
 
-def parse_fields(text: str) -> tuple[tuple[int, str, object], ...]:
-    """Answer the fields of the one JSON object in ``text`` as (line, name, value). Raises ``UnreadableFile``."""
-    cursor = _Cursor(text)
+def stream_fields(blocks: Iterable[str], inside: str) -> Iterator[tuple[int, str, object]]:
+    """Answer the fields of the one JSON object that ``blocks`` make, as (line, name, value), one after another.
+
+    Of a field called ``inside`` that is an object its own fields are answered in its place. Raises ``UnreadableFile``,
+    perhaps after some fields: only who went through all of them knows that the document is whole.
+    """
+    cursor = _Cursor("", blocks)
     if cursor.peek() != "{":
         cursor.fail("no JSON object")
-    fields = tuple((cursor.line, name, cursor.value()) for name in cursor.names())
+    for name in cursor.names():
+        if name == inside and cursor.peek() == "{":
+            for own in cursor.names():
+                yield cursor.line, own, cursor.value()
+        else:
+            yield cursor.line, name, cursor.value()
     if cursor.peek():
         cursor.fail("something follows the end of the JSON")
-    return fields
+
+
+_NEAR_THE_END = 16
+"""No number, word or escape that a block cuts in two has more characters (``-Infinity``)."""
 
 
 class _Cursor:
-    """A place in a JSON text. Values are decoded whole, so that only the outermost brackets are walked by hand."""
+    """A place in a JSON text. Values are decoded whole, so that only the outermost brackets are walked by hand.
 
-    def __init__(self, text: str) -> None:
+    ``blocks`` are what follows ``text``; what lies behind the cursor is forgotten when the next one is read.
+    """
+
+    def __init__(self, text: str, blocks: Iterable[str] = ()) -> None:
         self._text = text
+        self._blocks = iter(blocks)
         self._at = 0
+        self._first = 1  # the line on which the text begins
         self._line = 1
         self._counted = 0
         self._decoder = json.JSONDecoder(object_pairs_hook=_without_repetition, parse_constant=_refuse_constant)
@@ -82,22 +102,47 @@ class _Cursor:
 
     def peek(self) -> str:
         """Go to the next character that is no white space and answer it; nothing at the end."""
-        while self._text[self._at : self._at + 1] in _SPACE and self._at < len(self._text):
-            self._at += 1
-        return self._text[self._at : self._at + 1]
+        while True:
+            while self._text[self._at : self._at + 1] in _SPACE and self._at < len(self._text):
+                self._at += 1
+            if self._at < len(self._text) or not self._read_on():
+                return self._text[self._at : self._at + 1]
 
     def value(self) -> object:
         """Decode the value that begins here and go behind it."""
         self.peek()
-        try:
-            value, self._at = self._decoder.raw_decode(self._text, self._at)
-        except json.JSONDecodeError as error:
-            raise UnreadableFile(f"not JSON: {error.msg}", error.lineno) from error
-        except ValueError as error:
-            raise UnreadableFile(f"in the value that begins here: {error}", self.line) from error
-        except RecursionError as error:
-            raise UnreadableFile("the value that begins here is nested too deeply", self.line) from error
-        return value
+        while True:
+            try:
+                value, end = self._decoder.raw_decode(self._text, self._at)
+            except json.JSONDecodeError as error:
+                if self._may_be_cut(error) and self._read_on():
+                    continue
+                raise UnreadableFile(f"not JSON: {error.msg}", self._first + error.lineno - 1) from error
+            except ValueError as error:
+                raise UnreadableFile(f"in the value that begins here: {error}", self.line) from error
+            except RecursionError as error:
+                raise UnreadableFile("the value that begins here is nested too deeply", self.line) from error
+            if (
+                end + _NEAR_THE_END < len(self._text) or not self._read_on()
+            ):  # 12 may be the beginning of 123, or of 12e3
+                self._at = end
+                return value
+
+    def _may_be_cut(self, error: json.JSONDecodeError) -> bool:
+        return error.msg.startswith("Unterminated string") or error.pos >= len(self._text) - _NEAR_THE_END
+
+    def _read_on(self) -> bool:
+        """Read as much again as waits to be decoded, one block at least; answers whether there was anything."""
+        wanted = max(1, len(self._text) - self._at)
+        read: list[str] = []
+        while wanted > 0 and (block := next(self._blocks, "")):
+            read.append(block)
+            wanted -= len(block)
+        if not read:
+            return False
+        self._first = self.line
+        self._text, self._at, self._counted = "".join((self._text[self._at :], *read)), 0, 0
+        return True
 
     def items(self) -> Iterator[tuple[int, object]]:
         """Answer the items of the list that begins here, each with its line."""

@@ -17,10 +17,10 @@ T = TypeVar("T", NarratedAction, Sentence)
 
 @dataclass(frozen=True)
 class NarratedFile:
-    """What one file narrates, and everything odd about it."""
+    """What one file narrates, and everything odd about it. Long files are read again for their ``narrations``."""
 
     path: str
-    narrations: tuple[Narration, ...]
+    narrations: Iterable[Narration]
     notices: tuple[Notice, ...] = ()
 
     @property

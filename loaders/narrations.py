@@ -30,11 +30,12 @@ def is_narrated(path: Path) -> bool:
     """Answer whether the file in ``path`` narrates videos in one of the forms; no for what cannot be read."""
     if path.suffix.lower() not in _ENDINGS or not path.is_file():
         return False
+    if path.suffix.lower() == ".json":
+        return is_captions(path)
     try:
-        text = decode(path.read_bytes())
+        return is_epic_kitchens(decode(path.read_bytes()))
     except (UnreadableFile, OSError):
         return False
-    return is_epic_kitchens(text) if path.suffix.lower() == ".csv" else is_captions(text)
 
 
 def _files(path: Path) -> list[Path]:
@@ -49,6 +50,8 @@ def _files(path: Path) -> list[Path]:
 
 
 def _read(path: Path) -> NarratedFile:
+    if is_captions(path):
+        return read_captions(path)
     journal, file = Journal(str(path)), str(path)
     try:
         text = decode(path.read_bytes())
@@ -59,8 +62,6 @@ def _read(path: Path) -> NarratedFile:
         problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
         journal.reject_file(None, problem)
         return NarratedFile(file, (), journal.notices())
-    if is_captions(text):
-        return read_captions(text, file)
     if path.suffix.lower() == ".csv" and is_epic_kitchens(text):
         return read_epic_kitchens(text, file)
     journal.reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, f"it is not {_FORMS}"))

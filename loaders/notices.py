@@ -62,6 +62,7 @@ class NoticeKind(StrEnum):
 
     ODD_NAME = "odd-name"  # a video whose name no file can have
     NO_NARRATION = "no-narration"  # nobody says what is done
+    LONG_CELL = "long-cell"  # a table: more in one cell than anybody says
 
     SAME_RECIPE = "same-recipe"  # a second recipe with the id of another
     TOO_MANY_INGREDIENTS = "too-many-ingredients"  # more than any cook uses

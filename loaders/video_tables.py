@@ -14,12 +14,11 @@ ingredients may enter here.
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.paths import decode, read_paths
 from foon_kg.loaders.times import counts_hours, read_timing
@@ -62,8 +61,7 @@ def _is_hidden(path: Path) -> bool:
 
 def is_video_table(text: str) -> bool:
     """Answer whether the first line of ``text`` has the columns of a plain table of units."""
-    header = next(csv.reader(text.lstrip("\ufeff").splitlines()[:1]), [])
-    return set(COLUMNS) <= {column.strip().lower() for column in header}
+    return set(COLUMNS) <= set(columns_of(text))
 
 
 def read_video_table(path: Path) -> tuple[ReadResult, ...]:
@@ -85,16 +83,16 @@ def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, .
     """Answer what :func:`read_video_table` answers; a row without ``video`` belongs to the video ``name``."""
     file = file or name
     try:
-        rows = list(_rows(text.removeprefix("\ufeff")))
-    except csv.Error as error:
-        return (Journal(file).reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"no table: {error}")),)
+        rows = list(table_rows(text))
+    except UnreadableFile as unreadable:
+        return (Journal(file).reject_file(unreadable.line, unreadable.problem),)
     if not is_video_table(text):
         message = f"the first line does not have the columns {', '.join(COLUMNS)}"
         return (Journal(file).reject_file(1, Problem(NoticeKind.UNREADABLE_FILE, message)),)
-    videos: dict[str, list[tuple[int, Mapping[str, str]]]] = {}
-    for line, row in rows:
-        videos.setdefault(row.get("video", "") or name, []).append((line, row))
-    hours = counts_hours(row.get(column, "") for _, row in rows for column in ("start", "end"))
+    videos: dict[str, list[TableRow]] = {}
+    for row in rows:
+        videos.setdefault(row.cells.get("video", "") or name, []).append(row)
+    hours = counts_hours(row.cells.get(column, "") for row in rows for column in ("start", "end"))
     return tuple(_video(video, listed, file, hours=hours) for video, listed in (videos or {name: []}).items())
 
 
@@ -121,25 +119,17 @@ def _listed(text: str | None) -> Iterator[str]:
     return (word.strip() for word in _IN_BRACKETS.split(text or "") if word.strip())
 
 
-def _rows(text: str) -> Iterator[tuple[int, Mapping[str, str]]]:
-    """Answer each row that is not empty with its last line, from 1, and its cells by column."""
-    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
-    columns = [column.strip().lower() for column in next(reader, [])]
-    for cells in reader:
-        if any(cell.strip() for cell in cells):
-            yield reader.line_num, {column: cell.strip() for column, cell in zip(columns, cells, strict=False)}
-
-
-def _video(name: str, rows: Sequence[tuple[int, Mapping[str, str]]], file: str, *, hours: bool) -> ReadResult:
+def _video(name: str, rows: Sequence[TableRow], file: str, *, hours: bool) -> ReadResult:
     journal = Journal(file)
-    annotations = [_annotation(line, row, journal, hours=hours) for line, row in rows]
+    annotations = [_annotation(row, journal, hours=hours) for row in rows]
     return journal.result(name, [one for one in annotations if one is not None], ())
 
 
-def _annotation(line: int, row: Mapping[str, str], journal: Journal, *, hours: bool) -> Annotation | None:
+def _annotation(told: TableRow, journal: Journal, *, hours: bool) -> Annotation | None:
+    line, row = told.line, told.cells
     inputs, outputs = (_things(row.get(side, "")) for side in ("inputs", "outputs"))
     motion = row.get("motion", "")
-    problem = _problem(row, motion.rstrip("* "), inputs, outputs)
+    problem = told.problem or _problem(row, motion.rstrip("* "), inputs, outputs)
     if problem is not None:
         journal.reject(line, problem)
         return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -76,15 +77,15 @@ def videos(
     from foon_kg.loaders.narrations import read_narrations
 
     say = sayer(quiet=quiet)
-    narrations: list[Narration] = []
-    for file in read_narrations(paths):
-        narrations += file.narrations
-        for notice in file.notices:
-            if notice.severity is Severity.REJECTED or not quiet:
-                say(str(notice))
-    if not narrations:
+    found = tuple(read_narrations(paths))
+    for notice in (notice for file in found for notice in file.notices):
+        if notice.severity is Severity.REJECTED or not quiet:
+            say(str(notice))
+    narrations = chain.from_iterable(file.narrations for file in found)  # one video after another, never all at once
+    first = next(narrations, None)
+    if first is None:
         raise UsageError("there is nothing to draft", hint="The lines above say what is wrong with the files.")
-    _write(_drafts(narrations, files, say), output, force=force, as_json=as_json)
+    _write(_drafts(chain([first], narrations), files, say), output, force=force, as_json=as_json)
 
 
 @app.command(epilog=examples("foon draft text pancakes.txt --dish cake", "foon draft text salad.txt -o drafts/"))
@@ -220,7 +221,7 @@ def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say:
 
 
 def _drafts(
-    narrations: Sequence[Narration], files: Sequence[Path] | None, say: Say, dish: str | None = None
+    narrations: Iterable[Narration], files: Sequence[Path] | None, say: Say, dish: str | None = None
 ) -> Iterable[Draft]:
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.drafting import draft as drafted

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Sequence
 from pathlib import Path
 
 from foon_kg.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
 from foon_kg.errors import ReadError
+from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
 from foon_kg.loaders.notices import ReadResult, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.times import write_timing
@@ -26,8 +28,7 @@ BETWEEN_DOUBTS = " | "
 
 def is_draft(text: str) -> bool:
     """Answer whether ``text`` is a table of units with confidences and doubts."""
-    header = next(csv.reader(text.removeprefix("\ufeff").splitlines()[:1]), [])
-    return is_video_table(text) and {"confidence", "doubt"} <= {column.strip().lower() for column in header}
+    return is_video_table(text) and {"confidence", "doubt"} <= set(columns_of(text))
 
 
 def is_draft_file(path: Path) -> bool:
@@ -64,13 +65,17 @@ def read_draft(path: Path) -> DraftFile:
     if not is_draft(text):
         hint = "foon draft videos and foon draft text write drafts; foon load videos takes tables of finished units."
         raise ReadError(f"{path}:1: no draft: it lacks the columns confidence and doubt", hint=hint)
+    try:
+        rows = tuple(table_rows(text))
+    except UnreadableFile as broken:
+        raise ReadError(f"{path}:{broken.line or 1}: {broken.problem.message}", hint="Mend the table.") from None
     results = read_video_text(text, path.stem, str(path))
     if len(results) != 1:
         raise ReadError(f"{path}: it has {len(results)} videos", hint="A draft is one video: split the table.")
-    return _with_doubts(path, text, results[0])
+    return _with_doubts(path, rows, results[0])
 
 
-def _with_doubts(path: Path, text: str, result: ReadResult) -> DraftFile:
+def _with_doubts(path: Path, told: Sequence[TableRow], result: ReadResult) -> DraftFile:
     rejected = {notice.line for notice in result.notices if notice.severity is Severity.REJECTED}
     if None in rejected and result.notices:
         worst = next(notice for notice in result.notices if notice.severity is Severity.REJECTED)
@@ -78,16 +83,11 @@ def _with_doubts(path: Path, text: str, result: ReadResult) -> DraftFile:
     units = iter(result.subgraph.annotations if result.subgraph else ())
     rows: list[DraftRow] = []
     source = ""
-    reader = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
-    columns = [column.strip().lower() for column in next(reader)]
-    for cells in reader:
-        if not any(cell.strip() for cell in cells):
-            continue
-        row = {column: cell.strip() for column, cell in zip(columns, cells, strict=False)}
-        annotation = None if reader.line_num in rejected else next(units)
+    for line, row in ((one.line, one.cells) for one in told):
+        annotation = None if line in rejected else next(units)
         doubts = tuple(doubt.strip() for doubt in row.get("doubt", "").split(BETWEEN_DOUBTS.strip()) if doubt.strip())
-        confidence = _confidence(path, reader.line_num, row.get("confidence", ""))
-        rows.append(DraftRow(reader.line_num, annotation, confidence, doubts, row.get("said", "")))
+        confidence = _confidence(path, line, row.get("confidence", ""))
+        rows.append(DraftRow(line, annotation, confidence, doubts, row.get("said", "")))
         source = source or row.get("source", "")
     subgraph = result.subgraph and Subgraph(
         result.subgraph.name, result.subgraph.annotations, (source,) if source else ()

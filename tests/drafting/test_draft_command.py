@@ -71,12 +71,29 @@ def test_a_review_shows_units_doubts_and_what_would_change(draft_file, foon_fold
     assert answer["difference"]["status"] == "new"
 
 
+DRAFT_HEADER = "start,end,motion,inputs,outputs,confidence,doubt\n"
+
+
 @pytest.mark.parametrize(
-    "text", ["", "start,end\n", "start,end,motion,inputs,outputs,confidence,doubt\n,,chop,a,b,much,x\n"]
+    ("text", "said"),
+    [
+        ("", "x.csv:1: no draft: it lacks the columns confidence and doubt"),
+        ("start,end\n", "x.csv:1: no draft: it lacks the columns confidence and doubt"),
+        (f"{DRAFT_HEADER},,chop,a,b,much,x\n", "x.csv:2: the confidence 'much' is no number from 0 to 1"),
+        (f'{DRAFT_HEADER},,chop,"a,b,1,\n', "x.csv:2: no table: unexpected end of data"),
+    ],
 )
-def test_what_is_no_draft_is_refused(tmp_path, text):
+def test_what_is_no_draft_is_refused(tmp_path, text, said):
     (tmp_path / "x.csv").write_text(text)
-    foon("draft", "review", tmp_path / "x.csv", "--files", tmp_path, code=1)
+    refused = foon("draft", "review", tmp_path / "x.csv", "--files", tmp_path, code=1)
+    assert refused.stdout == ""
+    assert said in refused.stderr.replace("\n", "")
+
+
+def test_a_row_that_is_too_long_for_a_table_stays_in_the_draft_as_no_unit(tmp_path):
+    (tmp_path / "x.csv").write_text(f"{DRAFT_HEADER},,chop,a,b,1,\n,,chop,{'x' * 140_000},b,1,\n")
+    draft = read_draft(tmp_path / "x.csv")
+    assert [(row.line, row.annotation is None) for row in draft.rows] == [(2, False), (3, True)]
 
 
 def test_load_videos_hands_narrations_and_drafts_over(tmp_path, draft_file):

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import json
+import tracemalloc
 
 import pytest
-from drafting.kitchen_foon import ACTIVITYNET, EPIC_ROWS, YOUCOOK, activitynet, epic
-from hypothesis import given
+from drafting.kitchen_foon import EPIC_ROWS, YOUCOOK, activitynet, epic
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from foon_kg.errors import ReadError
 from foon_kg.loaders.captions import is_captions, read_captions
 from foon_kg.loaders.epic_kitchens import is_epic_kitchens, read_epic_kitchens
+from foon_kg.loaders.json_document import stream_fields
 from foon_kg.loaders.narrations import is_narrated, read_narrations
-from foon_kg.loaders.notices import NoticeKind
+from foon_kg.loaders.notices import NoticeKind, UnreadableFile
+from foon_kg.loaders.text_blocks import text_blocks
 from foon_kg.model import Timing
 from foon_kg.narration import Mention, Place
 
@@ -65,7 +68,7 @@ def test_what_is_wrong_with_a_row_is_told_with_its_line(row, kind):
 
 
 def test_a_quote_that_never_ends_rejects_the_table():
-    assert notices('1,v,,,"chop') == [(None, NoticeKind.UNREADABLE_FILE)]
+    assert notices('1,v,,,"chop') == [(2, NoticeKind.UNREADABLE_FILE)]
 
 
 @given(st.text())
@@ -74,17 +77,23 @@ def test_any_text_under_the_header_is_read_or_told(text):
     assert all(narration.actions for narration in found.narrations)
 
 
-def told(value, video="v"):
-    return read_captions(json.dumps({video: value}), "captions.json")
+@pytest.fixture
+def captions(tmp_path):
+    def read(text):
+        path = tmp_path / "captions.json"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return read_captions(path)
+
+    return read
 
 
-def test_both_forms_of_captions_give_sentences_with_times():
-    (soup,) = read_captions(activitynet(), "a.json").narrations
+def test_both_forms_of_captions_give_sentences_with_times(captions):
+    (soup,) = captions(activitynet()).narrations
     assert [(one.text, one.timing.spans) for one in soup.sentences] == [
         ("Peel an onion.", ((0.0, 4.5),)),
         ("Chop it.", ((5.0, 9.0),)),
     ]
-    (video,) = read_captions(json.dumps(YOUCOOK), "y.json").narrations
+    (video,) = captions(json.dumps(YOUCOOK)).narrations
     assert video.name == "GLd3aX16zBg"
     assert [one.text for one in video.sentences] == ["peel the onion", "chop the onion on a cutting board"]
 
@@ -103,22 +112,108 @@ def test_both_forms_of_captions_give_sentences_with_times():
         ({"annotations": ["chop"]}, NoticeKind.NO_NARRATION, 0),
     ],
 )
-def test_what_is_wrong_with_a_video_is_told_and_the_rest_kept(value, kind, sentences):
-    found = told(value)
+def test_what_is_wrong_with_a_video_is_told_and_the_rest_kept(captions, value, kind, sentences):
+    found = captions(json.dumps({"v": value}))
     assert found.notices[0].kind is kind
     assert "video v" in found.notices[0].message
     assert sum(len(narration.sentences) for narration in found.narrations) == sentences
 
 
-def test_truncated_json_is_told_with_its_line():
-    found = read_captions(json.dumps(ACTIVITYNET, indent=1)[:-40], "captions.json")
-    assert found.narrations == ()
-    assert found.notices[0].kind is NoticeKind.UNREADABLE_FILE
-    assert found.notices[0].line
+ONE = {"sentences": ["Chop."], "timestamps": [[0, 1]]}
 
 
-def test_a_video_named_like_a_path_is_refused():
-    assert told({"sentences": ["Chop."], "timestamps": [[0, 1]]}, "../x").notices[0].kind is NoticeKind.ODD_NAME
+def test_a_broken_file_gives_nothing_and_is_told_with_its_line(captions):
+    whole = json.dumps({"first": ONE, "second": ONE}, indent=1)
+    for text in (whole[:-40], whole + "]", whole.replace('"second": {', '"second": '), whole.encode() + b"\xff"):
+        found = captions(text)
+        assert found.narrations == ()
+        (broken,) = [notice for notice in found.notices if notice.kind is NoticeKind.UNREADABLE_FILE]
+        assert broken.line >= 9
+
+
+def test_a_field_that_is_there_twice_is_refused(captions):
+    text = '{"v": {"sentences": ["a"], "sentences": ["b"], "timestamps": []}}'
+    assert "is there twice" in captions(text).notices[0].message
+
+
+def test_a_video_named_like_a_path_or_like_another_is_refused(captions):
+    found = captions(f'{{"../x": {json.dumps(ONE)}, "v": {json.dumps(ONE)}, "v": {json.dumps(ONE)}}}')
+    assert [notice.kind for notice in found.notices] == [NoticeKind.ODD_NAME, NoticeKind.SAME_VIDEO]
+    assert [narration.name for narration in found.narrations] == ["v"]
+
+
+def test_captions_of_any_length_are_read_in_bounded_memory(captions):
+    sentence = {"sentences": ["Chop the onion very finely. " * 20], "timestamps": [[0, 1]]}
+    text = json.dumps({f"v{number}": sentence for number in range(2_500)})
+    assert len(text) > 1_250_000
+    found = captions(text)
+    tracemalloc.start()
+    assert sum(len(narration.sentences) for narration in found.narrations) == 2_500
+    assert tracemalloc.get_traced_memory()[1] < 900_000
+    tracemalloc.stop()
+
+
+PLAIN = st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text()
+DOCUMENTS = st.dictionaries(
+    st.text(max_size=3) | st.just("in"),
+    PLAIN | st.lists(PLAIN, max_size=3) | st.dictionaries(st.text(max_size=3), PLAIN, max_size=3),
+    min_size=1,
+    max_size=4,
+)
+
+
+@given(DOCUMENTS, st.integers(1, 40), st.sampled_from([None, 1]))
+def test_a_document_in_blocks_has_the_fields_that_it_has_as_a_whole(document, size, indent):
+    text = json.dumps(document, indent=indent, ensure_ascii=False)
+    blocks = [text[at : at + size] for at in range(0, len(text), size)]
+    expected = list(document.items())
+    if isinstance(inner := document.get("in"), dict):
+        place = [name for name, _ in expected].index("in")
+        expected[place : place + 1] = inner.items()
+    assert [(name, value) for _, name, value in stream_fields(blocks, "in")] == expected
+    assert list(stream_fields(blocks, "in")) == list(stream_fields([text], "in"))
+
+
+@given(DOCUMENTS, st.integers(1, 40), st.data())
+def test_a_document_that_ends_early_is_refused_wherever_it_ends(document, size, data):
+    text = json.dumps(document)
+    text = text[: data.draw(st.integers(0, len(text) - 1))]
+    with pytest.raises(UnreadableFile):
+        list(stream_fields([text[at : at + size] for at in range(0, len(text), size)], "in"))
+
+
+@given(st.integers(65_530, 65_536), st.binary() | st.text().map(str.encode), st.sampled_from([b"", b"\xef\xbb\xbf"]))
+@settings(max_examples=50)
+def test_blocks_of_text_are_the_text(tmp_path_factory, before, data, mark):
+    path = tmp_path_factory.mktemp("text") / "any.json"
+    for tail in (data, b"a\n" * (before // 2) + data):
+        path.write_bytes(mark + tail)
+        try:
+            expected = (mark + tail).decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            with pytest.raises(UnreadableFile) as refused:
+                list(text_blocks(path))
+            good = (mark + tail)[: len(mark) + error.start]
+            assert refused.value.line == good.count(b"\n") + 1
+            assert f"byte {len(good)} " in refused.value.problem.message
+        else:
+            assert "".join(text_blocks(path)) == expected
+
+
+@pytest.mark.parametrize(
+    ("row", "kind"),
+    [
+        (f"1,v,,,{'x' * 140_000},chop,a,['a']", NoticeKind.LONG_CELL),
+        ("1,v,,,chop a,chop,a,['a', 'knife']", NoticeKind.EXTRA_COLUMN),
+    ],
+)
+def test_a_row_that_no_table_has_costs_itself_alone(row, kind):
+    found = read_epic_kitchens(epic(EPIC_ROWS[0], row, EPIC_ROWS[2]), "epic.csv")
+    assert [(notice.line, notice.kind) for notice in found.notices] == [(3, kind)]
+    assert [action.said for narration in found.narrations for action in narration.actions] == [
+        "peel onion",
+        "put onion into bowl",
+    ]
 
 
 def test_files_are_told_by_what_is_in_them(tmp_path):
@@ -133,10 +228,10 @@ def test_files_are_told_by_what_is_in_them(tmp_path):
         False,
     ]
     found = list(read_narrations([tmp_path]))
-    assert [len(one.narrations) for one in found] == [1, 1, 0, 0]
+    assert [len(list(one.narrations)) for one in found] == [1, 1, 0, 0]
     assert [[str(notice.kind) for notice in one.notices] for one in found[2:]] == [["unreadable-file"]] * 2
     assert is_epic_kitchens(epic())
-    assert is_captions(activitynet())
+    assert is_captions(tmp_path / "b.json")
 
 
 def test_a_path_that_is_not_there_is_refused(tmp_path):

@@ -167,6 +167,23 @@ def test_folders_hold_tables_and_subgraph_files_side_by_side(tmp_path):
     assert [result.subgraph.name for result in read_videos([tmp_path / "table.csv"])] == ["table"]
 
 
+@pytest.mark.parametrize(
+    ("row", "kind"),
+    [
+        (f"0:01,0:02,chop,{'x' * 140_000},b,", NoticeKind.LONG_CELL),
+        ("0:01,0:02,chop,onion, knife,onion,,salad", NoticeKind.EXTRA_COLUMN),
+    ],
+)
+def test_a_row_that_no_table_has_costs_itself_alone(row, kind):
+    result = read(CHOP, row, MIX)
+    assert [(notice.line, notice.kind, notice.severity) for notice in result.notices] == [(3, kind, Severity.REJECTED)]
+    assert [annotation.unit.motion for annotation in result.subgraph.annotations] == ["chop", "mix"]
+
+
+def test_a_quote_that_never_ends_is_told_with_the_line_on_which_it_begins():
+    assert [notice.line for notice in read(CHOP, '0:01,0:02,chop,"onion,a', MIX).notices] == [3]
+
+
 @pytest.mark.parametrize("name", ["nowhere", "nowhere.csv", "nowhere.txt"])
 def test_a_path_that_is_not_there_is_refused(tmp_path, name):
     with pytest.raises(ReadError, match=f"{name}: no such file"):

@@ -1,0 +1,37 @@
+"""The text of a file of any length, block by block."""
+
+from __future__ import annotations
+
+import codecs
+from collections.abc import Iterator
+from pathlib import Path
+
+from foon_kg.loaders.notices import UnreadableFile
+
+_BLOCK = 1 << 16
+"""Bytes read at a time."""
+
+
+def text_blocks(path: Path) -> Iterator[str]:
+    """Answer the text of ``path`` in blocks of 64 KB, without a byte order mark.
+
+    Raises UnreadableFile with line and byte where it is no UTF-8, OSError where the file cannot be opened.
+    """
+    decoder = codecs.getincrementaldecoder("utf-8")()
+    line, passed, first = 1, 0, True
+    with path.open("rb") as stream:
+        while True:
+            block = stream.read(_BLOCK)
+            waiting = len(decoder.getstate()[0])
+            try:
+                text = decoder.decode(block, final=not block)
+            except UnicodeDecodeError as error:
+                line += error.object[: error.start].count(b"\n")
+                at = passed - waiting + error.start
+                raise UnreadableFile(f"byte {at} (0x{error.object[error.start]:02x}) is not UTF-8", line) from error
+            if not block:
+                return
+            line += text.count("\n")
+            passed += len(block)
+            yield text.removeprefix("\ufeff") if first else text
+            first = False
