@@ -10,7 +10,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit
 from foon_kg.recent import Recent
-from foon_kg.script import Script
+from foon_kg.script import Repertoire, Script
 
 MOST_READINGS = 2048
 """How many scripts are kept read in one kitchen."""
@@ -22,6 +22,7 @@ class Reading:
 
     units: Sequence[KnownUnit]
     kitchen: Kitchen
+    repertoire: Repertoire
 
     @cached_property
     def lines(self) -> Mapping[str, FoodLine]:
@@ -37,7 +38,7 @@ class Reading:
     @cached_property
     def play(self) -> Script:
         """The script, ready to be executed."""
-        return Script.of(self.units, self.kitchen)
+        return Script.of(self.units, self.repertoire)
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,9 +48,13 @@ class Readings:
     kitchen: Kitchen
     _known: Recent[tuple[str, ...], Reading] = field(default_factory=lambda: Recent(MOST_READINGS), repr=False)
 
+    @cached_property
+    def _repertoire(self) -> Repertoire:
+        return Repertoire(self.kitchen)
+
     def of(self, units: Sequence[KnownUnit]) -> Reading:
         """Answer the reading of ``units``, known or new."""
         key = tuple(known.unit.key for known in units)
         if key not in self._known:
-            self._known[key] = Reading(units, self.kitchen)
+            self._known[key] = Reading(units, self.kitchen, self._repertoire)
         return self._known[key]

@@ -5,18 +5,28 @@ The words of :mod:`foon_kg.replay`, which executes scripts. Nothing here changes
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.recent import Recent
 
 EMPTY = "empty"
 """The state of a vessel out of which everything was taken."""
 
 GIVEN = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})
 """States that a vessel has from what is in it or on it."""
+
+MOST_SCENES = 8192
+"""How many units are kept as they were read in one kitchen."""
+
+MOST_PERFORMANCES = 16384
+"""For how many units, each with one casting of its foods, it is kept what comes of them; of each so many times:"""
+
+_MOST_TIMES = 32
 
 Atom = tuple[str, str]
 """A food inside a node: its name in the script (``""`` for one that was added) and its name now."""
@@ -36,6 +46,12 @@ class Recast:
     motions: Mapping[str, str] = field(default_factory=dict)
     ready: Mapping[ObjectNode, ObjectNode] = field(default_factory=dict)
 
+    @cached_property
+    def content(self) -> Hashable:
+        """All that it says: equal for two that are equal."""
+        changes = (self.states, self.motions, self.ready)
+        return (self.label, *(frozenset(change.items()) for change in changes))
+
     def comes_from_elsewhere(self, vessel: ObjectNode) -> bool:
         """Say whether what the script has in ``vessel`` from the start is made apart now, and lies somewhere else."""
         return any(leaf.container == vessel.label != node.container for leaf, node in self.ready.items())
@@ -53,6 +69,12 @@ class Item:
 
     node: ObjectNode
     atoms: frozenset[Atom] = frozenset()
+
+    def __hash__(self) -> int:
+        kept = self.__dict__.get("_hash")  # items are looked up far more often than they are made
+        if kept is None:
+            kept = self.__dict__["_hash"] = hash((self.node, self.atoms))
+        return kept
 
     @property
     def added(self) -> frozenset[Atom]:
@@ -94,6 +116,10 @@ class Scene:
     has_foods: bool
     springs: frozenset[str]
     vanishing: frozenset[ObjectNode]
+    foods: frozenset[ObjectNode]
+    filled: frozenset[ObjectNode]
+    names: tuple[str, ...]
+    spoken: frozenset[str]
 
     @classmethod
     def of(cls, known: KnownUnit, kitchen: Kitchen) -> Scene:
@@ -102,6 +128,8 @@ class Scene:
         ``taken`` are those of ``acted`` that are gone afterwards: what is put into the oven in its pan is still there.
         ``springs`` are free foods that are there though they are taken from nowhere: water, once the tap is on.
         ``vanishing`` are foods that no output names: they went into what is acted on (salt, into a salted rib).
+        ``foods`` are all nodes that are foods, ``filled`` all vessels that name any; ``names`` is everything that is
+        named, and ``spoken`` what the foods and the outputs name.
         """
         unit = known.unit
         inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
@@ -109,6 +137,7 @@ class Scene:
         acted = tuple(node for node in foods if node not in kept)
         utensils = [node for node in inputs if not kitchen.is_food(node)]
         written, left = _names(inputs), _names(outputs)
+        nodes = dict.fromkeys((*inputs, *outputs))
         return cls(
             known,
             inputs,
@@ -123,6 +152,10 @@ class Scene:
             has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
             springs=frozenset(filter(kitchen.is_free, left - written)),
             vanishing=frozenset(node for node in foods if node.label not in left),
+            foods=frozenset(filter(kitchen.is_food, nodes)),
+            filled=frozenset(node for node in nodes if not kitchen.is_food(node) and kitchen.foods_in(node)),
+            names=tuple(sorted(written | left)),
+            spoken=left | {node.label for node in foods},
         )
 
     def vessels_alone(self, kitchen: Kitchen) -> Iterator[ObjectNode]:
@@ -130,22 +163,6 @@ class Scene:
         there = {(node.container, node.label) for node in self.inputs if kitchen.is_food(node)}
         vessels = (node for node in self.inputs if node.ingredients and not kitchen.is_food(node))
         return (node for node in vessels if not any((node.label, name) in there for name in node.ingredients))
-
-
-@dataclass(frozen=True, eq=False)
-class Script:
-    """The units of a task tree in their order, read once so that they can be replayed many times."""
-
-    scenes: tuple[Scene, ...]
-    kitchen: Kitchen
-    taken_alone: frozenset[ObjectNode]
-    """Vessels that some unit takes without naming the food in them: only they can tell what is in that food."""
-
-    @classmethod
-    def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen) -> Script:
-        """Read ``units``, which are in the order of execution."""
-        scenes = tuple(Scene.of(known, kitchen) for known in units)
-        return cls(scenes, kitchen, frozenset(node for scene in scenes for node in scene.vessels_alone(kitchen)))
 
 
 @dataclass(frozen=True)
@@ -161,6 +178,80 @@ class Casting:
     cut: frozenset[str] = frozenset()
     carried: frozenset[str] = frozenset()
     goal: ObjectNode | None = None
+
+    @cached_property
+    def roles(self) -> Mapping[str, Hashable]:
+        """What each food that it names plays, to be compared."""
+        return {name: recast.content if recast else None for name, recast in self.foods.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Performance:
+    """What comes of a unit where it finds certain things: each node of the script with what it is now, in order.
+
+    ``fetched`` are the leaves it takes and ``labels`` their foods. Where it ``happens``, ``used`` are nodes that are
+    gone after it, ``made`` is what it makes of its outputs, ``renewed`` are nodes that are there again as they were,
+    and ``become`` says what others have become; ``step`` tells it. Where it does not, ``passed`` has its outputs with
+    what they would have been made of, and whether that stands elsewhere.
+    """
+
+    fetched: tuple[tuple[ObjectNode, Item | None], ...]
+    labels: tuple[str, ...]
+    happens: bool
+    used: frozenset[ObjectNode] = frozenset()
+    made: tuple[tuple[ObjectNode, Item | None], ...] = ()
+    renewed: tuple[ObjectNode, ...] = ()
+    become: tuple[tuple[ObjectNode, Item], ...] = ()
+    step: Step | None = None
+    passed: tuple[tuple[ObjectNode, Item | None, bool], ...] = ()
+
+    def told_at(self, place: int) -> Step | None:
+        """Answer what happens, as the step of a script in which the unit has this place."""
+        if self.step is None or self.step.place == place:
+            return self.step
+        return replace(self.step, place=place)
+
+
+Performances = dict[Hashable, Performance]
+"""What came of one unit with one casting, by all that it found."""
+
+
+class Repertoire:
+    """What was played so far in one kitchen: the same unit, cast alike, is in many scripts."""
+
+    def __init__(self, kitchen: Kitchen) -> None:
+        self.kitchen = kitchen
+        self._scenes: Recent[str, Scene] = Recent(MOST_SCENES)
+        self._performances: Recent[Hashable, Performances] = Recent(MOST_PERFORMANCES)
+
+    def scene(self, known: KnownUnit) -> Scene:
+        """Answer the unit ``known`` as it is read in this kitchen."""
+        if known.unit.key not in self._scenes:
+            self._scenes[known.unit.key] = Scene.of(known, self.kitchen)
+        return self._scenes[known.unit.key]
+
+    def performances(self, scene: Scene, *cast: Hashable) -> Performances:
+        """Answer what came so far of ``scene`` where it was ``cast`` so; what comes of it now may be added."""
+        kept = self._performances.get((scene, *cast))
+        if kept is None or len(kept) >= _MOST_TIMES:
+            kept = self._performances[scene, *cast] = {}
+        return kept
+
+
+@dataclass(frozen=True, eq=False)
+class Script:
+    """The units of a task tree in their order, read once so that they can be replayed many times."""
+
+    scenes: tuple[Scene, ...]
+    repertoire: Repertoire
+    taken_alone: frozenset[ObjectNode]
+    """Vessels that some unit takes without naming the food in them: only they can tell what is in that food."""
+
+    @classmethod
+    def of(cls, units: Iterable[KnownUnit], repertoire: Repertoire) -> Script:
+        """Read ``units``, which are in the order of execution."""
+        scenes, kitchen = tuple(map(repertoire.scene, units)), repertoire.kitchen
+        return cls(scenes, repertoire, frozenset(node for scene in scenes for node in scene.vessels_alone(kitchen)))
 
 
 @dataclass(frozen=True)
@@ -212,10 +303,9 @@ def changed(
     ingredients: Iterable[str] | None = None,
 ) -> ObjectNode:
     """Answer ``node`` with another label, other states or other ingredients; its place stays."""
-    return ObjectNode(
-        node.label if label is None else label,
-        node.states if states is None else tuple(states),
-        node.ingredients if ingredients is None else tuple(ingredients),
-        node.relation,
-        node.container,
-    )
+    named = node.label if label is None else label
+    shown = node.states if states is None else tuple(sorted(set(states)))
+    held = node.ingredients if ingredients is None else tuple(sorted(set(ingredients)))
+    if named == node.label and shown == node.states and held == node.ingredients:
+        return node
+    return ObjectNode(named, shown, held, node.relation, node.container)

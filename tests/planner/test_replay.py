@@ -1,21 +1,21 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, script
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.rehearsal import Rehearsal
 from foon_kg.replay import replay as replay_script
-from foon_kg.script import Casting, Item, Recast, Script, emptied
+from foon_kg.script import Casting, Item, Recast, Repertoire, Script, emptied
 
 KITCHEN = Kitchen.default()
 SALAD_MADE = node("salad(mixed){onion,salt,tomato}@bowl")
 
 
 def replay(units, casting, kitchen, additions=None):
-    return replay_script(Script.of(units, kitchen), casting, additions)
+    return replay_script(Script.of(units, Repertoire(kitchen)), casting, additions)
 
 
 def made(replayed):
@@ -148,13 +148,35 @@ def test_nothing_appears_from_nowhere_and_every_input_is_there(dropped, renamed,
     assert not gone & {name for s in replayed.steps for name in names((*s.input_nodes, *s.output_nodes))}
 
 
-@given(st.lists(st.dictionaries(st.sampled_from([2, 5, 6, 7]), st.sampled_from(["olive", "leek"])), max_size=5))
-def test_what_was_rehearsed_before_changes_nothing(parties):
-    play = Script.of(script(*SALAD), KITCHEN)
-    rehearsal = Rehearsal(play, Casting({"salt": None}))
-    for joining in parties:
+casts = st.fixed_dictionaries(
+    {
+        "foods": st.dictionaries(foods, st.sampled_from([None, Recast("leek"), Recast("leek", {"whole": "peeled"})])),
+        "carried": st.frozensets(st.sampled_from(["olive", "leek", "tomato"])),
+        "goal": st.sampled_from([None, SALAD_MADE]),
+    }
+)
+parties = st.dictionaries(st.sampled_from([2, 5, 6, 7]), st.sampled_from(["olive", "leek"]))
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.lists(st.tuples(casts, parties), min_size=2, max_size=4))
+def test_what_was_played_before_changes_nothing(replays):
+    repertoire = Repertoire(KITCHEN)
+    short, whole = Script.of(script(*SALAD)[2:], repertoire), Script.of(script(*SALAD), repertoire)
+    for cast, joining in replays:
+        casting = Casting(**cast)
         additions = {place: [Item(node(name), frozenset({("", name)}))] for place, name in joining.items()}
-        assert rehearsal.replay(additions) == replay_script(play, rehearsal.casting, additions)
+        replay_script(short, casting, additions)
+        assert replay_script(whole, casting, additions) == replay(script(*SALAD), casting, KITCHEN, additions)
+        assert Rehearsal(whole, casting).replay(additions) == replay(script(*SALAD), casting, KITCHEN, additions)
+
+
+@given(st.lists(parties, max_size=5))
+def test_what_was_rehearsed_before_changes_nothing(rehearsed):
+    rehearsal = Rehearsal(Script.of(script(*SALAD), Repertoire(KITCHEN)), Casting({"salt": None}))
+    for joining in rehearsed:
+        additions = {place: [Item(node(name), frozenset({("", name)}))] for place, name in joining.items()}
+        assert rehearsal.replay(additions) == replay(script(*SALAD), rehearsal.casting, KITCHEN, additions)
 
 
 def test_a_food_made_apart_comes_in_the_place_of_the_leaf_and_its_bowl_is_left_alone():
@@ -188,7 +210,7 @@ def test_only_a_vessel_that_is_taken_without_its_food_tells_what_is_in_the_food(
         "bowl{mush}; plate(empty) > pour > plate{mush}; mush(stirred){leek}@plate",
         "plate{mush}; mush(stirred){leek}@plate > serve > mush(served){leek}@plate",
     )
-    assert Script.of(units, KITCHEN).taken_alone == {node("bowl{mush}")}
+    assert Script.of(units, Repertoire(KITCHEN)).taken_alone == {node("bowl{mush}")}
 
 
 def test_a_pan_that_nobody_greased_is_not_greased():
