@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from foon_kg import motions
 from foon_kg.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.drafting.nodes import NodeDrafter
 from foon_kg.drafting.precedents import FoonPrecedents
 from foon_kg.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
 from foon_kg.drafting.units import UnitDrafter
@@ -56,7 +57,7 @@ class _Drafter:
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
-        self._units = UnitDrafter(precedents, self._scene)
+        self._units = UnitDrafter(NodeDrafter(precedents, self._scene))
 
     def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
         """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""

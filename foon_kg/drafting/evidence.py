@@ -12,6 +12,12 @@ from foon_kg.model import FunctionalUnit, Participant
 SOMETHING = 0.6
 """A share below this is worth a word."""
 
+IMPLIED = 0.5
+"""How sure it is what nobody says and no share speaks for."""
+
+UNSEEN = 0.5
+"""How sure it is what was never seen: as likely as not."""
+
 
 @dataclass
 class Evidence:
