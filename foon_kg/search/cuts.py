@@ -48,9 +48,9 @@ class Web:
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """How much a node costs at least, ``None`` where nothing makes it; and the dearest input of each step."""
+    """How much a node costs at least, infinite where nothing makes it; and the dearest input of each step."""
 
-    of_node: list[int | None]
+    of_node: list[float]
     supporter: list[int]
 
 
@@ -64,45 +64,74 @@ class CutBound:
 
     def least_with(self, core: Core, step: int) -> float:
         """Answer what any tree with ``step`` weighs at least, infinite where there is none."""
-        dearest, of_node = 0, self.heights.of_node
+        dearest, of_node = 0.0, self.heights.of_node
         for node in core.inputs[step]:
             height = of_node[node]
-            if height is None:
-                return math.inf
-            dearest = max(dearest, height)
-        return self.bound + self.left[step] + dearest
+            if height > dearest:
+                dearest = height
+        # a sum of efforts may be too great an integer to be added to infinity
+        return dearest if dearest == math.inf else self.bound + self.left[step] + dearest
 
 
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
     """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
     outputs, users = web.core.outputs, web.users
-    of_node: list[int | None] = [None] * len(web.core.nodes)
+    of_node: list[float] = [math.inf] * len(web.core.nodes)
     missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
-    waiting = [(0, node) for node in there]
+    for node in there:
+        of_node[node] = 0
     for step in users[_FREE]:
-        supporter[step] = _FREE
-        waiting += [(weights[step], node) for node in outputs[step]]
+        supporter[step], weight = _FREE, weights[step]
+        for node in outputs[step]:
+            if weight < of_node[node]:
+                of_node[node] = weight
+    waiting = [(height, node) for node, height in enumerate(of_node) if height != math.inf]
     heapify(waiting)
     while waiting:
         height, lowest = heappop(waiting)
-        if of_node[lowest] is not None:
+        if height > of_node[lowest]:
             continue
-        of_node[lowest] = height
         level = [lowest]
         for node in level:  # grows while it is read: most steps cost nothing and stay on the level
             for step in users[node]:
                 missing[step] -= 1
                 if missing[step]:
                     continue
-                supporter[step], weight = node, weights[step]
+                supporter[step], cost = node, height + weights[step]
                 for made in outputs[step]:
-                    if of_node[made] is None:
-                        if weight:
-                            heappush(waiting, (height + weight, made))
+                    if cost < of_node[made]:
+                        of_node[made] = cost
+                        if cost > height:
+                            heappush(waiting, (cost, made))
                         else:
-                            of_node[made] = height
                             level.append(made)
     return Heights(of_node, supporter)
+
+
+def lower(web: Web, weights: Sequence[int], found: Heights, cheaper: Sequence[int]) -> None:
+    """Bring ``found`` up to date where the steps ``cheaper`` weigh less than they did: few heights fall."""
+    inputs, outputs, users = web.core.inputs, web.core.outputs, web.users
+    of_node, supporter = found.of_node, found.supporter
+    waiting: list[tuple[float, int]] = []
+
+    def make(step: int, dearest: float) -> None:
+        cost = dearest + weights[step]
+        for made in outputs[step]:
+            if cost < of_node[made]:
+                of_node[made] = cost
+                heappush(waiting, (cost, made))
+
+    for step in cheaper:
+        make(step, of_node[supporter[step]] if supporter[step] >= 0 else 0)
+    while waiting:
+        height, node = heappop(waiting)
+        if height > of_node[node]:
+            continue
+        for step in users[node]:
+            if supporter[step] == node:
+                dearest = max(inputs[step], key=of_node.__getitem__)
+                supporter[step] = dearest
+                make(step, of_node[dearest])
 
 
 def cut_bound(
@@ -120,27 +149,24 @@ def cut_bound(
     what was paid and the height that is left.
     """
     left, paid = list(weights), 0
+    found = heights(web, left, there)
+    of_node = found.of_node
     while True:
-        found = heights(web, left, there)
-        dearest, height = -1, -1
-        for goal in goals:
-            of_goal = found.of_node[goal]
-            if of_goal is None:
-                return None
-            if of_goal > height:
-                dearest, height = goal, of_goal
-        if paid + height > limit:
+        dearest = max(goals, key=of_node.__getitem__)
+        height = of_node[dearest]
+        if height == math.inf or paid + height > limit:
             return None
         if height <= 0:
             return CutBound(paid, left, found)
         cut = _cut(web, left, found, dearest, there)
-        price = min(left[step] for step in cut)
+        price = min([left[step] for step in cut])
         paid += price
         for step in cut:
             left[step] -= price
+        lower(web, left, found, cut)
 
 
-def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collection[int]) -> set[int]:
+def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collection[int]) -> list[int]:
     """Answer the steps that lead from what the start reaches into what reaches the goal for nothing."""
     zone, waiting = {goal}, [goal]
     for node in waiting:  # grows while it is read
@@ -149,16 +175,19 @@ def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collec
             if supporter >= 0 and not left[step] and supporter not in zone:
                 zone.add(supporter)
                 waiting.append(supporter)
-    cut, reached, outputs = set[int](), set(there), web.core.outputs
+    cut, reached, outputs = list[int](), set(there), web.core.outputs
     waiting = [_FREE, *there]
     for node in waiting:  # grows while it is read
         for step in web.users[node]:
             if found.supporter[step] != node:
                 continue
+            leads_in = False
             for made in outputs[step]:
                 if made in zone:
-                    cut.add(step)
+                    leads_in = True
                 elif made not in reached:
                     reached.add(made)
                     waiting.append(made)
+            if leads_in:
+                cut.append(step)
     return cut

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice, product
 
 from foon_kg.model import KnownUnit, ObjectNode
@@ -18,17 +19,28 @@ Choices = Mapping[ObjectNode, KnownUnit | None]
 """The producer chosen for each needed node; ``None`` takes the node as a gap."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Enumeration:
     """The distinct trees of a problem, best first.
 
+    ``found`` has them with their units in no order yet, :meth:`first` and ``trees`` as they can be executed.
     ``looked_at`` are the combinations of producers of which each gave a tree or came to a dead end; ``complete`` says
     that these were all.
     """
 
-    trees: tuple[ReferenceTree, ...]
+    problem: SearchProblem
+    found: tuple[ReferenceTree, ...]
     complete: bool
     looked_at: int
+
+    def first(self, most: int) -> tuple[ReferenceTree, ...]:
+        """Answer the best ``most`` trees, each with its units in an order in which they can be executed."""
+        return tuple(_scheduled(self.problem, tree) for tree in self.found[:most])
+
+    @cached_property
+    def trees(self) -> tuple[ReferenceTree, ...]:
+        """All trees, each with its units in an order in which they can be executed."""
+        return self.first(len(self.found))
 
 
 def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
@@ -46,10 +58,10 @@ def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
         if tree is not None:
             trees.setdefault(tree.rank, tree)
     complete = looked_at < limit or next(paths, paths) is paths
-    ranked = [_scheduled(problem, trees[rank]) for rank in sorted(trees)]
+    ranked = [trees[rank] for rank in sorted(trees)]
     if complete and ranked:
         ranked[0] = replace(ranked[0], exact=True)
-    return Enumeration(tuple(ranked), complete, looked_at)
+    return Enumeration(problem, tuple(ranked), complete, looked_at)
 
 
 def with_gaps_of(problem: SearchProblem, tree: ReferenceTree) -> SearchProblem:
@@ -108,19 +120,21 @@ def _is_there(problem: SearchProblem, goal: ObjectNode, node: ObjectNode) -> boo
 
 def _goes_in_circles(choices: Choices, goal: ObjectNode) -> bool:
     """Whether a chosen producer needs, through the producers chosen below it, what it makes."""
-    done: set[ObjectNode] = set()
+    above, done = set[ObjectNode](), set[ObjectNode]()
 
-    def returns(node: ObjectNode, above: frozenset[ObjectNode]) -> bool:
+    def returns(node: ObjectNode) -> bool:
         if node in above:
             return True
         producer = choices.get(node)
         if node in done or producer is None:
             return False
-        found = any(returns(needed, above | {node}) for needed in producer.unit.input_nodes)
+        above.add(node)
+        found = any(map(returns, producer.unit.input_nodes))
+        above.remove(node)
         done.add(node)
         return found
 
-    return returns(goal, frozenset())
+    return returns(goal)
 
 
 def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> ReferenceTree:

@@ -123,10 +123,12 @@ def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
     stack = [choice.start()]
     while stack and best > cuts.bound and not deadline.has_passed():
         partial = choice.forced(stack.pop())
-        if partial is None or not _may_cost_less(web, weights, partial, best):
+        if partial is None:
             continue
         if not partial.waiting:
-            best = core.penalty_of(partial.chosen)
+            best = min(best, core.penalty_of(partial.chosen))
+            continue
+        if not _may_cost_less(web, weights, partial, best):
             continue
         options = {node: choice.options(partial, node) for node in partial.waiting}
         node = min(options, key=lambda waiting: (len(options[waiting]), waiting))

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from heapq import heappop, heappush
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
+
+Urgency = tuple[bool, int, int, int]
+"""Whether a unit waits for another maker of what it takes; how many others still need what it uses up, of made things
+and of others; its place by its key. The least is the most urgent."""
 
 
 def schedule(units: Iterable[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> tuple[KnownUnit, ...]:
@@ -27,32 +33,103 @@ def schedule(units: Iterable[KnownUnit], there: Collection[ObjectNode], goal: Ob
     if last is None:
         raise ValueError(f"no order of {len(waiting)} units ends with one that makes {goal}")
     waiting.remove(last)
-    order = (*_ordered(waiting, last, there, _ready), last)
-    return order if _each_leads_on(order) else (*_ordered(waiting, last, there, _ready_for_all), last)
+    order = (*_Queue.of(waiting, last, there).in_order(), last)
+    if _each_leads_on(order):
+        return order
+    return (*_Queue.of(waiting, last, there).waiting_for_all_makers().in_order(), last)
 
 
-Ready = Callable[[Sequence[KnownUnit], set[ObjectNode]], list[KnownUnit]]
+@dataclass(eq=False)
+class _Queue:
+    """The units that wait, by number, in the order of their keys.
 
+    ``takers`` and ``consumers`` are, for each node, the units that take it and those of them that use it up.
+    ``lacking`` counts the inputs of a unit that are not there yet, ``makers`` the other units to come that make them
+    too (none, unless whoever takes a node waits for all its makers), and ``needed`` how often others need what it uses
+    up: made nodes, and nodes that were there. In the heap ``ready`` only the latest entry of a unit counts.
+    """
 
-def _ordered(
-    units: Sequence[KnownUnit], last: KnownUnit, there: Collection[ObjectNode], ready: Ready
-) -> list[KnownUnit]:
-    needed = Counter(node for known in (*units, last) for node in known.unit.input_nodes)
-    waiting, have, done, fresh = list(units), set(there), list[KnownUnit](), set[ObjectNode]()
+    units: Sequence[KnownUnit]
+    there: Collection[ObjectNode]
+    takers: defaultdict[ObjectNode, list[int]]
+    consumers: defaultdict[ObjectNode, list[int]]
+    lacking: list[int]
+    makers: list[int]
+    needed: list[list[int]]
+    ready: list[Urgency] = field(default_factory=list)
 
-    def urgency(known: KnownUnit) -> tuple[int, int, bool, str]:
-        others = {node: needed[node] - 1 for node in used_up(known.unit)}
-        made = sum(count for node, count in others.items() if node not in there)
-        return (made, sum(others.values()) - made, fresh.isdisjoint(known.unit.input_nodes), known.unit.key)
+    @classmethod
+    def of(cls, units: Sequence[KnownUnit], last: KnownUnit, there: Collection[ObjectNode]) -> _Queue:
+        """Queue ``units``, sorted by their keys, before ``last``."""
+        takers, consumers = defaultdict[ObjectNode, list[int]](list), defaultdict[ObjectNode, list[int]](list)
+        for number, known in enumerate(units):
+            for node in known.unit.input_nodes:
+                takers[node].append(number)
+            for node in used_up(known.unit):
+                consumers[node].append(number)
+        needed = [[0, 0] for _ in units]
+        for node, numbers in consumers.items():
+            others = len(takers[node]) - 1 + (node in last.unit.input_nodes)
+            for number in numbers:
+                needed[number][node in there] += others
+        lacking = [sum(node not in there for node in known.unit.input_nodes) for known in units]
+        return cls(units, there, takers, consumers, lacking, [0] * len(units), needed)
 
-    while waiting:
-        chosen = min(ready(waiting, have), key=urgency)
-        waiting.remove(chosen)
-        done.append(chosen)
-        fresh = set(chosen.unit.output_nodes)
-        have.update(fresh)
-        needed.subtract(chosen.unit.input_nodes)
-    return done
+    def waiting_for_all_makers(self) -> _Queue:
+        """Answer this queue, to be asked before any unit is taken out, where no maker of a node is too late."""
+        for maker, taker in self._from_maker_to_taker(range(len(self.units))):
+            self.makers[taker] += maker != taker
+        return self
+
+    def in_order(self) -> list[KnownUnit]:
+        """Take out all units, one after another."""
+        order, done, have, fresh = list[KnownUnit](), [False] * len(self.units), set(self.there), set[int]()
+        self._put(range(len(self.units)))
+        while len(order) < len(self.units):
+            chosen = self._next(done, fresh)
+            done[chosen] = True
+            order.append(self.units[chosen])
+            changed = self._carry_out(chosen, have)
+            fresh = {taker for _, taker in self._from_maker_to_taker([chosen]) if not done[taker]}
+            self._put(number for number in changed if not done[number])
+        return order
+
+    def _carry_out(self, chosen: int, have: set[ObjectNode]) -> list[int]:
+        """Count what ``chosen`` makes and needs no more; answer for which units that changes anything."""
+        unit, changed = self.units[chosen].unit, list[int]()
+        for node in unit.input_nodes:
+            for number in self.consumers[node]:
+                self.needed[number][node in self.there] -= 1
+                changed.append(number)
+        for node in unit.output_nodes:
+            for number in self.takers[node]:
+                self.lacking[number] -= node not in have
+                self.makers[number] -= self.makers[number] > 0 and number != chosen
+                changed.append(number)
+            have.add(node)
+        return changed
+
+    def _from_maker_to_taker(self, makers: Iterable[int]) -> Iterator[tuple[int, int]]:
+        for maker in makers:
+            for node in self.units[maker].unit.output_nodes:
+                for taker in self.takers[node]:
+                    yield maker, taker
+
+    def _put(self, numbers: Iterable[int]) -> None:
+        for number in numbers:
+            if not self.lacking[number]:
+                heappush(self.ready, self._urgency(number))
+
+    def _urgency(self, number: int) -> Urgency:
+        return (self.makers[number] > 0, *self.needed[number], number)
+
+    def _next(self, done: Sequence[bool], fresh: Iterable[int]) -> int:
+        """Answer the most urgent unit; of equally urgent ones the first that takes what the last one made."""
+        while done[self.ready[0][-1]] or self.ready[0] != self._urgency(self.ready[0][-1]):
+            heappop(self.ready)
+        *urgency, first = self.ready[0]
+        ready = (number for number in fresh if not self.lacking[number])
+        return min((number for number in ready if [*self._urgency(number)[:-1]] == urgency), default=first)
 
 
 def _each_leads_on(order: Sequence[KnownUnit]) -> bool:
@@ -71,18 +148,6 @@ def used_up(unit: FunctionalUnit) -> list[ObjectNode]:
     return [node for node in unit.input_nodes if node not in left]
 
 
-def _ready(waiting: Iterable[KnownUnit], have: set[ObjectNode]) -> list[KnownUnit]:
-    return [known for known in waiting if have.issuperset(known.unit.input_nodes)]
-
-
-def _ready_for_all(waiting: Sequence[KnownUnit], have: set[ObjectNode]) -> list[KnownUnit]:
-    """Answer the units that can run and that wait for no other maker of what they take; where all wait, any of them."""
-    ready = _ready(waiting, have)
-    to_come = [(known, node) for known in waiting for node in known.unit.output_nodes]
-    patient = [k for k in ready if not any(k is not other and node in k.unit.input_nodes for other, node in to_come)]
-    return patient or ready
-
-
 def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:
     """Answer the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
     makers = (known for known in units if goal in known.unit.output_nodes)
@@ -90,11 +155,18 @@ def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: Obj
 
 
 def _can_all_run(units: Sequence[KnownUnit], there: Collection[ObjectNode]) -> bool:
-    have, waiting = set(there), list(units)
-    while waiting:
-        ready = _ready(waiting, have)
-        if not ready:
-            return False
-        have.update(node for known in ready for node in known.unit.output_nodes)
-        waiting = [known for known in waiting if known not in ready]
-    return True
+    takers: defaultdict[ObjectNode, list[int]] = defaultdict(list)
+    lacking = [0] * len(units)
+    for number, known in enumerate(units):
+        for node in known.unit.input_nodes:
+            if node not in there:
+                takers[node].append(number)
+                lacking[number] += 1
+    running = [number for number, count in enumerate(lacking) if not count]
+    for number in running:  # grows while it is read
+        for node in units[number].unit.output_nodes:
+            for taker in takers.pop(node, ()):
+                lacking[taker] -= 1
+                if not lacking[taker]:
+                    running.append(taker)
+    return len(running) == len(units)

@@ -19,8 +19,8 @@ _MOST_VIDEOS = 2
 def candidates_view(goal: Goal, found: Enumeration, exact: ReferenceTree) -> RenderableType:
     """Answer the best of the trees that were found with their scores, when looking ended, and what the search says."""
     parts: list[RenderableType] = [Text.assemble("The reference trees of ", node_words(goal.node)), _table(found)]
-    if found.trees[MOST_SHOWN:]:
-        parts.append(Text(f"… and {len(found.trees) - MOST_SHOWN} more (--json has them all)", ASIDE))
+    if found.found[MOST_SHOWN:]:
+        parts.append(Text(f"… and {len(found.found) - MOST_SHOWN} more (--json has them all)", ASIDE))
     return Group(*parts, Text(), Text(_ended(found)), Text(_choice(found, exact)))
 
 
@@ -29,7 +29,7 @@ def _table(found: Enumeration) -> Table:
     for title in ("", "overlap", "units", "gaps"):
         table.add_column(title, justify="right")
     table.add_column("steps from")
-    for number, tree in enumerate(found.trees[:MOST_SHOWN], 1):
+    for number, tree in enumerate(found.first(MOST_SHOWN), 1):
         figures = (number, tree.overlap, len(tree.units), len(tree.gaps))
         table.add_row(*map(str, figures), Text(_videos(tree), ASIDE))
     return table
@@ -44,7 +44,7 @@ def _videos(tree: ReferenceTree) -> str:
 
 
 def _ended(found: Enumeration) -> str:
-    trees = "1 tree" if len(found.trees) == 1 else f"{len(found.trees)} trees"
+    trees = "1 tree" if len(found.found) == 1 else f"{len(found.found)} trees"
     if found.complete:
         return f"These are all: {trees} in {found.looked_at} combinations of producers."
     return f"Stopped after {found.looked_at} combinations of producers, with {trees} (--most N looks at more)."
@@ -52,7 +52,7 @@ def _ended(found: Enumeration) -> str:
 
 def _choice(found: Enumeration, exact: ReferenceTree) -> str:
     proven = "proven to be the best" if exact.exact else "the best one found in time"
-    place = next((n for n, tree in enumerate(found.trees, 1) if tree.rank == exact.rank), None)
+    place = next((n for n, tree in enumerate(found.found, 1) if tree.rank == exact.rank), None)
     where = f"number {place}" if place else "none of these"
     figures = f"overlap {exact.overlap}, {len(exact.units)} units, {len(exact.gaps)} gaps"
     return f"The exact search chooses {where}: {figures}, {proven}."
