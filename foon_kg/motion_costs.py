@@ -31,3 +31,7 @@ class MotionCosts:
     def unknown(self, motions: Iterable[str]) -> tuple[str, ...]:
         """Answer which of ``motions`` have no cost, sorted."""
         return tuple(sorted(set(motions) - self.costs.keys()))
+
+
+NO_COSTS = MotionCosts()
+"""The table that names no motion."""

@@ -34,6 +34,11 @@ def read_weights(path: Path) -> MotionCosts:
     return MotionCosts(_checked(path, entries))
 
 
+def write_weights(costs: MotionCosts) -> str:
+    """Answer ``costs`` as JSON, which :func:`read_weights` reads back to the same."""
+    return json.dumps(dict(sorted(costs.costs.items())), ensure_ascii=False, indent=2) + "\n"
+
+
 class _Entries(list[tuple[str, object]]):
     """The fields of a JSON object in their order, repeated names included."""
 

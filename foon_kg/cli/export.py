@@ -11,10 +11,12 @@ import typer
 
 from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
+from foon_kg.cli.retrieve import Weights
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.exports.files import ExportFile
+    from foon_kg.motion_costs import MotionCosts
 
 EXAMPLES = examples(
     "foon export plan.json --format markdown",
@@ -22,8 +24,10 @@ EXAMPLES = examples(
     "foon export plans.jsonl --format pddl --output problems/",
     "foon export --format csv --output import/",
     'foon export --files DIR --format pddl --goal "greek salad" -o pddl/',
+    "foon export --format weights --output motion_cost.json",
 )
-_FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv")
+_FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv", "weights")
+_WEIGHTED = {"graphml", "csv", "weights"}
 
 
 def _formats(incomplete: str) -> list[str]:
@@ -63,6 +67,7 @@ def export(
     goal: Goal = None,
     kitchen: KitchenFile = None,
     recipe: RecipeFile = None,
+    weights: Weights = None,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
@@ -78,10 +83,13 @@ def export(
     behaviour-tree  a tree for robots: XML of BehaviorTree.CPP 4
     pddl            a planning problem: domain, problem, a tree's plan
     csv             a whole FOON for neo4j-admin database import
+    weights         how hard its motions are, for foon load weights
 
     Without --format the ending of --output decides. PDDL says what the contract says of execution: a unit can be
     carried out when its inputs are there, and then its outputs are there too; nothing is used up. With --goal and,
     as a rule, --kitchen, PDDL asks a planner to make a dish from the whole FOON.
+
+    GraphML and CSV have the weights of motions, too: as success rates, and as foon load weights would store them.
 
     The JSON of a plan does not say which motions take any number of foods, nor what moves: where that matters,
     export "foon plan --foon".
@@ -90,23 +98,41 @@ def export(
     form = _chosen(form, output)
     if recipe is not None and form != "markdown":
         _refuse({"--recipe": recipe}, form)
-    if tree is None:
-        written = list(_whole(form, goal, kitchen, files, say))
-    else:
+    if weights is not None and form not in _WEIGHTED:
+        _refuse({"--weights": weights}, form)
+    if tree is not None:
         _refuse({"--goal": goal, "--kitchen": kitchen, "--files": files}, "task trees")
-        written = _trees(tree, form, recipe, say)
+        written = _trees(tree, form, recipe, weights, say)
+    elif form == "pddl":
+        written = _problem(goal, kitchen, files, say)
+    else:
+        written = _whole(form, weights, files, say)
     _write(written, output)
     if form == "csv" and output is not None:
         say(f"In {output}: neo4j-admin database import full neo4j @import.txt, start Neo4j, then")
         say("foon cypher --write - < after.cypher, then foon load foon with any of the files, for the constraints.")
 
 
-def _trees(file: Path, form: str, recipe: Path | None, say: Say) -> list[ExportFile]:
+def _trees(file: Path, form: str, recipe: Path | None, weights: Path | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
     from foon_kg.exports.formats import export_tree
 
-    trees = read_exported_trees(file, say)
-    return [written for tree in trees for written in export_tree(tree, form, amounts_of(tree, recipe))]
+    trees, costs = read_exported_trees(file, say), _costs_of_file(weights)
+    return [written for tree in trees for written in export_tree(tree, form, amounts_of(tree, recipe), costs)]
+
+
+def _costs_of_file(weights: Path | None) -> MotionCosts:
+    from foon_kg.loaders import read_weights
+    from foon_kg.motion_costs import MotionCosts
+
+    return MotionCosts() if weights is None else read_weights(weights)
+
+
+def _stored_costs(say: Say) -> MotionCosts:
+    from foon_kg.cli.knowledge import open_knowledge
+
+    with open_knowledge(None, say) as view:
+        return view.motion_costs()
 
 
 def _chosen(form: str | None, output: Path | None) -> str:
@@ -126,21 +152,25 @@ def _refuse(asked: dict[str, object], where: str) -> None:
         raise UsageError(f"{' and '.join(given)} means nothing for {where}", hint='See "foon export --help".')
 
 
-def _whole(
-    form: str, goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say
-) -> tuple[ExportFile, ...]:
+def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.exports.formats import export_foon, weights_file
+
+    costs = _costs_of_file(weights) if weights or files else _stored_costs(say)
+    return [weights_file(costs)] if form == "weights" else list(export_foon(whole_foon(files, say), form, costs))
+
+
+def _problem(goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.exports.formats import export_foon, pddl_files
+    from foon_kg.exports.formats import pddl_files
     from foon_kg.exports.pddl import foon_to_pddl
 
-    if form != "pddl":
-        return export_foon(whole_foon(files, say), form)
     if goal is None:
         raise UsageError("a planning problem of the whole FOON needs a goal", hint='Say --goal "greek salad".')
     foon = whole_foon(files, say)
     at_hand = kitchen_of(kitchen, foon.vocabulary(), say)
-    return pddl_files(goal, foon_to_pddl(foon, goal, at_hand))
+    return list(pddl_files(goal, foon_to_pddl(foon, goal, at_hand)))
 
 
 def _write(files: Sequence[ExportFile], output: Path | None) -> None:

@@ -16,7 +16,9 @@ from foon_kg.exports.pddl import PlanningProblem, tree_to_pddl
 from foon_kg.exports.recipe import write_recipe
 from foon_kg.exports.tree import ExportedTree
 from foon_kg.loaders import write_json, write_text
+from foon_kg.loaders.weights import write_weights
 from foon_kg.model import RequiredIngredient
+from foon_kg.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.snapshot import Snapshot
 
 Amounts = Mapping[RequiredIngredient, str]
@@ -32,6 +34,7 @@ ENDINGS = {
     "behaviour-tree": (".xml",),
     "pddl": (),
     "csv": (),
+    "weights": (),
 }
 """Every format with the endings of its files, the first one for new files; what is always several files has none."""
 
@@ -43,22 +46,26 @@ _GRAPHS: Mapping[str, Callable[[BipartiteGraph], str]] = {
 _SUBGRAPHS = {"foon": write_text, "json": write_json}
 
 
-def export_tree(tree: ExportedTree, form: str, amounts: Amounts | None = None) -> tuple[ExportFile, ...]:
+def export_tree(
+    tree: ExportedTree, form: str, amounts: Amounts | None = None, costs: MotionCosts = NO_COSTS
+) -> tuple[ExportFile, ...]:
     """Answer a task tree in the format called ``form``; its files are called after the tree.
+
+    ``costs`` give the motion nodes of GraphML their success rates.
 
     Raises :class:`~foon_kg.errors.UsageError` for a format that is for whole FOONs only, and
     :class:`~foon_kg.errors.FormatError` where the format cannot say what is in the tree.
     """
     if form == "pddl":
         return pddl_files(tree.name, tree_to_pddl(tree))
-    return (ExportFile(file_name(tree.name) + _ending(form), _tree_text(tree, form, amounts)),)
+    return (ExportFile(file_name(tree.name) + _ending(form), _tree_text(tree, form, amounts, costs)),)
 
 
-def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None) -> str:
+def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None, costs: MotionCosts) -> str:
     if form in _SUBGRAPHS:
         return _SUBGRAPHS[form](tree.subgraph)
     if form in _GRAPHS:
-        return _GRAPHS[form](BipartiteGraph.of_tree(tree))
+        return _GRAPHS[form](BipartiteGraph.of_tree(tree, costs))
     if form == "markdown":
         return write_recipe(tree, amounts)
     if form == "behaviour-tree":
@@ -66,8 +73,10 @@ def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None) -> str:
     raise _not_for("a task tree", form)
 
 
-def export_foon(foon: Snapshot, form: str) -> tuple[ExportFile, ...]:
+def export_foon(foon: Snapshot, form: str, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
     """Answer a whole FOON in the format called ``form``; for PDDL, which has to know a goal, see ``foon_to_pddl``.
+
+    ``costs`` are the weights of its motions, which GraphML and CSV have on motion nodes.
 
     Raises :class:`~foon_kg.errors.UsageError` for a format that is for task trees only.
     """
@@ -75,12 +84,21 @@ def export_foon(foon: Snapshot, form: str) -> tuple[ExportFile, ...]:
         write = _SUBGRAPHS[form]
         return tuple(ExportFile(video.name + _ending(form), write(video)) for video in foon.subgraphs)
     if form in _GRAPHS:
-        return (ExportFile("foon" + _ending(form), _GRAPHS[form](BipartiteGraph.of_foon(foon))),)
+        return (ExportFile("foon" + _ending(form), _GRAPHS[form](BipartiteGraph.of_foon(foon, costs))),)
     if form == "csv":
         from foon_kg.exports.neo4j_csv import write_neo4j_csv  # noqa: PLC0415 - it brings the driver of Neo4j with it
 
-        return write_neo4j_csv(foon)
+        return write_neo4j_csv(foon, costs)
+    if form == "weights":
+        return (weights_file(costs),)
     raise _not_for("a whole FOON", form)
+
+
+def weights_file(costs: MotionCosts) -> ExportFile:
+    """Answer the weights of motions as the file that ``foon load weights`` reads; raises UsageError without any."""
+    if not costs:
+        raise UsageError("this FOON has no weights of motions", hint="Store some with: foon load weights FILE")
+    return ExportFile("motion_cost.json", write_weights(costs))
 
 
 def pddl_files(name: str, written: PlanningProblem) -> tuple[ExportFile, ...]:

@@ -9,6 +9,7 @@ from typing import Self
 from foon_kg.exports.tree import ExportedTree, nodes_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode, Participant
+from foon_kg.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.snapshot import Snapshot
 
 
@@ -25,7 +26,7 @@ class Edge:
 class BipartiteGraph:
     """Object nodes (ids ``o1``, …) and motion nodes (``m1``, …), each once and in the order of appearance.
 
-    ``goals`` are the end products, ``at_hand`` what no unit need make.
+    ``goals`` are the end products, ``at_hand`` what no unit need make; ``costs`` say how likely motions succeed.
     """
 
     name: str
@@ -34,21 +35,22 @@ class BipartiteGraph:
     goals: frozenset[ObjectNode]
     at_hand: frozenset[ObjectNode]
     kitchen: Kitchen
+    costs: MotionCosts = NO_COSTS
 
     @classmethod
-    def of_tree(cls, tree: ExportedTree) -> Self:
+    def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
         """Answer the graph of a task tree; its motion nodes are numbered like its steps."""
         goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
         objects = _objects(tree.units, tree.kitchen)
-        return cls(tree.title, objects, _numbered(tree.units), goals, frozenset(tree.kitchen), Kitchen.default())
+        return cls(tree.title, objects, _numbered(tree.units), goals, frozenset(tree.kitchen), Kitchen.default(), costs)
 
     @classmethod
-    def of_foon(cls, foon: Snapshot) -> Self:
+    def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
         """Answer the graph of a whole FOON; its motion nodes are in the order of their keys."""
         objects = _objects(foon.units)
         goals = frozenset(goal.node for goal in foon.goals())
         at_hand = frozenset(filter(foon.kitchen.has, objects))
-        return cls("FOON", objects, _numbered(foon.units), goals, at_hand, foon.kitchen)
+        return cls("FOON", objects, _numbered(foon.units), goals, at_hand, foon.kitchen, costs)
 
     def edges(self) -> Iterator[Edge]:
         """Answer the edges unit by unit: from the inputs to the motion, from the motion to the outputs."""

@@ -11,15 +11,16 @@ from foon_kg.exports.markup import xml_document, xml_text
 from foon_kg.exports.notation import node_text, unit_text
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model_json import sighting_to_json
+from foon_kg.motion_costs import MotionCosts
 
-Value = str | bool | None
+Value = str | bool | float | None
 
 _NAMESPACE = "http://graphml.graphdrawing.org/xmlns"
 _FIELDS = {
     "node": {
         "kind": "string", "text": "string", "label": "string", "states": "string", "ingredients": "string",
         "relation": "string", "container": "string", "at_hand": "boolean", "goal": "boolean",
-        "motion": "string", "accepts_any": "boolean", "seen_in": "string",
+        "motion": "string", "accepts_any": "boolean", "success_rate": "double", "seen_in": "string",
     },
     "edge": {"moving": "boolean"},
 }  # fmt: skip
@@ -27,6 +28,8 @@ _FIELDS = {
 
 def write_graphml(graph: BipartiteGraph) -> str:
     """Answer ``graph`` as GraphML. Lists (states, ingredients, where a unit was seen) are written as JSON.
+
+    Motion nodes have a success rate where the motion has a weight.
 
     Raises :class:`~foon_kg.errors.FormatError` for names with control characters, which no XML can hold.
     """
@@ -39,7 +42,7 @@ def write_graphml(graph: BipartiteGraph) -> str:
     for node, name in graph.objects.items():
         _add(drawn, "node", {"id": name}, _object(node, graph))
     for name, known in graph.units.items():
-        _add(drawn, "node", {"id": name}, _motion(known))
+        _add(drawn, "node", {"id": name}, _motion(known, graph.costs))
     for edge in graph.edges():
         _add(drawn, "edge", {"source": edge.start, "target": edge.end}, {"moving": edge.moving})
     return xml_document(root)
@@ -59,12 +62,14 @@ def _object(node: ObjectNode, graph: BipartiteGraph) -> dict[str, Value]:
     }
 
 
-def _motion(known: KnownUnit) -> dict[str, Value]:
+def _motion(known: KnownUnit, costs: MotionCosts) -> dict[str, Value]:
+    motion = known.unit.motion
     return {
         "kind": "motion",
         "text": unit_text(known.unit),
-        "motion": known.unit.motion,
+        "motion": motion,
         "accepts_any": known.unit.accepts_any,
+        "success_rate": float(costs.success(motion)) if motion in costs.costs else None,
         "seen_in": _list([sighting_to_json(sighting) for sighting in known.seen_in]),
     }
 
@@ -73,7 +78,7 @@ def _add(parent: ET.Element, tag: str, attributes: dict[str, str], data: Mapping
     element = ET.SubElement(parent, tag, attributes)
     for key, value in data.items():
         if value is not None:
-            text = str(value).lower() if isinstance(value, bool) else value
+            text = str(value).lower() if isinstance(value, bool) else str(value)
             ET.SubElement(element, "data", {"key": key}).text = xml_text(text)
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from foon_kg.exports.files import ExportFile
 from foon_kg.exports.neo4j_tables import Cell, Row, edge_tables, node_tables
 from foon_kg.graph.schema import kitchen_key
+from foon_kg.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.similarity.points import word_lists_key
 from foon_kg.snapshot import Snapshot
 
@@ -27,7 +28,7 @@ _NODES = {
     "Object": (
         "key", "label", "states:string[]", "ingredients:string[]", "relation", "container", "start:boolean",
     ),
-    "Motion": ("key", "verb", "accepts_any:boolean"),
+    "Motion": ("key", "verb", "accepts_any:boolean", "cost:double"),
     "DishType": ("name",),
     "Ingredient": ("name", "canonical", "vector:double[]"),
     "State": ("name",),
@@ -66,16 +67,17 @@ SET s.span_starts = coalesce(s.span_starts, []), s.span_ends = coalesce(s.span_e
   s.inputs_dish = coalesce(s.inputs_dish, ['']), s.outputs_dish = coalesce(s.outputs_dish, [''])
 WITH count(*) AS sightings
 MERGE (f:Foon {{name: 'foon-kg'}})
-SET f.version = 0, f.kitchen = '{kitchen}', f.words = '{words}', f.writes = 0
+SET f.version = 0, f.kitchen = '{kitchen}', f.words = '{words}', f.writes = 0{costs}
 WITH f
 MATCH (l:Label)
 MERGE (l)-[:LABEL_OF]->(f)
 """
 
 
-def write_neo4j_csv(foon: Snapshot) -> tuple[ExportFile, ...]:
-    """Answer the CSV files of a whole FOON, and a file of arguments for the import."""
+def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
+    """Answer the CSV files of a whole FOON with the weights of its motions, and a file of arguments for the import."""
     nodes, edges = node_tables(foon), edge_tables(foon)
+    nodes["Motion"] = [(*row, costs.costs.get(str(row[1]))) for row in nodes["Motion"]]
     places = {label: {row[0]: place for place, row in enumerate(rows)} for label, rows in nodes.items()}
     files = []
     for label, columns in _NODES.items():
@@ -84,8 +86,18 @@ def write_neo4j_csv(foon: Snapshot) -> tuple[ExportFile, ...]:
     for kind, (start, end, columns) in _EDGES.items():
         rows = ((places[start][row[0]], places[end][row[1]], *row[2:]) for row in edges[kind])
         files.append(_file(kind, (f":START_ID({start})", f":END_ID({end})", *columns), rows))
-    after = _AFTER.format(kitchen=kitchen_key(foon.kitchen), words=word_lists_key())
+    after = _AFTER.format(kitchen=kitchen_key(foon.kitchen), words=word_lists_key(), costs=_table(costs))
     return (*files, ExportFile(ARGUMENTS, _arguments()), ExportFile(AFTER, after))
+
+
+def _table(costs: MotionCosts) -> str:
+    """Answer the part of a SET clause that keeps ``costs`` for motion nodes that come later."""
+    if not costs:
+        return ""
+    motions = sorted(costs.costs)
+    names = ", ".join("'" + motion.replace("\\", "\\\\").replace("'", "\\'") + "'" for motion in motions)
+    numbers = ", ".join(str(costs.costs[motion]) for motion in motions)
+    return f",\n  f.cost_motions = [{names}],\n  f.costs = [{numbers}]"
 
 
 def _arguments() -> str:

@@ -13,8 +13,10 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.exports.formats import ENDINGS
-from foon_kg.loaders import read_json, read_text, write_json, write_text
+from foon_kg.graph import Connection, load, load_weights
+from foon_kg.loaders import read_json, read_text, read_weights, write_json, write_text
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
+from foon_kg.motion_costs import MotionCosts
 from foon_kg.result import PlanFailure, PlannedUnit, PlanResult, ReferenceSummary
 
 STORY = subgraph("story", "salad", *SALAD)
@@ -101,6 +103,31 @@ def test_a_whole_foon_is_exported_from_files(export, story, tmp_path, form):
     assert all(path.stat().st_size for path in output.iterdir())
 
 
+def test_weights_go_round_and_are_on_the_motion_nodes(export, story, tmp_path):
+    given = tmp_path / "weights.json"
+    given.write_text('{"chop": 0.25, "pour": 1, "bird\'s nest": 0}', encoding="utf-8")
+    written = tmp_path / "motion_cost.json"
+    answer = export("--files", story, "--weights", given, "-f", "weights", "-o", written)
+    assert (answer.exit_code, answer.output) == (0, "")
+    assert read_weights(written) == read_weights(given)
+    for source in ((story,), ("--files", story)):
+        drawn = export(*source, "--weights", written, "-f", "graphml")
+        assert '<data key="success_rate">0.75</data>' in drawn.stdout
+
+
+@pytest.mark.neo4j
+def test_stored_weights_are_exported_with_the_graph(export, empty_graph, story, tmp_path):
+    costs = MotionCosts({"chop": 0.25})
+    with Connection(empty_graph) as connection:
+        load(connection, [STORY])
+        assert export("-f", "weights").exit_code == 2
+        load_weights(connection, costs)
+    answer = export("-f", "weights", "-o", tmp_path / "weights.json", "-q")
+    assert (answer.exit_code, answer.output) == (0, "")
+    assert read_weights(tmp_path / "weights.json") == costs
+    assert '<data key="success_rate">0.75</data>' in export("-f", "graphml", "-q").stdout
+
+
 def test_a_problem_of_the_whole_foon_has_what_the_kitchen_file_names(export, story, tmp_path):
     kitchen = tmp_path / "kitchen.txt"
     kitchen.write_text("onion\nknife\n", encoding="utf-8")
@@ -126,6 +153,9 @@ def test_a_problem_of_the_whole_foon_has_what_the_kitchen_file_names(export, sto
         (("{story}", "-f", "pddl"), "these are 3 files"),
         (("{story}", "-f", "dot", "--goal", "salad"), "--goal means nothing for task trees"),
         (("{story}", "-f", "dot", "--recipe", "{story}"), "--recipe means nothing for dot"),
+        (("{story}", "-f", "dot", "--weights", "{story}"), "--weights means nothing for dot"),
+        (("--files", "{story}", "-f", "weights"), "has no weights of motions"),
+        (("{story}", "-f", "weights"), "a task tree cannot be written as weights"),
         (("{story}", "-f", "pddl", "-o", "{story}"), "File exists"),
     ],
 )  # fmt: skip

@@ -19,6 +19,7 @@ from foon_kg.exports.graph import BipartiteGraph
 from foon_kg.exports.graphml import write_graphml
 from foon_kg.exports.mermaid import write_mermaid
 from foon_kg.kitchen import Kitchen
+from foon_kg.motion_costs import MotionCosts
 from foon_kg.snapshot import Snapshot
 
 MERMAID_NODE = re.compile(r'  (\w+)(\(\[|\[)"((?:[\w ,.()\-+*\'/!]|#\d+;)*)"(\]\)|\]):::(food|utensil|goal|motion)')
@@ -84,6 +85,16 @@ def test_graphml_gives_networkx_every_field(tree):
     assert [(m["motion"], m["accepts_any"]) for m in motions] == [
         (k.unit.motion, k.unit.accepts_any) for k in tree.units
     ]
+
+
+def test_graphml_has_the_success_rate_of_motions_that_have_a_weight():
+    tree = of_file(subgraph("salad", "salad", *SALAD))
+    motions = sorted({known.unit.motion for known in tree.units})
+    costs = MotionCosts({motions[0]: 0.9})
+    graph = nx.parse_graphml(write_graphml(BipartiteGraph.of_tree(tree, costs)))
+    rates = {values["motion"]: values.get("success_rate") for _, values in graph.nodes(data=True) if "motion" in values}
+    assert len(rates) > 1
+    assert rates == dict.fromkeys(motions) | {motions[0]: 0.1}
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning:pydot")  # its own use of pyparsing

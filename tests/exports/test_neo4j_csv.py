@@ -16,6 +16,7 @@ from foon_kg.exports.neo4j_csv import AFTER, ARGUMENTS, LIST_DELIMITER, write_ne
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
+from foon_kg.motion_costs import MotionCosts
 from foon_kg.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
@@ -72,9 +73,12 @@ def imported(files, session):
 def test_what_is_imported_answers_as_what_was_loaded(empty_graph):
     subgraphs = [result.subgraph for result in read_paths([demo_folder()])][:4]
     foon = Snapshot.of(subgraphs, KITCHEN)
+    costs = MotionCosts({"chop": 0.9, "pour": 0.1, "bird's \\ nest": 0.25})
     driver = neo4j.GraphDatabase.driver(empty_graph.uri, auth=(empty_graph.user, empty_graph.password))
     with driver, driver.session(database=empty_graph.database) as session:
-        imported(write_neo4j_csv(foon), session)
+        imported(write_neo4j_csv(foon, costs), session)
+        stored = session.run("MATCH (m:Motion) RETURN DISTINCT m.verb, m.cost").values()
+    assert {verb: cost for verb, cost in stored if cost is not None} == {"chop": 0.9, "pour": 0.1}
     with Connection(empty_graph) as connection:
         report = load(connection, subgraphs[:1])
     assert report.unchanged == (subgraphs[0].name,)
@@ -83,6 +87,7 @@ def test_what_is_imported_answers_as_what_was_loaded(empty_graph):
         assert view.subgraphs(view.video_names()) == foon.subgraphs
         assert view.vocabulary() == foon.vocabulary()
         assert view.goals() == goals
+        assert view.motion_costs() == costs
         assert view.behind([goals[0].node], [("onion", "chopped")]) == foon.behind(
             [goals[0].node], [("onion", "chopped")]
         )
