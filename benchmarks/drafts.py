@@ -7,13 +7,20 @@ sentences, which foon-kg writes of units (``foon_kg.exports.sentences``) and spa
 as drafted when the draft has one with the same motion and main object (names compared as foon-kg does); "with states"
 asks for the states of that object before and after, too. Both sides are multisets: a unit drafted twice counts once.
 Units that a draft adds as assumed are counted like all others.
+
+What the confidence is worth is printed as a reliability table and as Brier scores (mean squared error of a probability;
+less is better): of the confidence as it is, of the same calibrated by isotonic regression, and of the share of right
+units alone. Calibration and share are cross-fitted: those of a video are learned from the other folds of videos.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
+from bisect import bisect_right
 from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
 from pathlib import Path
 
 from foon_kg.drafting import draft
@@ -29,6 +36,10 @@ from foon_kg.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 BINS = (0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 1.01)
+FOLDS = 10
+
+Judged = tuple[float, bool]
+"""The confidence of a drafted unit, and whether it was right with its states."""
 
 
 def main_object(unit: FunctionalUnit):
@@ -76,7 +87,8 @@ class Score:
     """How many units of the held-out videos were drafted, and how often each confidence was right."""
 
     def __init__(self, name):
-        self.name, self.bins = name, {low: [0, 0] for low in BINS[:-1]}
+        self.name = name
+        self.videos: list[list[Judged]] = []
         self.common, self.drafted, self.true = Counter(), 0, 0
 
     def add(self, video, drafted):
@@ -89,13 +101,12 @@ class Score:
             found = Counter(way(row.annotation.unit) for row in drafted.units)
             self.common[way] += (there & found).total()
         left = Counter(map(with_states, units))
+        judged: list[Judged] = []
         for row in drafted.units:
             key = with_states(row.annotation.unit)
-            low = max(b for b in BINS[:-1] if b <= row.confidence)
-            self.bins[low][1] += 1
-            if left[key] > 0:
-                left[key] -= 1
-                self.bins[low][0] += 1
+            judged.append((row.confidence, left[key] > 0))
+            left[key] -= left[key] > 0
+        self.videos.append(judged)
 
     def show(self):
         """Print the figures."""
@@ -103,9 +114,52 @@ class Score:
         for way, what in ((plain, "motion and main object"), (with_states, "with states")):
             precision, recall = self.common[way] / max(self.drafted, 1), self.common[way] / self.true
             print(f"  {what:24} precision {precision:.2f}  recall {recall:.2f}")
-        for low, (right, count) in self.bins.items():
-            share = f"{right / count:.2f}" if count else "   -"
-            print(f"  confidence from {low:.1f}: {count:4} units, right with states {share}")
+        judged = [one for video in self.videos for one in video]
+        ways = (("as it is", judged), ("calibrated", cross_fitted(self.videos, isotonic)))
+        for what, pairs in (*ways, ("share alone", cross_fitted(self.videos, share))):
+            print(f"  confidence {what:12} Brier {sum((sure - right) ** 2 for sure, right in pairs) / len(pairs):.3f}")
+        for what, pairs in ways:
+            print(f"  confidence {what}: " + "  ".join(reliability(pairs)))
+
+
+def reliability(pairs: Sequence[Judged]) -> Iterator[str]:
+    """Answer for each range of confidence: how many units, the mean confidence, and the share that was right."""
+    for low, high in pairwise(BINS):
+        here = [pair for pair in pairs if low <= pair[0] < high]
+        if here:
+            said, right = (sum(values) / len(here) for values in zip(*here, strict=True))
+            yield f"{len(here)}: {said:.2f} → {right:.2f}"
+
+
+def cross_fitted(
+    videos: Sequence[Sequence[Judged]], fit: Callable[[Sequence[Judged]], Callable[[float], float]]
+) -> list[Judged]:
+    """Answer every judged unit with what is fitted on the videos of the other folds in place of its confidence."""
+    pairs: list[Judged] = []
+    for fold in range(FOLDS):
+        others = [pair for place, video in enumerate(videos) if place % FOLDS != fold for pair in video]
+        fitted = fit(others)
+        pairs += [(fitted(sure), right) for video in videos[fold::FOLDS] for sure, right in video]
+    return pairs
+
+
+def share(pairs: Sequence[Judged]) -> Callable[[float], float]:
+    """Answer one figure for every confidence: the share of right units."""
+    right = sum(right for _, right in pairs) / len(pairs)
+    return lambda _: right
+
+
+def isotonic(pairs: Sequence[Judged]) -> Callable[[float], float]:
+    """Answer the step function of least squared error that never falls (pool adjacent violators)."""
+    steps: list[tuple[float, int, int]] = []  # least confidence, right, in all
+    for sure, right in sorted(pairs):
+        step = (sure, int(right), 1)
+        while steps and (steps[-1][0] == step[0] or steps[-1][1] * step[2] >= step[1] * steps[-1][2]):
+            last = steps.pop()
+            step = (last[0], last[1] + step[1], last[2] + step[2])
+        steps.append(step)
+    lows, rates = [low for low, _, _ in steps], [right / count for _, right, count in steps]
+    return lambda sure: rates[max(0, bisect_right(lows, sure) - 1)]
 
 
 def main():

@@ -38,10 +38,12 @@ def stream_list(path: Path) -> Iterator[tuple[int, object]]:
 
 
 def _expect_list(path: Path, stream: IO[bytes]) -> None:
-    """Go to the bracket that opens the list; a byte order mark before it is passed over."""
+    """Go to the bracket that opens the list; a byte order mark of UTF-8 before it is passed over."""
     head = stream.read(_BLOCK)
     start = len(codecs.BOM_UTF8) if head.startswith(codecs.BOM_UTF8) else 0
     text = head[start:].lstrip()
+    if head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        raise ReadError(f"{path}:1: not UTF-8: it begins like UTF-16", hint="Save it as UTF-8.")
     if not text.startswith(b"["):
         shown = text[:1].decode("latin-1")
         raise ReadError(

@@ -55,6 +55,10 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
                     tell(Notice(recipe.place, None, kind, message, action, Severity.REJECTED))
                     continue
                 seen.add(recipe.id)
+                if recipe.dish_type is None and not any(map(str.isalpha, recipe.title)):
+                    message = f"the title “{recipe.title[:40]}” has no words"
+                    action = "recipe kept without a dish type"
+                    tell(Notice(recipe.place, None, NoticeKind.TITLE_WITHOUT_WORDS, message, action))
                 yield recipe
 
     def __enter__(self) -> Self:

@@ -129,6 +129,7 @@ GOOD = json.dumps([recipe("a1"), recipe("b2")]).encode()
         (GOOD.replace(b"Onion Soup", b"Onion\xff", 1), "element 1", "UTF-8"),
         (b'{"id": 1}', ":1: no JSON list", "one list"),
         (b"", "it is empty", "one list"),
+        (GOOD.decode().encode("utf-16"), ":1: not UTF-8", "Save it as UTF-8"),
         (b"[1, 2,, 3]", "element 3", "Mend"),
     ],
 )
@@ -151,6 +152,20 @@ def test_a_broken_file_beside_is_refused_as_well(folder, name):
 def test_a_byte_order_mark_does_no_harm(folder):
     (recipes, _) = read(folder(b"\xef\xbb\xbf" + GOOD))
     assert len(recipes) == 2
+
+
+@pytest.mark.parametrize("title", ["", "  ", "!!! 123"])
+def test_a_title_without_words_is_told_and_the_recipe_kept(folder, title):
+    ([kept], [notice]) = read(folder([recipe(title=title)]))
+    assert kept.title == title
+    assert notice.kind is NoticeKind.TITLE_WITHOUT_WORDS
+    assert notice.severity is not Severity.REJECTED
+    assert notice.file.endswith("layer1.json: element 1")
+
+
+def test_of_what_stands_beside_twice_the_last_counts(folder):
+    ([kept], _) = read(folder([recipe()], [detected(foods=("leek", "salt")), detected()]))
+    assert [line.detected for line in kept.lines] == ["onion", "salt"]
 
 
 def test_names_that_carry_cypher_or_markup_stay_as_they_are(folder):
