@@ -10,6 +10,19 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.cli.evaluate_options import (
+    Compare,
+    Dask,
+    Dish,
+    Html,
+    Jobs,
+    Output,
+    Run,
+    Seed,
+    compared,
+    foon_key,
+    write_text,
+)
 from foon_kg.errors import ReadError, UsageError
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 
@@ -30,16 +43,8 @@ EXAMPLES = examples(
     "foon evaluate recipes --dish salad --sample 20 --seed 1",
     "foon evaluate recipes recipes/ --output plans.jsonl --scores-to sheet.csv",
     "foon evaluate recipes recipes/ --output plans.jsonl --scores sheet.csv",
+    "foon evaluate recipes recipes/ --html report.html",
 )
-
-Seed = Annotated[int, typer.Option("--seed", metavar="S", help="The same seed draws the same samples.")]
-Compare = Annotated[
-    Path | None,
-    typer.Option("--compare", metavar="OLD.json", help="Say what got better or worse since this (from --json)."),
-]
-Jobs = Annotated[
-    int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
-]
 
 
 def recipes(  # noqa: PLR0917 - each parameter is an option of its own
@@ -47,23 +52,22 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
         list[Path] | None,
         typer.Argument(metavar="FILE|DIR...", help="Recipes (JSON); else those that foon load recipes brought in."),
     ] = None,
-    dish: Annotated[list[str] | None, typer.Option("--dish", metavar="TYPE", help="Only this dish type.")] = None,
+    dish: Dish = None,
     sample: Annotated[
         int | None, typer.Option("--sample", metavar="N", min=1, help="Draw N recipes of each dish type.")
     ] = None,
     seed: Seed = 0,
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Keep the plans in this file, and go on where it ends."),
-    ] = None,
+    output: Output = None,
     scores_to: Annotated[
         Path | None, typer.Option("--scores-to", metavar="FILE.csv", help="Write a sheet on which people can score.")
     ] = None,
     scores: Annotated[
         Path | None, typer.Option("--scores", metavar="FILE.csv", help="Read their scores, and compare the rule's.")
     ] = None,
+    html: Html = None,
     compare: Compare = None,
     jobs: Jobs = None,
+    dask: Dask = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -92,11 +96,13 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     sheet = None if scores is None else read_sheet(scores)
     snapshot = whole_foon(files, say)
     asked = _asked(paths or [], dish or [], sample, seed=seed, snapshot=snapshot, say=say)
-    evaluation = _evaluated(asked, snapshot, seed, output, jobs, say=say, quiet=quiet)
+    evaluation = _evaluated(asked, snapshot, seed, Run(output, jobs, dask, say, quiet))
     if scores_to is not None:
-        _write(scores_to, write_sheet(evaluation.recipes))
+        write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
     agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
     comparison = None if before is None else compared(before, evaluation.to_json(), str(compare), seed)
+    if html is not None:
+        _write_report(html, evaluation, agreement, comparison)
     if as_json:
         print_json(_json(evaluation.to_json(), agreement, comparison))
     else:
@@ -161,16 +167,7 @@ def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: Ingredi
     return found
 
 
-def _evaluated(
-    asked: Sequence[Recipe],
-    snapshot: Snapshot,
-    seed: int,
-    output: Path | None,
-    jobs: int | None,
-    *,
-    say: Say,
-    quiet: bool,
-) -> RecipeEvaluation:
+def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: Run) -> RecipeEvaluation:
     from foon_kg.evaluation.examination import Examiner
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.sampling import known_enough, left_out
@@ -184,15 +181,13 @@ def _evaluated(
             f"the FOON knows too little of these dish types: {names}",
             hint=f"It knows enough of: {', '.join(enough) or 'none'}.",
         )
-    outcomes = _outcomes(kept, snapshot, output, jobs, say=say, quiet=quiet)
+    outcomes = _outcomes(kept, snapshot, run)
     examiner = Examiner(snapshot.units, goals, snapshot.vocabulary(), snapshot.kitchen)
     return RecipeEvaluation(foon_key(snapshot), seed, tuple(map(examiner.examine, outcomes)), out)
 
 
-def _outcomes(
-    asked: Sequence[Recipe], snapshot: Snapshot, output: Path | None, jobs: int | None, *, say: Say, quiet: bool
-) -> list[PlanResult | PlanFailure]:
-    """Plan ``asked`` on several cores; with ``output`` what it has already is not planned again."""
+def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: Run) -> list[PlanResult | PlanFailure]:
+    """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
     from foon_kg.batch import Answer, Question, Wishes
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.cli.answering import Writing, answer_all
@@ -204,22 +199,16 @@ def _outcomes(
         found.append(answer.outcome)
 
     questions = [Question(given=recipe) for recipe in asked]
-    answer_all(questions, snapshot, Wishes(), jobs, Writing(collect, output, say, quiet, collected=True))
-    if output is None:
+    writing = Writing(collect, run.output, run.say, run.quiet, collected=True)
+    answer_all(questions, snapshot, Wishes(), run.jobs, writing, dask=run.dask)
+    if run.output is None:
         return found
     return [
-        PlanFailure.from_json(value, f"{output}:{line}")
+        PlanFailure.from_json(value, f"{run.output}:{line}")
         if "error" in value
-        else PlanResult.from_json(value, f"{output}:{line}")
-        for line, value in enumerate(AnswerFile.read(output).lines, 1)
+        else PlanResult.from_json(value, f"{run.output}:{line}")
+        for line, value in enumerate(AnswerFile.read(run.output).lines, 1)
     ]
-
-
-def foon_key(snapshot: Snapshot) -> str:
-    """Answer a name for what a FOON knows: equal for equal units."""
-    from foon_kg.model import content_key
-
-    return content_key([known.unit.key for known in snapshot.units])
 
 
 def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet, path: Path) -> Agreement:
@@ -227,13 +216,6 @@ def _agreement(evaluation: RecipeEvaluation, sheet: FilledSheet, path: Path) -> 
     from foon_kg.evaluation.sheet import scored_by_both
 
     return agreement(*scored_by_both(evaluation.recipes, sheet, path))
-
-
-def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
-    """Answer what changed between two evaluations in JSON, of which the first was read from ``where``."""
-    from foon_kg.evaluation.comparison import compare, shares_of
-
-    return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)
 
 
 def _json(value: JsonObject, agreement: Agreement | None, comparison: Comparison | None) -> JsonObject:
@@ -256,8 +238,9 @@ def _show(
         print_view(comparison_view(comparison))
 
 
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise UsageError(f"{path}: {error.strerror}", hint="--scores-to names a file that can be written.") from error
+def _write_report(
+    path: Path, evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None
+) -> None:
+    from foon_kg.pictures.recipes_report import recipes_report
+
+    write_text(path, recipes_report(evaluation, agreement, comparison), "--html")

@@ -2,17 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Sequence
+from contextlib import nullcontext
+from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, print_view, progress_bar, sayer
-from foon_kg.cli.evaluate_recipes import Compare, Jobs, Seed, compared, foon_key
+from foon_kg.cli.console import (
+    Files,
+    Json,
+    Quiet,
+    examples,
+    json_line,
+    print_json,
+    print_view,
+    progress_bar,
+    sayer,
+)
+from foon_kg.cli.evaluate_options import (
+    Compare,
+    Dask,
+    Dish,
+    Html,
+    Jobs,
+    Output,
+    Run,
+    Seed,
+    compared,
+    foon_key,
+    write_text,
+)
 from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.left_out_video import LeftOutVideo
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
     from foon_kg.snapshot import Snapshot
@@ -21,19 +47,24 @@ EXAMPLES = examples(
     "foon evaluate leave-one-out --files subgraphs/",
     "foon evaluate leave-one-out --sample 5 --seed 1 --json > old.json",
     "foon evaluate leave-one-out --sample 5 --seed 1 --compare old.json",
-    "foon evaluate leave-one-out --dish salad --parts",
+    "foon evaluate leave-one-out --dish salad --parts --html report.html",
+    "foon evaluate leave-one-out --output videos.jsonl",
+    "foon evaluate leave-one-out --dask tcp://127.0.0.1:8786",
 )
 
 
 def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
-    dish: Annotated[list[str] | None, typer.Option("--dish", metavar="TYPE", help="Only this dish type.")] = None,
+    dish: Dish = None,
     sample: Annotated[
         int | None, typer.Option("--sample", metavar="N", min=1, help="Draw N videos of each dish type.")
     ] = None,
     seed: Seed = 0,
     parts: Annotated[bool, typer.Option("--parts", help="Also switch off parts of the planner, one by one.")] = False,
+    output: Output = None,
+    html: Html = None,
     compare: Compare = None,
     jobs: Jobs = None,
+    dask: Dask = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -47,39 +78,43 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     same). A method without a tree has 0.
 
     Baselines in the same run: the reference tree of the nearest recipe (Algorithm 1) unchanged, and a search for which
-    only the same food and state stand for a food and a state. With --parts also the planner without its similarity of
-    foods, and without its classes of states.
+    only the same food and state stand for a food and a state. With --parts also the planner without one of its parts
+    each: the similarity of foods, the classes of states, the choice of motions, the rule where a food joins, the trees
+    that tell nearly equal goals apart, the exact search.
 
     Means have 95 % bootstrap intervals; the lead over each baseline is drawn in pairs. Dish types with fewer than
-    three goals in the FOON are left out and named. The same FOON and seed give the same answer to the byte.
+    three goals in the FOON are left out and named. The same FOON and seed give the same answer to the byte, wherever
+    they were planned and however often a run with --output was stopped.
     """
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.evaluation.comparison import read_evaluation
+
+    say = sayer(quiet=quiet)
+    before = None if compare is None else read_evaluation(compare, "leave-one-out")
+    snapshot = whole_foon(files, say)
+    run = Run(output, jobs, dask, say, quiet)
+    evaluation = _evaluated(snapshot, dish or [], sample, seed, run, parts=parts)
+    value = evaluation.to_json()
+    comparison = None if before is None else compared(before, value, str(compare), seed)
+    if html is not None:
+        _write_report(html, evaluation, comparison, snapshot)
+    if as_json:
+        print_json(value if comparison is None else {**value, "comparison": comparison.to_json()})
+    else:
+        _show(evaluation, comparison)
+
+
+def _show(evaluation: LeaveOneOut, comparison: Comparison | None) -> None:
     from foon_kg.views.evaluation import comparison_view
     from foon_kg.views.leave_one_out import leave_one_out_view
 
-    before = None if compare is None else read_evaluation(compare, "leave-one-out")
-    snapshot = whole_foon(files, sayer(quiet=quiet))
-    evaluation = _evaluated(snapshot, dish or [], sample, seed, parts=parts, jobs=jobs, quiet=quiet)
-    value = evaluation.to_json()
-    comparison = None if before is None else compared(before, value, str(compare), seed)
-    if as_json:
-        print_json(value if comparison is None else {**value, "comparison": comparison.to_json()})
-        return
     print_view(leave_one_out_view(evaluation))
     if comparison is not None:
         print_view(comparison_view(comparison))
 
 
 def _evaluated(
-    snapshot: Snapshot,
-    dishes: Sequence[str],
-    sample: int | None,
-    seed: int,
-    *,
-    parts: bool,
-    jobs: int | None,
-    quiet: bool,
+    snapshot: Snapshot, dishes: Sequence[str], sample: int | None, seed: int, run: Run, *, parts: bool
 ) -> LeaveOneOut:
     from foon_kg.evaluation.left_out_video import left_out_video
     from foon_kg.evaluation.methods import methods
@@ -99,23 +134,47 @@ def _evaluated(
             "there is no video to leave out", hint="It needs a dish type with three goals in the FOON: see foon stats."
         )
     compared_methods = methods(parts=parts)
-    with _answering(asked, snapshot, compared_methods, jobs) as answers:
-        figures = tuple(answers if quiet else progress_bar(answers, len(asked), 0))
+    figures = _figures(asked, snapshot, compared_methods, run)
     nothing = tuple(name for name, video in found if video is None)
     return LeaveOneOut(foon_key(snapshot), seed, figures, compared_methods, out, nothing)
 
 
-def _answering(
-    asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], jobs: int | None
-) -> AbstractContextManager[Iterable[VideoFigures]]:
-    from functools import partial
-
-    from foon_kg.batch import MANY, cores
+def _figures(
+    asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], run: Run
+) -> tuple[VideoFigures, ...]:
+    """Answer the figures of all videos; those that the file of answers has already are not asked for again."""
     from foon_kg.evaluation.leave_one_out import asking_without
-    from foon_kg.processes import spread
+    from foon_kg.evaluation.video_line import from_line, to_line
 
-    processes = cores() if jobs is None else jobs
+    foon, done = foon_key(snapshot), _answered_before(asked, run)
+    found = [
+        from_line(line, f"{run.output}:{number}", video.recipe, methods, foon)
+        for number, (line, video) in enumerate(zip(done.lines if done else (), asked, strict=False), 1)
+    ]
     make = partial(asking_without, snapshot.subgraphs, snapshot.kitchen, methods)
-    if processes > 1 and len(asked) >= MANY:
-        return spread(make, asked, processes)
-    return nullcontext(map(make(), asked))
+    keep = nullcontext(None) if done is None else done.going_on()
+    with run.spread(make, asked[len(found) :]) as answers, keep as add:
+        for figures in answers if run.quiet else progress_bar(answers, len(asked), len(found)):
+            found.append(figures)
+            if add is not None:
+                add(json_line(to_line(figures, foon)))
+    return tuple(found)
+
+
+def _answered_before(asked: Sequence[LeftOutVideo], run: Run) -> AnswerFile | None:
+    from foon_kg.cli.answer_file import AnswerFile
+    from foon_kg.model_json import recipe_to_json
+
+    if run.output is None:
+        return None
+    done = AnswerFile.read(run.output)
+    done.check([recipe_to_json(video.recipe) for video in asked])
+    if done.lines:
+        run.say(f"{run.output} has {len(done.lines)} of {len(asked)} answers already")
+    return done
+
+
+def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | None, snapshot: Snapshot) -> None:
+    from foon_kg.pictures.leave_one_out_report import leave_one_out_report
+
+    write_text(path, leave_one_out_report(evaluation, comparison, snapshot.subgraphs, snapshot.kitchen), "--html")

@@ -36,4 +36,5 @@ class Examiner:
             tuple(substitution.confidence for substitution in outcome.substitutions),
             tuple(rule for rule in (*CONTRACT, *SENSE) if rule not in left),
             report.broken,
+            result=outcome,
         )

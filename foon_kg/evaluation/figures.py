@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from foon_kg.evaluation.curves import THRESHOLDS, histogram, recipes_over
@@ -13,6 +13,7 @@ from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.scores import LineScore, Reason, share_correct
 from foon_kg.json_fields import JsonObject
 from foon_kg.model import Recipe
+from foon_kg.result import PlanResult
 from foon_kg.validation import CONTRACT, SENSE
 
 _DECIMALS = 6
@@ -23,7 +24,7 @@ class RecipeFigures:
     """One recipe: the score of each line, the confidence of each substitution, and what the judge says of its tree.
 
     ``asked`` are the rules of contract and sense that could be asked, ``broken`` those with a finding. ``error`` says
-    why there is no tree; then there are no rules.
+    why there is no tree; then there are no rules, and no ``result``.
     """
 
     recipe: Recipe
@@ -32,6 +33,7 @@ class RecipeFigures:
     asked: tuple[str, ...] = ()
     broken: tuple[str, ...] = ()
     error: str = ""
+    result: PlanResult | None = field(default=None, repr=False)
 
     @property
     def name(self) -> str:
@@ -106,6 +108,16 @@ class DishFigures:
         return {rule: (asked[rule] - broken[rule], asked[rule]) for rule in (*CONTRACT, *SENSE)}
 
     @property
+    def sound(self) -> int:
+        """How many recipes have a tree that keeps the contract."""
+        return sum(not recipe.error and not set(recipe.broken) & set(CONTRACT) for recipe in self.recipes)
+
+    @property
+    def clean(self) -> int:
+        """How many recipes have a tree that keeps the contract and makes sense in all that is measured."""
+        return sum(not recipe.error and not recipe.broken for recipe in self.recipes)
+
+    @property
     def without_tree(self) -> tuple[RecipeFigures, ...]:
         """The recipes that got no tree."""
         return tuple(recipe for recipe in self.recipes if recipe.error)
@@ -120,6 +132,8 @@ class DishFigures:
             "curve": [{"threshold": at, "recipes": round(share, _DECIMALS)} for at, share in self.curve.items()],
             "confidences": list(self.confidences),
             "reasons": {reason.value: count for reason, count in self.reasons.items()},
+            "sound": self.sound,
+            "clean": self.clean,
             "rules": {rule: {"kept": kept, "asked": asked} for rule, (kept, asked) in self.rules.items()},
             "without_tree": [recipe.name for recipe in self.without_tree],
         }

@@ -15,8 +15,11 @@ from foon_kg.evaluation.methods import METHODS
 from foon_kg.evaluation.tree_overlap import NOTHING, Overlap, overlap
 from foon_kg.evaluation.video_figures import VideoFigures
 from foon_kg.kitchen import Kitchen
-from foon_kg.model import Subgraph
+from foon_kg.model import Recipe, Subgraph
+from foon_kg.planner import Planner
 from foon_kg.recipes import IngredientWords, with_states
+from foon_kg.result import PlanResult
+from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
 
 
@@ -27,11 +30,22 @@ def asking_without(
     return partial(_asked_without, subgraphs, kitchen, methods)
 
 
+def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: LeftOutVideo) -> PlanResult:
+    """Answer the tree that foon-kg makes for a video without it; raises NoTreeError where there is none."""
+    rest, recipe = _left(subgraphs, kitchen, video)
+    return Planner(rest, PlanSettings()).plan(recipe)
+
+
+def _left(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: LeftOutVideo) -> tuple[Snapshot, Recipe]:
+    """Answer the FOON without the video, and the question in the words of that."""
+    rest = Snapshot.of((other for other in subgraphs if other.name != video.name), kitchen)
+    return rest, with_states(video.recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
+
+
 def _asked_without(
     subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str], video: LeftOutVideo
 ) -> VideoFigures:
-    rest = Snapshot.of((other for other in subgraphs if other.name != video.name), kitchen)
-    recipe = with_states(video.recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
+    rest, recipe = _left(subgraphs, kitchen, video)
     overlaps, failed = dict[str, Overlap](), dict[str, str]()
     for method in methods:
         try:

@@ -11,10 +11,12 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.evaluation.leave_one_out import asking_without
 from foon_kg.evaluation.left_out_video import left_out_video
-from foon_kg.evaluation.methods import OURS, SameName, methods, same_state
+from foon_kg.evaluation.methods import METHODS, OURS, PARTS, SameName, methods, same_state
 from foon_kg.evaluation.tree_overlap import Overlap
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import write_text
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 
@@ -110,3 +112,43 @@ def test_a_dish_type_of_too_few_goals_has_nothing_to_leave_out(folder):
     answer = evaluate(folder, "--dish", "pie")
     assert answer.exit_code == 2
     assert "no video to leave out" in answer.stderr
+
+
+def test_a_run_that_was_stopped_goes_on_where_it_ended_and_answers_the_same_bytes(folder, tmp_path):
+    kept = tmp_path / "videos.jsonl"
+    whole = evaluate(folder, "--json").stdout_bytes
+    assert evaluate(folder, "--json", "--output", kept).stdout_bytes == whole
+    lines = kept.read_bytes()
+    kept.write_bytes(lines[: len(lines) * 2 // 3])  # killed in the middle of a line
+    gone_on = evaluate(folder, "--json", "--output", kept)
+    assert gone_on.stdout_bytes == whole
+    assert "answers already" in gone_on.stderr
+    assert kept.read_bytes() == lines
+
+
+def test_a_file_of_another_run_is_refused(folder, tmp_path):
+    kept = tmp_path / "videos.jsonl"
+    evaluate(folder, "--output", kept)
+    before = kept.read_bytes()
+    for other in (["--parts"], ["--sample", "1", "--seed", "3"]):
+        answer = evaluate(folder, "--output", kept, *other)
+        assert answer.exit_code == 2
+        assert "another" in answer.stderr
+        assert kept.read_bytes() == before
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_every_part_can_be_switched_off(part):
+    found = figures(SALADS[2], SALADS, (OURS, part))
+    assert part in found.failed or found.overlaps[part].units > 0
+
+
+def test_without_its_motions_a_substituted_state_keeps_the_motion_of_its_equivalent():
+    recipe = Recipe("salad", (RequiredIngredient("onion", "sliced"), RequiredIngredient("tomato", "whole")))
+    foon = Snapshot.of(SALADS, KITCHEN)
+    with_motions, without = (
+        [unit.motion for unit in METHODS[method](foon, recipe)] for method in (OURS, "no motion choice")
+    )
+    assert "slice" in with_motions
+    assert "slice" not in without
+    assert "chop" in without

@@ -1,0 +1,89 @@
+"""What the commands of ``foon evaluate`` have in common: their options, and where they work and write."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, TypeVar
+
+import typer
+
+from foon_kg.cli.console import Say
+from foon_kg.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.evaluation.comparison import Comparison
+    from foon_kg.json_fields import JsonObject
+    from foon_kg.snapshot import Snapshot
+
+T = TypeVar("T")
+A = TypeVar("A")
+
+Dish = Annotated[list[str] | None, typer.Option("--dish", metavar="TYPE", help="Only this dish type.")]
+Seed = Annotated[int, typer.Option("--seed", metavar="S", help="The same seed draws the same samples.")]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="FILE", help="Keep the answers in this file, and go on where it ends."),
+]
+Html = Annotated[
+    Path | None, typer.Option("--html", metavar="FILE.html", help="Write a report too: a page that stands on its own.")
+]
+Compare = Annotated[
+    Path | None,
+    typer.Option("--compare", metavar="OLD.json", help="Say what got better or worse since this (from --json)."),
+]
+Jobs = Annotated[
+    int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
+]
+Dask = Annotated[
+    str | None,
+    typer.Option("--dask", metavar="ADDRESS", help="Plan on the workers of this Dask scheduler (extra “cluster”)."),
+]
+
+
+@dataclass(frozen=True)
+class Run:
+    """How a run works: the file that keeps its answers, its processes or its cluster, and where messages go."""
+
+    output: Path | None
+    jobs: int | None
+    dask: str | None
+    say: Say
+    quiet: bool
+
+    def spread(self, make: Callable[[], Callable[[T], A]], items: Sequence[T]) -> AbstractContextManager[Iterator[A]]:
+        """Open what works on ``items``: the cluster, the processes, or for few items just this one."""
+        from foon_kg.batch import MANY, cores
+        from foon_kg.cluster import spread_over
+        from foon_kg.processes import spread
+
+        if self.dask is not None:
+            return spread_over(make, items, self.dask)
+        processes = cores() if self.jobs is None else self.jobs
+        if processes > 1 and len(items) >= MANY:
+            return spread(make, items, processes)
+        return nullcontext(map(make(), items) if items else iter(()))
+
+
+def foon_key(snapshot: Snapshot) -> str:
+    """Answer a name for what a FOON knows: equal for equal units."""
+    from foon_kg.model import content_key
+
+    return content_key([known.unit.key for known in snapshot.units])
+
+
+def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
+    """Answer what changed between two evaluations in JSON, of which the first was read from ``where``."""
+    from foon_kg.evaluation.comparison import compare, shares_of
+
+    return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)
+
+
+def write_text(path: Path, text: str, option: str) -> None:
+    """Write ``text`` to the file that ``option`` names; raises UsageError where that cannot be."""
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise UsageError(f"{path}: {error.strerror}", hint=f"{option} names a file that can be written.") from error
