@@ -18,10 +18,11 @@ export const stage = (box) => {
   const view = { x: 0, y: 0, w: width, h: height };
   const shape = () => box.clientHeight / box.clientWidth || height / width;
   const within = (value, least, most) => Math.min(Math.max(value, least), most);
+  const draw = () => svg.setAttribute("viewBox", [view.x, view.y, view.w, view.h].map((v) => v.toFixed(2)).join(" "));
   const show = () => {
     view.x = within(view.x, -view.w / 2, width - view.w / 2); // the middle of the stage stays on the picture
     view.y = within(view.y, -view.h / 2, height - view.h / 2);
-    svg.setAttribute("viewBox", [view.x, view.y, view.w, view.h].map((v) => v.toFixed(2)).join(" "));
+    draw();
   };
 
   const fit = () => {
@@ -96,7 +97,7 @@ export const stage = (box) => {
   });
   for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => fingers.delete(event.pointerId));
 
-  const turned = new ResizeObserver(() => { view.h = view.w * shape(); show(); }); // a phone on its side
+  const turned = new ResizeObserver(() => { view.h = view.w * shape(); draw(); }); // a phone on its side
   requestAnimationFrame(() => {
     if (height > 1.5 * box.clientHeight || width > 1.5 * box.clientWidth) legible();
     else fit();

@@ -30,7 +30,7 @@ class ShownTree:
     @classmethod
     def of_result(cls, result: PlanResult) -> Self:
         """Look at a plan."""
-        title = result.recipe.title or result.recipe.id or result.recipe.dish_type
+        title = result.recipe.title or " · ".join(filter(None, (result.goal.label, result.recipe.id)))
         return cls(title, result.units, result.goal, result.kitchen, _named_lines(result), result)
 
     @classmethod
