@@ -6,4 +6,4 @@ MATCH (f:Foon {name: 'foon-kg'})
 SET f.words = $words
 WITH f
 MATCH (i:Ingredient)
-REMOVE i.canonical, i.vector
+REMOVE i.canonical, i.singular, i.vector

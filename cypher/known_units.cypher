@@ -1,8 +1,10 @@
 // The named units with every place where they were seen. A node stands in several units: it is answered once, and units
-// name it by its key.
+// name it by its key. Besides, how often each food in them is made and used in each state: each state once, with its
+// foods and their counts side by side.
 // param: keys LIST<STRING>
 // column: nodes
 // column: units
+// column: foods
 // mode: read
 UNWIND $keys AS key
 MATCH (m:Motion {key: key})
@@ -21,4 +23,11 @@ RETURN nodes, [m IN motions | [
     v.name, s.position, v.sources[0], s.start, s.end,
     s.inputs, s.inputs_moving, s.inputs_dish, s.outputs, s.outputs_moving, s.outputs_dish
   ]]
-]] AS units
+]] AS units, COLLECT {
+  UNWIND nodes AS node
+  UNWIND [node[1]] + node[3] AS name
+  WITH DISTINCT name
+  MATCH (i:Ingredient {name: name})-[r:SEEN_AS]->(s:State)
+  WITH s, collect(i.name) AS labels, collect(r.made) AS made, collect(r.used) AS used
+  RETURN [s.name, labels, made, used]
+} AS foods

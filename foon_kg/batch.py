@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 
 from foon_kg.avoidance import without_avoided
@@ -19,7 +19,15 @@ from foon_kg.likeness import Substitute
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.planner import Planner
 from foon_kg.processes import spread
-from foon_kg.recipes import IngredientWords, ReadRecipe, read_recipe, recipe_of, with_states
+from foon_kg.recipes import (
+    IngredientWords,
+    ReadRecipe,
+    foods_named,
+    names_in,
+    read_recipe,
+    recipe_of,
+    with_states,
+)
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 
@@ -44,6 +52,14 @@ class Question:
             read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
         recipe, notes = without_avoided(read.recipe, avoided)
         return ReadRecipe(recipe, (*read.notes, *notes))
+
+    def names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Answer the foods that the question names, or, where it asks in words, all that may be names of foods."""
+        if self.given is not None:
+            return tuple(wanted.object for wanted in self.given.ingredients), ()
+        if self.path is not None:
+            return foods_named(self.path), ()
+        return (), names_in(self.texts)
 
     def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
         """Answer the recipe that an answer to this question names."""
@@ -91,15 +107,15 @@ class Cook:
         settings = PlanSettings(
             wishes.kitchen, time_limit=wishes.time_limit, substitutes=wishes.substitutes, avoided=wishes.avoided
         )
+        self.view = view
         self.wishes = wishes
-        self.words = IngredientWords(view.vocabulary(), Kitchen.default())
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question) -> Answer:
         """Answer one question; what is raised is not about this recipe, and ends the batch."""
         read = ReadRecipe(question.stand_in, ())
         try:
-            read = question.read(self.words, self.wishes.avoided)
+            read = question.read(self.words_for(question), self.wishes.avoided)
             if self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)
                 return Answer(result, (*read.notes, *_chosen_dish(read, result)), explanations)
@@ -107,6 +123,17 @@ class Cook:
             return Answer(result, (*read.notes, *_chosen_dish(read, result)))
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
+
+    def words_for(self, question: Question) -> IngredientWords:
+        """Answer the words in which ``question`` is read."""
+        if not self.planner.asks_for_parts:
+            return self._all_words
+        foods, called = question.names()
+        return IngredientWords(self.view.words_for(foods, called), Kitchen.default())
+
+    @cached_property
+    def _all_words(self) -> IngredientWords:
+        return IngredientWords(self.planner.vocabulary, Kitchen.default())
 
 
 def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:

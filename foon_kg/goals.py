@@ -7,10 +7,16 @@ from dataclasses import dataclass
 from itertools import chain, takewhile
 
 from foon_kg.kitchen import words
+from foon_kg.knowledge import LikelyGoals
 from foon_kg.model import Goal, RequiredIngredient
 
 NEAR = 0.05
 """Goals whose scores differ by no more than this are a near tie: how sure a name is, is not known more exactly."""
+
+LOOKED_AT, MORE = 64, 4
+"""How many goals are compared with a recipe at first, and how many times as many where these do not tell."""
+
+_SLACK = 1e-9  # sums of confidences depend on their order in the last bits
 
 
 @dataclass(frozen=True)
@@ -63,6 +69,34 @@ def _order(ranked: RankedGoal) -> tuple[object, ...]:
         ranked.goal.node.sort_key,
         ranked.goal.dish_type,
     )
+
+
+def likeliest(
+    ask: Callable[[int], LikelyGoals], rank: Callable[[LikelyGoals], Sequence[RankedGoal]], least: int
+) -> Sequence[RankedGoal]:
+    """Answer the likeliest goals in the order of ``rank``, ``least`` of them at least where there are so many.
+
+    ``ask`` answers so many goals, or more, among which the likeliest are; it is asked for more and more of them until
+    nothing that it did not answer can come before one of the first ``least``.
+    """
+    count = LOOKED_AT
+    while True:
+        likely = ask(count)
+        ranked = _settled(rank(likely), likely.most)
+        if likely.most is None or len(ranked) >= least:
+            return ranked
+        count *= MORE
+
+
+def _settled(ranked: Sequence[RankedGoal], most: float | None) -> Sequence[RankedGoal]:
+    """Answer the head of ``ranked`` that stays what it is, whichever other goals of a score up to ``most`` there are.
+
+    There are no others where ``most`` is ``None``.
+    """
+    if most is None:
+        return ranked
+    most = round(most + _SLACK, 2)
+    return list(takewhile(lambda goal: not goal.misnamed and round(goal.score, 2) > most, ranked))
 
 
 def near_ties(ranked: Sequence[RankedGoal]) -> int:

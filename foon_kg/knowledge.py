@@ -41,12 +41,14 @@ class Vocabulary:
     """The words that a FOON knows. Every table is sorted, so that two graphs with the same content answer alike.
 
     ``foods``: labels (utensils apart) with their states. ``motions``: which motion makes which state.
-    ``dish_types``: the classes that have at least one goal node.
+    ``dish_types``: the classes that have at least one goal node. Where ``foods`` are only those that matter to a
+    question (:meth:`KnowledgeView.words_for`), ``other_states`` are the states of all others.
     """
 
     foods: tuple[SeenAs, ...]
     motions: tuple[MadeBy, ...]
     dish_types: tuple[str, ...]
+    other_states: tuple[str, ...] = ()
 
     @property
     def labels(self) -> list[str]:
@@ -68,6 +70,19 @@ class Neighbour:
 
     name: str
     confidence: float
+
+
+@dataclass(frozen=True)
+class LikelyGoals:
+    """Goals among which the likest to a recipe are sought (:mod:`foon_kg.goals`).
+
+    No other goal of the asked dish types scores more than ``most``; ``None`` where there is no other. ``known_foods``
+    has every known food that the label of one of ``goals`` names, each word in the singular.
+    """
+
+    goals: tuple[Goal, ...]
+    known_foods: frozenset[str]
+    most: float | None = None
 
 
 @dataclass(frozen=True)
@@ -109,8 +124,32 @@ class KnowledgeView(Protocol):
         """Answer the words that the FOON knows."""
         ...
 
+    def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
+        """Answer what of the vocabulary matters to a recipe that asks for ``foods``; it may be more, up to all of it.
+
+        States, motions and dish types are all there. Of the foods there are, with all that is known of them, those
+        that have an equal canonical name (``foon_kg.names``) with one of ``foods`` or of ``called``, those named after
+        one of ``foods`` with more words, and all that the default similarity takes for a fair equivalent of one of
+        them; where there is one, its five best at least.
+        """
+        ...
+
+    def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
+        """Answer ``words``, which :meth:`words_for` answered, with all that is known of the foods in ``units``.
+
+        ``units`` were answered by :meth:`behind`.
+        """
+        ...
+
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
+        ...
+
+    def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``, in no order.
+
+        The score is that of the default similarity. All of the goals are answered where they are few.
+        """
         ...
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:

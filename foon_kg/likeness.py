@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from foon_kg.errors import UsageError
 from foon_kg.knowledge import Vocabulary
 from foon_kg.names import canonical
+from foon_kg.recent import Recent
 from foon_kg.similarity import Similarity
 from foon_kg.substitution import FAIR
+
+LEAST_KEPT = 256
+MOST_KEPT = 4_000_000
+"""Of so many foods at least it is kept how like they are to all known ones; of more up to so many confidences in all:
+8,000 foods where 500 are known."""
 
 _BESIDE_A_CHOICE = 1e-3
 """How much of its lead over ``FAIR`` an equivalent keeps where a person chose another one."""
@@ -25,7 +31,7 @@ class Substitute:
 
 
 class Likeness:
-    """How likely a cook is to accept one food for another, worked out in one product a food and kept.
+    """How likely a cook is to accept one food for another, worked out in one product a food and kept for a while.
 
     Raises :class:`~foon_kg.errors.UsageError` for a substitute that the FOON does not know, or two for one food.
     """
@@ -33,7 +39,7 @@ class Likeness:
     def __init__(self, similarity: Similarity, vocabulary: Vocabulary, substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
         self.labels = vocabulary.labels
-        self.rows: dict[str, dict[str, float]] = {}
+        self.rows: Recent[str, dict[str, float]] = Recent(max(LEAST_KEPT, MOST_KEPT // max(len(self.labels), 1)))
         self.chosen: dict[str, str] = {}
         for substitute in substitutes:
             self._choose(substitute)
@@ -61,12 +67,24 @@ class Likeness:
             sure = row[known] = float(self.similarity.matrix([required], [known])[0, 0])
         return sure
 
-    def learn(self, foods: Iterable[str]) -> None:
-        """Work out at once what every food of the FOON is worth in the place of each of ``foods``."""
-        new = [food for food in dict.fromkeys(foods) if food not in self.rows]
-        if new:
-            for food, values in zip(new, self.similarity.matrix(new, self.labels).tolist(), strict=True):
-                self.rows[food] = {**dict(zip(self.labels, values, strict=True)), food: 1.0}
+    def learn(self, foods: Iterable[str], known: Collection[str] = ()) -> None:
+        """Work out at once what every food of the FOON is worth in the place of each of ``foods``.
+
+        ``known`` are further names: of a large FOON the vocabulary may be only a part.
+        """
+        rows = {food: self.rows.get(food) for food in foods}
+        self._work_out({food: {food: 1.0} for food, row in rows.items() if row is None}, self.labels)
+        rows = {food: self.rows.get(food) for food in rows}
+        names = [name for name in known if any(row is not None and name not in row for row in rows.values())]
+        if names:
+            self._work_out({food: row for food, row in rows.items() if row is not None}, names)
+
+    def _work_out(self, rows: Mapping[str, dict[str, float]], names: Sequence[str]) -> None:
+        if not rows:
+            return
+        foods = [*rows]
+        for food, values in zip(foods, self.similarity.matrix(foods, names).tolist(), strict=True):
+            self.rows[food] = {**dict(zip(names, values, strict=True)), **rows[food]}
 
     def _choose(self, substitute: Substitute) -> None:
         food, like = canonical(substitute.food), canonical(substitute.like)

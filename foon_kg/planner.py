@@ -1,35 +1,37 @@
 """From a recipe to a task tree: the four algorithms of the paper, one after the other.
 
-The planner asks a :class:`~foon_kg.knowledge.KnowledgeView` four questions, each one round trip: the words of the
-FOON, the goals of the dish type, the units behind the likeliest goals and behind everything that may have to be made
-apart, and, only where none of these goals leads to a tree, the units behind more of them.
+The planner asks a :class:`~foon_kg.knowledge.KnowledgeView` four questions: the words of the FOON that matter to the
+recipe, the likeliest goals of the dish type, the units behind the first of them and behind everything that may have to
+be made apart, and, only where none of these goals leads to a tree, the units behind more of them.
 """
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from functools import cached_property
 
+from foon_kg.attempt import Attempt
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
-from foon_kg.goals import RankedGoal, near_ties, rank_goals
-from foon_kg.integration import FinalTree, Integration
+from foon_kg.goals import RankedGoal, likeliest, near_ties, rank_goals
+from foon_kg.integration import Integration
 from foon_kg.kitchen import Kitchen, words
-from foon_kg.knowledge import KnowledgeView
+from foon_kg.knowledge import KnowledgeView, LikelyGoals, Vocabulary
 from foon_kg.likeness import Likeness
-from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result, with_progress
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
+from foon_kg.similarity import food_similarity
 from foon_kg.submission import submitted
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import CONTRACT, KnownFoon, Report, check
-from foon_kg.workshop import Workshop
+from foon_kg.workshop import MOST_KITCHENS, Workshop
 
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
@@ -67,30 +69,44 @@ class Planner:
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
-        self.vocabulary = view.vocabulary()
-        self.likeness = Likeness(settings.similarity, self.vocabulary, settings.substitutes)
+        usual = settings.similarity is food_similarity() and not settings.substitutes and not settings.avoided
+        self.asks_for_parts = units is None and usual
         self.whole = None if units is None else Workshop(units, view.goals(), settings, self.vocabulary)
         self._equivalents: list[Equivalents] = []
+        if not self.asks_for_parts:
+            self.likeness.learn(())  # a substitute that nobody knows is refused before anything is planned
+
+    @cached_property
+    def vocabulary(self) -> Vocabulary:
+        """Answer all words of the FOON."""
+        return self.view.vocabulary()
+
+    @cached_property
+    def likeness(self) -> Likeness:
+        """Answer how like the foods of the FOON are to others, with what a person chose."""
+        return Likeness(self.settings.similarity, self.vocabulary, self.settings.substitutes)
 
     @cached_property
     def known_foods(self) -> frozenset[str]:
         """Answer the foods of the FOON, each word in the singular."""
         return frozenset(" ".join(words(label)) for label in self.vocabulary.rows_of)
 
-    def equivalents_for(self, foods: Sequence[str]) -> Equivalents:
-        """Answer what the FOON's words stand for in the kitchen of a recipe that asks for ``foods``.
-
-        Recipes with equal kitchens share it, and so what was worked out in it.
-        """
+    def kitchen_for(self, foods: Sequence[str]) -> Kitchen:
+        """Answer the kitchen of a recipe that asks for ``foods``."""
         # water that is asked is taken once, for the dish, and not for washing beside it (sense, S4)
-        kitchen = kitchen_without(self.settings.kitchen, (*self.settings.avoided, *foods)).with_foods(foods)
-        self.likeness.learn(foods)
-        known = next((e for e in self._equivalents if _same_kitchen(e.kitchen, kitchen)), None)
+        return kitchen_without(self.settings.kitchen, (*self.settings.avoided, *foods)).with_foods(foods)
+
+    def equivalents(self, vocabulary: Vocabulary, likeness: Likeness, kitchen: Kitchen) -> Equivalents:
+        """Answer what the FOON's words stand for in ``kitchen``.
+
+        Recipes with equal kitchens, and the same words, share it, and so what was worked out in it.
+        """
+        kept = self._equivalents
+        known = next((e for e in kept if e.vocabulary is vocabulary and _same_kitchen(e.kitchen, kitchen)), None)
         if known is None:
-            like = self.settings.state_similarity
-            motions = self.settings.rules.motions
-            known = Equivalents(self.vocabulary, kitchen, self.likeness, like, self.likeness.own, motions)
-            self._equivalents.append(known)
+            like, motions = self.settings.state_similarity, self.settings.rules.motions
+            known = Equivalents(vocabulary, kitchen, likeness, like, likeness.own, motions)
+            self._equivalents = [known, *kept][:MOST_KITCHENS]
         return known
 
     def plan(self, recipe: Recipe) -> PlanResult:
@@ -110,44 +126,30 @@ class Planner:
 
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Answer the tree, and why every required food is made as it is; raises as :func:`plan` does."""
-        return _Question(self, recipe).explained()
-
-
-@dataclass(frozen=True)
-class _Attempt:
-    """A tree for one goal, what the judge says of it, out of what it was made, and which leaves are not at hand."""
-
-    result: PlanResult
-    report: Report
-    integration: Integration
-    tree: FinalTree
-    missing: tuple[ObjectNode, ...]
-
-    @property
-    def worth(self) -> tuple[float, ...]:
-        """What decides between near ties, the lesser the better: overlap, then units, then confidence.
-
-        Overlap counts against a dish too: what it has beside (the bacon of another omelette) nobody asked for. The last
-        is how much confidence is lost by substitutions, all in all.
-        """
-        doubt = sum(1 - substitution.confidence for substitution in self.result.substitutions)
-        overlap = self.result.reference.overlap
-        unasked = len(self.result.reference.goal.ingredients) - overlap
-        return -overlap, unasked, len(self.result.units), round(doubt, 2)
+        return _Question(self, recipe, all_words=True).explained()  # what is too unlike is named as well
 
 
 class _Question:
     """One recipe being planned."""
 
-    def __init__(self, planner: Planner, recipe: Recipe) -> None:
+    def __init__(self, planner: Planner, recipe: Recipe, *, all_words: bool = False) -> None:
         self.planner = planner
         self.settings = planner.settings
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         self.wants = _wants(self.recipe)
-        self.equivalents = planner.equivalents_for([want.object for want in self.wants])
-        self.kitchen = self.equivalents.kitchen
-        self.vocabulary = planner.vocabulary
+        self.foods = [want.object for want in self.wants]
+        self.kitchen = planner.kitchen_for(self.foods)
+        self.in_parts = planner.asks_for_parts and not all_words
+        vocabulary = planner.view.words_for(self.foods) if self.in_parts else planner.vocabulary
+        self.likeness = Likeness(self.settings.similarity, vocabulary) if self.in_parts else planner.likeness
+        self._learn(vocabulary)
         self._near = 1
+
+    def _learn(self, vocabulary: Vocabulary, known: Collection[str] = ()) -> None:
+        """Go on with ``vocabulary``, and with how like ``known`` names are to the wanted foods."""
+        self.vocabulary = vocabulary
+        self.likeness.learn(self.foods, known)
+        self.equivalents = self.planner.equivalents(vocabulary, self.likeness, self.kitchen)
 
     def answer(self) -> PlanResult:
         """Answer the best tree, with its progress lines."""
@@ -172,9 +174,9 @@ class _Question:
         best = self._best()
         return with_progress(best.result, self.kitchen), explanations(best.tree, best.integration)
 
-    def _best(self) -> _Attempt:
+    def _best(self) -> Attempt:
         """Try the goals, likeliest first, until one gives a tree without a fault; of near ties all (docs/ties.md)."""
-        found: list[tuple[tuple[float, ...], _Attempt]] = []
+        found: list[tuple[tuple[float, ...], Attempt]] = []
         trouble: NoTreeError | None = None
         for place, (ranked, workshop) in enumerate(self._goals_to_try()):
             try:
@@ -189,7 +191,7 @@ class _Question:
         if found:
             _, best = min(found, key=lambda row: row[0])
             if best.missing:
-                raise shortage(best.missing, best.result.goal, self.kitchen, self.planner.likeness.own)
+                raise shortage(best.missing, best.result.goal, self.kitchen, self.likeness.own)
             if not best.report.sound:
                 raise self._refusal(best.report)
             return best
@@ -202,7 +204,7 @@ class _Question:
         return f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
 
     @staticmethod
-    def _suffices(found: Sequence[tuple[tuple[float, ...], _Attempt]]) -> bool:
+    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]]) -> bool:
         """Whether no further goal need be tried: there is a tree without a fault, or many whose leaves are there."""
         faults = [rank[:3] for rank, _ in found]
         return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
@@ -216,43 +218,68 @@ class _Question:
         )
 
     def _goals_to_try(self) -> Iterator[tuple[RankedGoal, Workshop]]:
-        ranked = self._ranked_goals()
+        """Answer the goals, likeliest first; they are looked behind a chunk at a time, and few are needed."""
+        start, size = 0, FIRST_GOALS
+        ranked = self._ranked_goals(size)
         self._near = min(near_ties(ranked), FIRST_GOALS) if self.settings.rules.ties else 1
         if self.planner.whole is not None:
             yield from ((goal, self.planner.whole) for goal in ranked)
             return
-        view, foods = self.planner.view, sorted({f for want in self.wants for f in self.equivalents.makings(want)})
-        for chunk in _in_growing_chunks(ranked):
-            units = view.behind([r.goal.node for r in chunk], foods)
-            workshop = Workshop(units, [r.goal for r in ranked], self.settings, self.vocabulary, memory=view.memory)
+        while chunk := ranked[start : start + size]:
+            workshop = self._workshop(chunk, [r.goal for r in ranked])
             yield from ((goal, workshop) for goal in chunk)
+            start, size = start + size, size * 2
+            ranked = self._ranked_goals(start + size)
 
-    def _ranked_goals(self) -> Sequence[RankedGoal]:
+    def _workshop(self, chunk: Sequence[RankedGoal], goals: Sequence[Goal]) -> Workshop:
+        """Answer where trees for ``chunk`` are made: among the units behind them and behind all that is made apart."""
+        view, foods = self.planner.view, sorted({f for want in self.wants for f in self.equivalents.makings(want)})
+        units = view.behind([r.goal.node for r in chunk], foods)
+        if self.in_parts:
+            nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+            names = {name for node in nodes for name in (node.label, *node.ingredients)}
+            self._learn(view.words_in(units, self.vocabulary), sorted(names))
+        return Workshop(units, goals, self.settings, self.vocabulary, memory=view.memory)
+
+    def _ranked_goals(self, least: int) -> Sequence[RankedGoal]:
+        """Answer the goals from the most to the least like the recipe: the first ``least`` of them at least, or all."""
         dish_type = self.recipe.dish_type
         if dish_type and dish_type not in DISH_TYPES:
             close = difflib.get_close_matches(dish_type, DISH_TYPES, n=3)
             hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
             raise UsageError(f"“{dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
-        goals = self.planner.view.goals(dish_type or None)
-        if not goals:
-            there = ", ".join(self.vocabulary.dish_types) or "none"
-            raise NoTreeError(
-                f"this FOON has no {dish_type or 'dish'}",
-                code="no-goal",
-                hint=f"It has goals of these dish types: {there}.",
-            )
+        return likeliest(self._likely_goals, self._ranked, least)
+
+    def _likely_goals(self, count: int) -> LikelyGoals:
+        dish_type = self.recipe.dish_type or None
+        if self.in_parts:
+            likely = self.planner.view.likely_goals(dish_type, self.foods, count)
+        else:
+            likely = LikelyGoals(self.planner.view.goals(dish_type), self.planner.known_foods)
+        if likely.goals or likely.most is not None:
+            return likely
+        there = ", ".join(self.vocabulary.dish_types) or "none"
+        raise NoTreeError(
+            f"this FOON has no {dish_type or 'dish'}",
+            code="no-goal",
+            hint=f"It has goals of these dish types: {there}.",
+        )
+
+    def _ranked(self, likely: LikelyGoals) -> Sequence[RankedGoal]:
+        goals = likely.goals
         fitting = [goal for goal in goals if why_avoided(goal.node.label, self.settings.avoided) is None]
-        if not fitting:
+        if goals and not fitting:
             raise self._avoided(goals[0].node.label, goals[0].node.label)
+        self.likeness.learn(self.foods, sorted({name for goal in fitting for name in goal.ingredients}))
         return rank_goals(
             fitting,
             self.wants,
             name_confidence=self.equivalents.name_confidence,
-            known_foods=self.planner.known_foods,
-            dish_type=dish_type or None,
+            known_foods=likely.known_foods,
+            dish_type=self.recipe.dish_type or None,
         )
 
-    def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> _Attempt:
+    def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> Attempt:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
         script = workshop.script(reference, ranked.goal.videos)
@@ -273,7 +300,7 @@ class _Question:
 
     def _judged(
         self, integration: Integration, ranked: RankedGoal, reference: ReferenceTree, foon: KnownFoon
-    ) -> _Attempt:
+    ) -> Attempt:
         goal, tree = integration.goal, integration.run()
         if not tree.steps:
             raise NoTreeError(
@@ -286,7 +313,7 @@ class _Question:
         result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)
         self._refuse_avoided(result)
         report = check(submitted(result), foon, self.kitchen)
-        return _Attempt(result, report, integration, tree, self._missing(result))
+        return Attempt(result, report, integration, tree, self._missing(result))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Answer the leaves that are not in the kitchen that a person named, nearest to the goal first."""
@@ -308,7 +335,7 @@ class _Question:
             hint="Ask for another dish type, or avoid less.",
         )
 
-    def _faults(self, attempt: _Attempt, ranked: RankedGoal) -> tuple[int, int]:
+    def _faults(self, attempt: Attempt, ranked: RankedGoal) -> tuple[int, int]:
         """Answer how many rules of the contract and how many measures of sense are broken.
 
         The judge is asked only what the units behind the goal can answer, so that a plan from the whole FOON and one
@@ -317,8 +344,9 @@ class _Question:
         that it is too unlike (S5).
         """
         broken = set(attempt.report.broken)
+        kept = attempt.kept(ranked.goal.videos)
         sense = broken & _ASKED_OF_THE_JUDGE - ({"S5"} if self.settings.substitutes else set())
-        return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (_kept(attempt.result, ranked) < KEPT)
+        return len(broken & set(CONTRACT)), len(sense) + bool(ranked.misnamed) + (kept < KEPT)
 
     def _wanted(self, ranked: RankedGoal) -> dict[str, int]:
         """Which ingredients of the goal may play which required food, by number: what counts as overlap."""
@@ -335,27 +363,9 @@ def _same_kitchen(one: Kitchen, other: Kitchen) -> bool:
     return one.free_foods == other.free_foods and one.utensils == other.utensils
 
 
-def _in_growing_chunks(ranked: Sequence[RankedGoal]) -> Iterator[Sequence[RankedGoal]]:
-    """Answer the goals in chunks to look behind in one question each; there may be thousands, and few are needed."""
-    start, size = 0, FIRST_GOALS
-    while start < len(ranked):
-        yield ranked[start : start + size]
-        start, size = start + size, size * 2
-
-
 def _wants(recipe: Recipe) -> tuple[RequiredIngredient, ...]:
     """Answer the distinct required foods in the order of the recipe: asked twice in one state is asked once."""
     wants = tuple(dict.fromkeys(want for want in recipe.ingredients if want.object))
     if not wants:
         raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
     return wants
-
-
-def _kept(result: PlanResult, ranked: RankedGoal) -> float:
-    """Answer the share of the goal's video that is in the tree (sense, S8); of several videos the greatest."""
-    places: dict[str, set[int]] = {video: set() for video in ranked.goal.videos}
-    for unit in result.units:
-        for sighting in unit.seen_in:
-            if sighting.video in places:
-                places[sighting.video].add(sighting.position)
-    return max((len(found) / (max(found) + 1) for found in places.values() if found), default=0.0)

@@ -9,6 +9,7 @@ import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 
 from foon_kg.errors import ReadError, UsageError
@@ -114,7 +115,8 @@ class IngredientWords:
     @cached_property
     def states(self) -> frozenset[str]:
         """The states that the FOON knows, in lower case."""
-        return frozenset(row.state.lower() for row in self.vocabulary.foods if row.state)
+        seen = chain((row.state for row in self.vocabulary.foods), self.vocabulary.other_states)
+        return frozenset(state.lower() for state in seen if state)
 
     @cached_property
     def _usual_states(self) -> dict[str, str]:
@@ -122,6 +124,15 @@ class IngredientWords:
         rows = [row for row in self.vocabulary.foods if row.state and self.kitchen.is_start_state(row.label, row.state)]
         rows.sort(key=lambda row: (row.used, row.state))
         return {canonical(row.label): row.state for row in rows}
+
+
+def names_in(texts: Iterable[str]) -> tuple[str, ...]:
+    """Answer all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
+    names: dict[str, None] = {}
+    for text in texts:
+        words = text.replace(",", " ").split()
+        names |= dict.fromkeys([text.partition(",")[0].strip(), *(" ".join(words[n:]) for n in range(len(words)))])
+    return tuple(names)
 
 
 def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
@@ -175,6 +186,15 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
     dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
     recipe_id = fields.optional_text("id") or path.stem
     return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
+
+
+def foods_named(path: Path) -> tuple[str, ...]:
+    """Answer the foods that a recipe file names, none where it cannot be read: :func:`read_recipe` says why."""
+    try:
+        ingredients = Fields(_json(path), str(path)).nested_list("ingredients")
+        return tuple(food for ingredient in ingredients if (food := ingredient.text("object").strip()))
+    except ReadError:
+        return ()
 
 
 def _json(path: Path) -> object:

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.errors import ReadError
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import KnowledgeView, Neighbour, Vocabulary
+from foon_kg.kitchen import Kitchen, singular
+from foon_kg.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
 from foon_kg.motion_costs import MotionCosts
 from foon_kg.similarity import food_similarity
@@ -56,6 +56,21 @@ class Snapshot:
         """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
         return tuple(goal for goal in self._goals if dish_type in (None, goal.dish_type))
 
+    def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
+        """Answer the whole vocabulary: it is here."""
+        del foods, called
+        return self._vocabulary
+
+    def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
+        """Answer ``words``, in which all foods are."""
+        del units
+        return words
+
+    def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        """Answer all goals of ``dish_type``: they are here."""
+        del foods, count
+        return LikelyGoals(self.goals(dish_type), self._known_foods)
+
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = ()) -> tuple[KnownUnit, ...]:
         """Answer every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
         asked = {*nodes, *(node for food in foods for node in self._outputs_by_food.get(food, ()))}
@@ -98,6 +113,10 @@ class Snapshot:
         counts.count(known.unit for known in self.units)
         dish_types = {goal.dish_type for goal in self._goals}
         return Vocabulary(tuple(counts.seen_as()), tuple(counts.made_by()), tuple(sorted(dish_types)))
+
+    @cached_property
+    def _known_foods(self) -> frozenset[str]:
+        return frozenset(map(singular, self._vocabulary.rows_of))
 
     @cached_property
     def _goals(self) -> tuple[Goal, ...]:

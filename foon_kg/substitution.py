@@ -14,6 +14,7 @@ from functools import cached_property
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
+from foon_kg.recent import Recent
 from foon_kg.script import Recast
 from foon_kg.states import motion_for
 
@@ -22,6 +23,11 @@ FAIR = 0.5
 
 SAME_CLASS = 0.5
 """States at least this similar may stand for one another."""
+
+MOST_FOODS = 1024
+"""Of so many foods it is kept what may stand for them."""
+
+Rows = Recent[str, tuple[tuple[str, float], ...]]
 
 
 @dataclass(frozen=True)
@@ -54,9 +60,9 @@ class Equivalents:
     state_similarity: Callable[[str, str], float]
     own_confidence: Callable[[str, str], float] | None = None
     choose_motions: bool = True
-    _fair: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
-    _motion_named: dict[str, str] = field(default_factory=dict, repr=False, compare=False)
-    _labels_like: dict[str, tuple[tuple[str, float], ...]] = field(default_factory=dict, repr=False, compare=False)
+    _fair: Rows = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
+    _motion_named: Recent[str, str] = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
+    _labels_like: Rows = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
         """Say how well the FOON's state ``known`` stands for ``required`` of ``food``; 0 where it must not."""

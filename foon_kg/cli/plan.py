@@ -117,6 +117,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.answering import Writing, answer_all, knowledge_for
     from foon_kg.cli.candidates import show_candidates
     from foon_kg.cli.kitchen import kitchen_of
+    from foon_kg.kitchen import Kitchen
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
@@ -124,7 +125,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     questions = _questions(wanted or [], dish, recipe or [], say)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with knowledge_for(files, len(questions), say) as view:
-        at_hand = kitchen_of(kitchen, view.vocabulary(), say)
+        at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
         wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand)
         if enumerate_all:
             show_candidates(questions[0], view, wishes, most, as_json=as_json, say=say)

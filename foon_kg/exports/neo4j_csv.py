@@ -30,7 +30,7 @@ _NODES = {
     ),
     "Motion": ("key", "verb", "accepts_any:boolean", "cost:double"),
     "DishType": ("name",),
-    "Ingredient": ("name", "canonical", "vector:double[]"),
+    "Ingredient": ("name", "canonical", "singular", "vector:double[]"),
     "State": ("name",),
     "Verb": ("name",),
 }  # fmt: skip

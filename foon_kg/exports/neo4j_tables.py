@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from foon_kg.graph.rows import properties_of
+from foon_kg.kitchen import singular
 from foon_kg.model import ObjectNode, Subgraph
 from foon_kg.names import canonical
 from foon_kg.similarity.points import points
@@ -38,7 +39,10 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
         "Object": [(*_fields(node), foon.kitchen.has(node) or None) for node in objects],
         "Motion": [(known.unit.key, known.unit.motion, known.unit.accepts_any) for known in foon.units],
         "DishType": _names(goal.dish_type for goal in foon.goals()),
-        "Ingredient": [(food, canonical(food), list(v)) for food, v in zip(foods, points(foods), strict=True)],
+        "Ingredient": [
+            (food, canonical(food), singular(food), list(point))
+            for food, point in zip(foods, points(foods), strict=True)
+        ],
         "State": _names(states),
         "Verb": _names(row.motion for row in counts.made_by()),
     }

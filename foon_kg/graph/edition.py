@@ -4,17 +4,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from foon_kg.knowledge import Vocabulary
+from foon_kg.graph.words import WordsFound
+from foon_kg.knowledge import LikelyGoals, SeenAs, Vocabulary
 from foon_kg.model import Goal, KnownUnit
+from foon_kg.recent import Recent
 
 MOST_UNITS = 20_000
 """Bounds the memory that units read before may take: some 60 MB."""
+
+MOST_QUESTIONS = 256
+"""For so many recipes it is kept which words and goals matter to them: some 40 kB each."""
+
+Asked = tuple[tuple[str, ...], tuple[str, ...]]
 
 
 @dataclass
 class Edition:
     """The answers that one edition of the FOON gave so far; views of the same edition share it.
 
+    ``rows_of`` has what the vocabulary has about the foods in ``units``.
     ``name`` is ``None`` where the graph does not tell editions apart: then every view begins with nothing.
     """
 
@@ -22,6 +30,11 @@ class Edition:
     vocabulary: Vocabulary | None = None
     goals: dict[str, tuple[Goal, ...]] = field(default_factory=dict)
     units: dict[str, KnownUnit] = field(default_factory=dict)
+    rows_of: dict[str, tuple[SeenAs, ...]] = field(default_factory=dict)
+    words: Recent[Asked, WordsFound | None] = field(default_factory=lambda: Recent(MOST_QUESTIONS))
+    likely: Recent[tuple[str | None, tuple[str, ...], int], LikelyGoals] = field(
+        default_factory=lambda: Recent(MOST_QUESTIONS)
+    )
 
     def still(self, name: str | None) -> Edition:
         """Answer this edition where the graph has it still and it is not too large, else a new one without answers."""

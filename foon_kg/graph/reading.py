@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
-from itertools import chain
+from dataclasses import replace
+from itertools import chain, groupby
+from operator import attrgetter
 from typing import Any, Self, TypeVar
 
 import neo4j
@@ -16,6 +18,7 @@ from foon_kg.graph.kept_rows import KeptRows
 from foon_kg.graph.known_units import known_units
 from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
+    GoalValue,
     SeenUnit,
     SubgraphRow,
     node_of,
@@ -28,6 +31,7 @@ from foon_kg.graph.statements import (
     EQUIVALENTS,
     GOALS,
     KNOWN_UNITS,
+    LIKELY_GOALS,
     MOTION_COSTS,
     NODES_CALLED,
     REMEMBERED,
@@ -35,11 +39,13 @@ from foon_kg.graph.statements import (
     SUBGRAPHS,
     VIDEO_NAMES,
     VOCABULARY,
+    WORDS_FOR,
     Statement,
     ask,
 )
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, Neighbour, RetrievedTree, SeenAs, Vocabulary
+from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.kitchen import Kitchen, singular
+from foon_kg.knowledge import LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.motion_costs import MotionCosts
 from foon_kg.server.settings import ConnectionSettings
@@ -74,10 +80,28 @@ class GraphView:
 
     def _read_vocabulary(self) -> Vocabulary:
         (row,) = self._ask_once(VOCABULARY)
-        seen = (zip(labels, [state] * len(labels), made, used, strict=True) for state, labels, made, used in row.foods)
-        foods = map(SeenAs._make, sorted(chain.from_iterable(seen)))
         motions = (MadeBy(*motion) for motion in sorted(row.motions))
-        return Vocabulary(tuple(foods), tuple(motions), tuple(sorted(row.dish_types)))
+        return Vocabulary(tuple(sorted(seen_as(row.foods))), tuple(motions), tuple(sorted(row.dish_types)))
+
+    def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
+        """Answer what of the vocabulary matters to a recipe that asks for ``foods``."""
+        found = self._words_found(foods, called)
+        return self.vocabulary() if found is None else found.vocabulary
+
+    def _words_found(self, foods: Sequence[str], called: Sequence[str] = ()) -> WordsFound | None:
+        asked = tuple(sorted(set(foods))), tuple(sorted(set(called)))
+        if asked not in self._edition.words:
+            self._edition.words[asked] = find_words(lambda question: self._ask(WORDS_FOR, **question), *asked)
+        return self._edition.words[asked]
+
+    def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
+        """Answer ``words`` with all that is known of the foods in ``units``."""
+        if words is self._edition.vocabulary:
+            return words
+        nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+        names = {name for node in nodes for name in (node.label, *node.ingredients)} & self._edition.rows_of.keys()
+        more = chain.from_iterable(self._edition.rows_of[name] for name in names - words.rows_of.keys())
+        return replace(words, foods=tuple(sorted((*words.foods, *more))))
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
         """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
@@ -89,9 +113,26 @@ class GraphView:
 
     def _read_goals(self, asked: Sequence[str]) -> tuple[Goal, ...]:
         (row,) = self._ask_once(GOALS, dish_types=list(asked))
-        found = ((node_of(node), dish_type, videos) for node, dish_type, videos in row.goals)
-        goals = (Goal(node, dish_type, node.ingredients, tuple(sorted(videos))) for node, dish_type, videos in found)
-        return tuple(sorted(goals, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+        return tuple(sorted(map(goal_of, row.goals), key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+
+    def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``."""
+        asked = dish_type, tuple(sorted(set(foods))), count
+        if asked not in self._edition.likely:
+            self._edition.likely[asked] = self._read_likely_goals(*asked)
+        return self._edition.likely[asked]
+
+    def _read_likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        found = self._words_found(foods)
+        if found is None:
+            return LikelyGoals(self.goals(dish_type), frozenset(map(singular, self.vocabulary().rows_of)))
+        near = [{"food": food, "name": name, "gain": sure - LEAST} for food, name, sure in found.pairs]
+        asked = DISH_TYPES if dish_type is None else (dish_type,)
+        (row,) = self._ask(LIKELY_GOALS, dish_types=list(asked), near=near, count=count)
+        goals = tuple(map(goal_of, row.goals))
+        gain = (row.least_gain or 0.0) if len({goal.node for goal in goals}) == count else 0.0
+        most = None if row.are_all else len(foods) * LEAST + gain
+        return LikelyGoals(goals, frozenset(row.foods_named), most)
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
         """Answer every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
@@ -105,6 +146,8 @@ class GraphView:
         missing = [key for key in keys if key not in units]
         for row in self._ask(KNOWN_UNITS, keys=missing) if missing else ():
             units.update((known.unit.key, known) for known in known_units(row))
+            rows = groupby(sorted(seen_as(row.foods)), key=attrgetter("label"))
+            self._edition.rows_of.update((label, tuple(found)) for label, found in rows)
         return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
@@ -230,6 +273,12 @@ class Neo4jGraph:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def goal_of(row: GoalValue) -> Goal:
+    """Answer the goal that travelled as ``row``."""
+    node, dish_type, videos = node_of(row[0]), *row[1:]
+    return Goal(node, dish_type, node.ingredients, tuple(sorted(videos)))
 
 
 def subgraph_of(row: SubgraphRow) -> Subgraph:

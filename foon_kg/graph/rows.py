@@ -15,6 +15,9 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, T
 
 NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
+GoalValue = tuple[NodeRow, str, list[str]]
+"""``[node, dish_type, videos]``."""
+
 SeenUnit = tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]
 """``[key, verb, accepts_any, inputs, outputs, properties]``: a unit as one video has it."""
 
@@ -24,6 +27,10 @@ KeyedNode = tuple[str, str, list[str], list[str], str | None, str | None]
 KnownUnitValue = tuple[str, str, bool, list[str], list[str], list[list[Any]]]
 """``[key, verb, accepts_any, inputs, outputs, sightings]``, the nodes by their keys. A sighting has the values of a
 ``Sighting``, then those of ``inputs``, ``inputs_moving``, ``inputs_dish``, ``outputs``, … on its ``SEEN_IN`` edge."""
+
+
+StateRow = tuple[str, list[str], list[int], list[int]]
+"""``[state, labels, made, used]``: foods that are seen in a state, and how many units make and use each of them so."""
 
 
 @dataclass(frozen=True)
@@ -94,10 +101,11 @@ class BehindRow:
 
 @dataclass(frozen=True)
 class KnownUnitsRow:
-    """Units, and each of their nodes once."""
+    """Units, each of their nodes once, and what the vocabulary has about their foods."""
 
     nodes: list[KeyedNode]
     units: list[KnownUnitValue]
+    foods: list[StateRow]
 
 
 @dataclass(frozen=True)
@@ -113,7 +121,22 @@ class SubgraphRow:
 class VocabularyRow:
     """The tables of the vocabulary, in no order; of each state the labels of its foods, and their counts."""
 
-    foods: list[tuple[str, list[str], list[int], list[int]]]
+    foods: list[StateRow]
+    motions: list[tuple[str, str, int]]
+    dish_types: list[str]
+
+
+@dataclass(frozen=True)
+class WordsForRow:
+    """A part of the vocabulary, in no order, with mere ingredients among its ``names``.
+
+    ``nearest`` says of each asked food how many points were near it, and the cosine of the furthest of them.
+    """
+
+    nearest: list[tuple[str, int, float]]
+    names: list[str]
+    foods: list[StateRow]
+    states: list[str]
     motions: list[tuple[str, str, int]]
     dish_types: list[str]
 
@@ -166,7 +189,17 @@ class VerbCostRow:
 class GoalsRow:
     """All goals at once: their nodes, dish types, and the videos that make them."""
 
-    goals: list[tuple[NodeRow, str, list[str]]]
+    goals: list[GoalValue]
+
+
+@dataclass(frozen=True)
+class LikelyGoalsRow:
+    """Goals as in :class:`GoalsRow`, the known foods that their labels name, and the least gain among them."""
+
+    goals: list[GoalValue]
+    foods_named: list[str]
+    are_all: bool
+    least_gain: float | None
 
 
 def node_of(row: NodeRow) -> ObjectNode:

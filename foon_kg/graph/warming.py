@@ -15,6 +15,8 @@ ROUNDS = 3
 
 GOALS = 3
 
+FOODS = ("onion", "egg", "olive oil")
+
 
 def warm(settings: ConnectionSettings) -> None:
     """Ask every question of a plan a few times. An empty database warms up too; an unreachable one is left alone.
@@ -37,6 +39,8 @@ def warm(settings: ConnectionSettings) -> None:
 
 def _ask_everything(view: GraphView) -> None:
     words = view.vocabulary()
+    view.words_for(FOODS)
+    view.likely_goals(None, FOODS, GOALS)
     goals = [goal for dish_type in words.dish_types[:1] for goal in view.goals(dish_type)] or list(view.goals())
     foods = [(food.label, food.state) for food in words.foods[:GOALS]]
     view.remembered("")

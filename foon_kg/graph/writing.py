@@ -16,7 +16,7 @@ from foon_kg.graph.reading import subgraph_of
 from foon_kg.graph.rows import bare_unit_of, properties_of
 from foon_kg.graph.schema import kitchen_key, schema_version
 from foon_kg.graph.statements import Row, Statement, ask
-from foon_kg.kitchen import Kitchen
+from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.names import canonical
 from foon_kg.similarity.points import points, word_lists_key
@@ -104,7 +104,10 @@ class Writer:
             rows = zip(names, points(names), strict=True)
             self._ask(
                 cypher.LOAD_VECTORS,
-                rows=[{"name": name, "canonical": canonical(name), "vector": vector} for name, vector in rows],
+                rows=[
+                    {"name": name, "canonical": canonical(name), "singular": singular(name), "vector": vector}
+                    for name, vector in rows
+                ],
             )
 
     def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:

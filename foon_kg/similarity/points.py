@@ -40,7 +40,7 @@ LONGEST = 4.0
 
 _SLACK = 1e-3  # log odds; databases reckon with 32 bits
 _ROUNDED = 10.0**-DECIMALS
-_FORM = "1"  # of the points; a change of the code above changes it
+_FORM = "2"  # of the points and of the names beside them; a change of the code that makes them changes it
 _WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
 
 
