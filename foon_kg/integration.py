@@ -13,9 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from foon_kg import motions
-from foon_kg.kitchen import Kitchen, words
-from foon_kg.lines import FoodLine, opens_food
+from foon_kg.kitchen import Kitchen
+from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
 from foon_kg.preparation import Preparations, is_whole, needed, shows
@@ -25,8 +24,6 @@ from foon_kg.script import Casting, Item, Recast, Replayed, Step
 from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
 from foon_kg.ways import Preparation
-
-_MEASURES = frozenset({"jigger", "measuring", "scoop", "spoon", "tablespoon", "teaspoon"})
 
 
 @dataclass(frozen=True)
@@ -135,11 +132,10 @@ class Integration:
         return replace(recast, ready=dict.fromkeys(line.leaves, made.node))
 
     def _taker(self, node: ObjectNode) -> int:
-        return next(place for place, known in enumerate(self.script) if node in known.unit.input_nodes)
+        return self._reading.slots.taker[node]
 
     def _is_open(self, place: int) -> bool:
-        unit = self.script[place].unit
-        return motions.accepts_any(unit.motion, star=unit.accepts_any)
+        return place in self._reading.slots.accepting
 
     def _cast(self, want: RequiredIngredient, line: FoodLine) -> tuple[Recast, float] | None:
         """How a line plays a food: a processed state must be there still where the food joins others (sense, S7)."""
@@ -190,17 +186,23 @@ class Integration:
 
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
+        for addition in self._choices(want, party):
+            if self._arrives(addition, party):
+                party.let_in(addition)
+                return True
+            party.closed.add(addition.place)
+        return False
+
+    def _choices(self, want: RequiredIngredient, party: _Party) -> Iterator[Addition]:
+        """Answer how and where ``want`` may join, best first."""
         for only_suitable in (True, False):
             for node, preparation in self.preparations.forms(want):
                 for place in self._slots(want, party):
                     addition = Addition(want, place, node, preparation)
-                    if (want, place) in self.refused or (only_suitable and not self._suits(addition, party)):
+                    if place in party.closed or (want, place) in self.refused:
                         continue
-                    if place not in party.closed and self._arrives(addition, party):
-                        party.let_in(addition)
-                        return True
-                    party.closed.add(place)
-        return False
+                    if not only_suitable or self._suits(addition, party):
+                        yield addition
 
     def _suits(self, addition: Addition, party: _Party) -> bool:
         """Say whether a food is ready as it should be for what comes, and takes nothing that another one took (S1).
@@ -215,7 +217,7 @@ class Integration:
             return False
         if not is_whole(addition.want.state) or len({preparation.is_cooked for preparation in made}) == 1:
             return True
-        cooked_later = any(motions.heats(known.unit.motion) for known in self.script[addition.place :])
+        cooked_later = addition.place <= self._reading.slots.last_heating
         return addition.preparation.is_cooked != cooked_later
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
@@ -225,55 +227,26 @@ class Integration:
         reference; then the place that a dropped food left open, so that the way of the reference is kept; then a unit
         that happens anyway; then the latest. After the last unit that mixes or heats nothing joins (sense, S2).
         """
+        slots = self._reading.slots
         if not self.joins_alike:
-            return sorted(self._open_places, reverse=True)
+            return sorted(slots.open, reverse=True)
         if party.alive is None:
             steps, _ = self._executed(self._replay_with(party.casting, party.additions))
             party.alive = frozenset(step.place for step in steps)
         return sorted(
-            self._open_places,
+            slots.open,
             key=lambda place: (
-                self._measures(place),
-                -self._likeness(want, place, party.lines),
+                place in slots.measuring,
+                -self._likeness(want, place),
                 place not in party.left_open,
                 place not in (party.alive or ()),
                 -place,
             ),
         )
 
-    @cached_property
-    def _open_places(self) -> tuple[int, ...]:
-        """The places at which any number of foods may enter something that holds foods, up to the last mixing."""
-        places = range(len(self.script))
-        last = max((place for place in places if self._mixes_or_heats(place)), default=len(self.script))
-        return tuple(
-            place
-            for place in places
-            if place <= last and self._is_open(place) and self._receives(self.script[place])
-            if not self._prepares(place)
-        )
-
-    def _measures(self, place: int) -> bool:
-        """Say whether a unit only brings a food into a measure or onto a spoon."""
-        outputs = self.script[place].unit.output_nodes
-        filled = [n for n in outputs if n.ingredients and not self.kitchen.is_food(n)]
-        return bool(filled) and all(not _MEASURES.isdisjoint(words(node.label)) for node in filled)
-
-    def _prepares(self, place: int) -> bool:
-        """Say whether a unit brings a food to where it is cut or peeled: nothing joins it before that (sense, S3)."""
-        moved = {node.label for node in self.script[place].unit.input_nodes if self.kitchen.is_food(node)}
-        return any(opens_food(label, known) for known in self.script[place + 1 :] for label in moved)
-
-    def _mixes_or_heats(self, place: int) -> bool:
-        motion = self.script[place].unit.motion
-        return motions.mixes(motion) or motions.heats(motion)
-
-    def _receives(self, known: KnownUnit) -> bool:
-        return any(node.ingredients for node in known.unit.output_nodes if not self.kitchen.is_storage(node.label))
-
-    def _likeness(self, want: RequiredIngredient, place: int, lines: Mapping[str, FoodLine]) -> float:
+    def _likeness(self, want: RequiredIngredient, place: int) -> float:
         """Say how much the foods that join at ``place`` in the reference are like ``want`` (0..1, in tenths)."""
-        here = [line.label for line in lines.values() if line.joins == place]
+        here = self._reading.slots.joined_by.get(place, ())
         return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
 
     def _arrives(self, addition: Addition, party: _Party) -> bool:

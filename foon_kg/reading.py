@@ -11,6 +11,7 @@ from foon_kg.lines import FoodLine, food_lines, held_names
 from foon_kg.model import KnownUnit
 from foon_kg.recent import Recent
 from foon_kg.script import Repertoire, Script
+from foon_kg.slots import Slots
 
 MOST_READINGS = 2048
 """How many scripts are kept read in one kitchen."""
@@ -34,6 +35,11 @@ class Reading:
         """The foods that are there from the start, by themselves or in vessels, and cost something to have."""
         names = {*self.lines, *held_names(self.units, self.kitchen)}
         return frozenset(name for name in names if not self.kitchen.is_free(name))
+
+    @cached_property
+    def slots(self) -> Slots:
+        """Where foods may join the script."""
+        return Slots.of(self.units, self.lines, self.kitchen)
 
     @cached_property
     def play(self) -> Script:
