@@ -60,6 +60,8 @@ def cypher(
     with Connection(connection_settings(say)) as connection:
         answer = ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
     _show(answer, as_json=as_json, as_csv=as_csv)
+    if answer.columns and not answer.rows:
+        say("Nothing in this graph answers that.")
     if answer.cut:
         say(f"There are more rows than {limit}: show more with --limit.")
     if answer.changes:
@@ -129,10 +131,23 @@ def _print_table(columns: Sequence[str], rows: Sequence[Sequence[object]]) -> No
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(*columns)
+    table = Table()
+    for name, values in zip(columns, zip(*rows, strict=True) if rows else [()] * len(columns), strict=True):
+        table.add_column(name, justify="right" if values and all(map(_is_number, values)) else "left")
     for row in rows:
-        table.add_row(*(Text(_in_a_cell(value)) for value in row))
+        table.add_row(*(Text(_to_read(value)) for value in row))
     data().print(table)
+
+
+def _is_number(value: object) -> bool:
+    return value is None or (isinstance(value, int | float) and not isinstance(value, bool))
+
+
+def _to_read(value: object) -> str:
+    """Answer a value for people: names of a list stand side by side."""
+    if isinstance(value, list) and all(isinstance(item, str) for item in value):
+        return ", ".join(value)
+    return _in_a_cell(value)
 
 
 def _in_a_cell(value: object) -> str:

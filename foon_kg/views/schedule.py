@@ -62,4 +62,5 @@ def _seen(duration: Duration | None) -> Text:
     if duration is None:
         return Text("?", ASIDE)
     times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
-    return Text(f"{times}, {duration.low:.0f} to {duration.high:.0f} s", ASIDE)
+    low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
+    return Text(f"{times}, {low if low == high else f'{low} to {high}'} s", ASIDE)

@@ -128,6 +128,15 @@ def test_cypher_answers_as_json_csv_or_table(database):
 
 
 @pytest.mark.neo4j
+def test_cypher_prints_lists_as_words_numbers_to_the_right_and_says_where_nothing_is_found(database):
+    table = foon("cypher", "UNWIND [1, 10] AS n RETURN n AS count, ['knife', 'onion'] AS inputs").stdout
+    assert "│     1 │ knife, onion │" in table
+    nothing = foon("cypher", "MATCH (n:Nothing) RETURN n")
+    assert nothing.exit_code == 0
+    assert "Nothing in this graph answers that." in nothing.stderr
+
+
+@pytest.mark.neo4j
 def test_cypher_says_that_there_are_more_rows(database):
     answer = foon("cypher", "UNWIND range(1, 9) AS n RETURN n", "--limit", 2, "--json")
     assert json.loads(answer.stdout) == [{"n": 1}, {"n": 2}]
