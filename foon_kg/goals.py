@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import chain, takewhile
 
 from foon_kg.kitchen import words
 from foon_kg.knowledge import LikelyGoals
 from foon_kg.model import Goal, RequiredIngredient
+from foon_kg.names import canonical
+from foon_kg.similarity.groups import food_groups
 
 NEAR = 0.05
 """Goals whose scores differ by no more than this are a near tie: how sure a name is, is not known more exactly."""
@@ -17,6 +20,14 @@ LOOKED_AT, MORE = 64, 4
 """How many goals are compared with a recipe at first, and how many times as many where these do not tell."""
 
 _SLACK = 1e-9  # sums of confidences depend on their order in the last bits
+
+_DISHES = frozenset(
+    {
+        "biscuits and cakes", "cooked dishes", "egg dishes", "filled doughs", "mixtures", "patties and balls",
+        "pies and sweets", "pizzas", "potato dishes", "rice dishes", "salads", "sandwiches",
+    }
+)  # fmt: skip
+"""The groups of foods (``data/food-groups.txt``) in which only dishes are."""
 
 
 @dataclass(frozen=True)
@@ -143,4 +154,18 @@ def _misnamed(
     }
     foods = {name for name in named if name in known_foods and not set(name.split()) & apart}
     foods.discard(" ".join(spoken))
+    foods -= _dish_in(goal.node.label)
     return tuple(sorted(name for name in foods if not any(set(name.split()) <= food for food in there)))
+
+
+@cache
+def _dish_in(label: str) -> frozenset[str]:
+    """Answer the names at the end of a goal's label that say what kind of dish it is: muffin, fries, but not rice."""
+    spoken = label.split()
+    endings = (spoken[start:] for start in range(1, len(spoken)))
+    return frozenset(" ".join(words(" ".join(ending))) for ending in endings if _is_dish(" ".join(ending)))
+
+
+def _is_dish(name: str) -> bool:
+    groups = food_groups().of(canonical(name))
+    return bool(groups) and _DISHES.issuperset(groups)

@@ -70,6 +70,8 @@ class Integration:
     """Places of the script at which a food may not join: the judge would not have it there."""
     joins_alike: bool = True
     """Whether a food joins where one like it does; else at the last unit that takes any number of foods."""
+    spent: frozenset[tuple[int, ObjectNode]] = frozenset()
+    """Inputs of units of the script, by place, that an earlier unit took away: the judge would have them fresh."""
     _rehearsals: list[Rehearsal] = field(default_factory=list, repr=False)
 
     @cached_property
@@ -158,7 +160,7 @@ class Integration:
     def _casting(self, played: Mapping[RequiredIngredient, tuple[str, Recast]]) -> Casting:
         foods: dict[str, Recast | None] = dict.fromkeys(self._reading.names)
         foods |= dict(played.values())
-        return Casting(foods, goal=self.goal)
+        return Casting(foods, goal=self.goal, spent=self.spent)
 
     def _keep_what_arrives(
         self,
@@ -265,12 +267,22 @@ class Integration:
     def blamed(self, tree: FinalTree, findings: Iterable[Finding]) -> frozenset[tuple[RequiredIngredient, int]]:
         """Answer which foods joined at which places in the units of ``tree`` in which something was found."""
         steps = [tree.steps[finding.unit][0] for finding in findings if finding.unit is not None]
-        places = {
-            step.place for step in steps if step.place < len(self.script) and step.known == self.script[step.place]
-        }
+        places = {step.place for step in steps if self._is_of_script(step)}
         joined = [(addition.want, addition.place) for addition in tree.additions]
         joined += [(want, self._taker(leaf)) for want, made in tree.made_apart.items() for leaf in made.leaves]
         return frozenset((want, place) for want, place in joined if place in places)
+
+    def taken_twice(self, tree: FinalTree, findings: Iterable[Finding]) -> frozenset[tuple[int, ObjectNode]]:
+        """Answer which inputs of the script were found to be taken although an earlier unit took them away (S1)."""
+        found = set()
+        for finding in findings:
+            step = tree.steps[finding.unit][0] if finding.unit is not None else None
+            if step is not None and self._is_of_script(step):
+                found |= {(step.place, node) for node, now in step.taken if now == finding.node}
+        return frozenset(found)
+
+    def _is_of_script(self, step: Step) -> bool:
+        return step.place < len(self.script) and step.known == self.script[step.place]
 
     # ---- the whole
 

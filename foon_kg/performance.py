@@ -22,22 +22,31 @@ class Unseen:
 UNSEEN = Unseen()
 
 Found = Item | Unseen | str | None
-"""What a unit finds in the place of a node: what it has become, nothing, or that it was used before (``USED``)."""
+"""What a unit finds in the place of a node: what it has become, nothing, or that it is gone (``USED``, ``SPENT``)."""
 
 USED = "used"
 """A food that went elsewhere before: it is taken once (sense, S1 and S4), and is now in what took it."""
+
+SPENT = "spent"
+"""What an earlier unit took away or poured out, whatever the script says: a food is not there, a vessel is empty."""
 
 
 class _Moment:
     """A scene while it is performed: which of its inputs are there, and what they bring."""
 
     def __init__(
-        self, scene: Scene, present: Mapping[ObjectNode, Item], gone: frozenset[ObjectNode], added: tuple[Item, ...]
+        self,
+        scene: Scene,
+        present: Mapping[ObjectNode, Item],
+        gone: frozenset[ObjectNode],
+        added: tuple[Item, ...],
+        spent: frozenset[ObjectNode],
     ) -> None:
         self.scene = scene
         self.present = present
         self.gone = gone
         self.added = added
+        self.spent = spent
 
     @cached_property
     def atoms(self) -> frozenset[Atom]:
@@ -81,7 +90,11 @@ class Performer:
         gone: list[ObjectNode] = []
         fetched: list[tuple[ObjectNode, Item | None]] = []
         for node, there in zip(self.scene.inputs, found, strict=True):
-            if there is USED or (there is UNSEEN and node in self.scene.foods and node.label in self.leaf_foods):
+            if there is USED or (there is UNSEEN and self._is_food(node) and node.label in self.leaf_foods):
+                continue
+            if there is SPENT:
+                if not self._is_food(node):
+                    present[node] = Item(emptied(node))
                 continue
             item = there if isinstance(there, Item) else None
             if there is UNSEEN:
@@ -91,7 +104,8 @@ class Performer:
                 gone.append(node)
             else:
                 present[node] = item
-        here = _Moment(self.scene, present, frozenset(gone), added)
+        spent = frozenset(node for node, there in zip(self.scene.inputs, found, strict=True) if there is SPENT)
+        here = _Moment(self.scene, present, frozenset(gone), added, spent)
         labels = tuple(node.label for node, _ in fetched if self._is_food(node))
         if not self._happens(here):
             return Performance(tuple(fetched), labels, happens=False, passed=tuple(self._passed(here)))
@@ -101,7 +115,7 @@ class Performer:
         self, here: _Moment, fetched: tuple[tuple[ObjectNode, Item | None], ...], labels: tuple[str, ...]
     ) -> Performance:
         made = self._make(here)
-        untouched = self._left_behind(here, made)
+        untouched = self._left_behind(here, made) - self._poured_out(here)
         stays = {node: self._stays(node, here, untouched) for node in made}
         shown = [item.node for node, item in made.items() if item is not None and stays[node] is None]
         return Performance(
@@ -293,7 +307,10 @@ class Performer:
         kept = {atom for item in here.of_label(node.label) for atom in item.atoms}
         if not turned and node in self.scene.filled:
             in_foods = {now for name, _ in own for _, now in foods[name].atoms}
-            named |= {now for name, now in brought if not name and now in here.visible and now not in in_foods}
+            told = {atom for atom in brought if atom[1] in here.visible and atom[1] not in in_foods}
+            carried = {(name, now) for name, now in told if now in self.casting.carried}
+            named |= {now for name, now in told if not name or (name, now) in carried}
+            inside |= carried
         if not named:
             return Item(emptied(node))
         if node in self.taken_alone and node in self.scene.filled:
@@ -324,7 +341,8 @@ class Performer:
         moving = {there[p.node].node for p in participants if p.moving and p.node in there}
         motion = self._motion(known.unit.motion, here)
         strained = any(self._is_strange(node, item) for node, item in here.present.items() if node not in untouched)
-        return Step(0, known, tuple(inputs), motion, outputs, added, frozenset(moving.union(added)), strained)
+        taken = tuple((node, item.node) for node, item in here.present.items() if node not in untouched)
+        return Step(0, known, tuple(inputs), motion, outputs, added, frozenset(moving.union(added)), strained, taken)
 
     def _is_strange(self, node: ObjectNode, item: Item) -> bool:
         states = self._recast(node, ()).states
@@ -346,6 +364,11 @@ class Performer:
             for node, item in here.present.items()
             if node in self.scene.filled and not item.atoms and node.label not in receiving
         }
+
+    def _poured_out(self, here: _Moment) -> set[ObjectNode]:
+        """Vessels that were poured out before, beside what was in them: empty, they are taken all the same."""
+        names = {name for name, _ in here.atoms}
+        return {node for node in here.spent if node in here.present and not names.isdisjoint(node.ingredients)}
 
     def _become(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> Iterator[tuple[ObjectNode, Item]]:
         """Answer what a vessel has become, for a later unit of the script that still knows it as it was."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from foon_kg.attempt import Attempt
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
@@ -23,6 +23,7 @@ from foon_kg.knowledge import KnowledgeView, LikelyGoals, Vocabulary
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result, with_progress
+from foon_kg.repairs import repaired
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
@@ -39,10 +40,6 @@ MOST_GOALS = 6
 KEPT = 0.3
 """How much of the goal's video should be in the tree (sense, S8)."""
 
-MOST_REPAIRS = 4
-"""How often a tree of one goal is made anew without the choices in which the judge found a fault."""
-
-_REPAIRED = frozenset({*CONTRACT, "S1", "S2", "S7"})
 _ASKED_OF_THE_JUDGE = frozenset({"S1", "S2", "S4", "S5", "S7"})
 
 FIRST_GOALS = 3
@@ -288,18 +285,11 @@ class _Question:
         integration = Integration(
             script, goal, self.wants, self.equivalents, self.kitchen, preparations, joins_alike=joins_alike
         )
-        best = attempt = self._judged(integration, ranked, reference, workshop.foon)
-        for _ in range(MOST_REPAIRS):
-            blamed = attempt.integration.blamed(attempt.tree, attempt.report.of(_REPAIRED)) - integration.refused
-            if not blamed:
-                break
-            integration = replace(integration, refused=integration.refused | blamed)
-            attempt = self._judged(integration, ranked, reference, workshop.foon)
-            best = min(best, attempt, key=lambda other: self._faults(other, ranked))
-        return best
+        judge = partial(self._judged, ranked=ranked, reference=reference, foon=workshop.foon)
+        return repaired(integration, judge, partial(self._faults, ranked=ranked))
 
     def _judged(
-        self, integration: Integration, ranked: RankedGoal, reference: ReferenceTree, foon: KnownFoon
+        self, integration: Integration, *, ranked: RankedGoal, reference: ReferenceTree, foon: KnownFoon
     ) -> Attempt:
         goal, tree = integration.goal, integration.run()
         if not tree.steps:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from foon_kg.model import ObjectNode
-from foon_kg.performance import UNSEEN, USED, Found, Performer
+from foon_kg.performance import SPENT, UNSEEN, USED, Found, Performer
 from foon_kg.script import Casting, Item, Performance, Replayed, Scene, Script, Step, spot_of
 
 Additions = Mapping[int, Sequence[Item]]
@@ -51,7 +51,7 @@ class Stage:
 
     def perform(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Step | None:
         """Execute one unit; answer what happens, or ``None`` where nothing does."""
-        performance = self._performance(scene, added)
+        performance = self._performance(place, scene, added)
         self.items.update(performance.fetched)
         self.leaf_foods.update(performance.labels)
         if not performance.happens:
@@ -66,13 +66,13 @@ class Stage:
         self.later.update(performance.become)
         return performance.told_at(place)
 
-    def _performance(self, scene: Scene, added: tuple[Item, ...]) -> Performance:
+    def _performance(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Performance:
         """Answer what comes of a unit as things stand, known or worked out now."""
         casting, alone = self.casting, self.script.taken_alone.intersection(scene.outputs)
         roles = tuple([casting.roles.get(name, UNSEEN) for name in scene.names])
         goal = casting.goal if casting.goal in scene.outputs else None
         known = self.script.repertoire.performances(scene, alone, roles, goal, casting.cut)
-        found = tuple([self._found(node) for node in scene.inputs])
+        found = tuple([SPENT if (place, node) in casting.spent else self._found(node) for node in scene.inputs])
         key = (found, added, scene.spoken & self.leaf_foods, self._carried(scene, found, added))
         if key not in known:
             performer = Performer(scene, casting, self.script.repertoire.kitchen, self.leaf_foods, alone)

@@ -86,7 +86,8 @@ class Item:
 class Step:
     """A unit as it happens now. ``place`` is its place in the script; ``added`` are the nodes that joined here.
 
-    ``strained`` says that something is taken in a state in which the unit of the script does not know it.
+    ``strained`` says that something is taken in a state in which the unit of the script does not know it. ``taken``
+    says which node of the script each input was.
     """
 
     place: int
@@ -97,6 +98,7 @@ class Step:
     added: tuple[ObjectNode, ...] = ()
     moving: frozenset[ObjectNode] = frozenset()
     strained: bool = False
+    taken: tuple[tuple[ObjectNode, ObjectNode], ...] = field(default=(), compare=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,13 +173,15 @@ class Casting:
 
     ``cut`` names foods that are at hand although the script makes them: their makers are not run.
     ``carried`` names foods (as they are called now) that every mixture must name, where the script forgets them.
-    ``goal`` is the node that keeps its label whatever it is made of.
+    ``goal`` is the node that keeps its label whatever it is made of. ``spent`` names, for places of the script, inputs
+    that an earlier unit took away or poured out, whatever the script says.
     """
 
     foods: Mapping[str, Recast | None] = field(default_factory=dict)
     cut: frozenset[str] = frozenset()
     carried: frozenset[str] = frozenset()
     goal: ObjectNode | None = None
+    spent: frozenset[tuple[int, ObjectNode]] = frozenset()
 
     @cached_property
     def roles(self) -> Mapping[str, Hashable]:
