@@ -85,6 +85,21 @@ def test_a_substitute_can_be_chosen(server):
     assert one["equivalent"] == "onion"
 
 
+def test_a_kitchen_can_be_named(server):
+    at_hand = ["kohlrabi", "chopped onion"]
+    plan, suggest = map(
+        value,
+        asked(
+            server,
+            ("plan", SALAD | {"kitchen": at_hand}),
+            ("suggest", {"foods": ["egg"], "most": 1, "kitchen": ["salt"]}),
+        ),
+    )
+    assert {"onion", "kohlrabi"} <= {node["label"] for node in plan["kitchen"]}
+    assert all(unit["motion_node"] != "chop" for unit in plan["units"])
+    assert {one["own"] for one in suggest["suggestions"][0]["taken"]} <= {"egg", "salt"}
+
+
 def test_what_is_wrong_comes_with_a_hint(server):
     no_tree, unknown, empty, write = asked(
         server,
