@@ -3,13 +3,17 @@
 import { element, heading, list } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
 
+const FIRST = 12; // the others are unfolded
+
 const units = (title, told) => {
   if (!told.count) return [heading(3, title), element("p", { class: "aside" }, "No step.")];
+  const items = told.units.map((unit, i) => element("li", {}, ...unitWords(unit), " ", seenWords(unit.seen_in, told.videos[i])));
   const more = told.count - told.units.length;
   return [
     heading(3, `${title} (${told.count})`),
-    list(told.units.map((unit, i) => element("li", {}, ...unitWords(unit), " ", seenWords(unit.seen_in, told.videos[i]))), { class: "units" }),
-    more > 0 ? element("p", { class: "aside" }, `and ${more} more`) : "",
+    list(items.slice(0, FIRST), { class: "units" }),
+    items.length > FIRST ? element("details", {}, element("summary", {}, `${items.length - FIRST} more of them`), list(items.slice(FIRST), { class: "units" }),
+      more > 0 ? element("p", { class: "aside" }, `and ${more} that are not told here`) : "") : "",
   ];
 };
 

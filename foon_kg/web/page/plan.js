@@ -1,6 +1,6 @@
 // A plan: the tree, its steps with their videos, what stands for what (and what could), progress lines, reasons.
 
-import { element, heading, list } from "./element.js";
+import { element, heading, list, sentence } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
 import { picture, staged } from "./picture.js";
 
@@ -11,7 +11,7 @@ export const planView = (plan, chosen, choose) => {
   const wanted = plan.recipe.ingredients.map((one) => `${one.state} ${one.object}`.trim()).join(", ");
   return [
     heading(2, `${plan.goal.label}: ${plan.units.length} steps`),
-    element("p", {}, `A ${plan.recipe.dish_type} with ${wanted}, made like the ${plan.reference.goal.label} of `
+    element("p", {}, `${sentence(`${plan.recipe.dish_type} with ${wanted}`).slice(0, -1)}, made like the ${plan.reference.goal.label} of `
       + `${plan.reference.units} steps, which takes ${plan.reference.overlap} of these foods or their like`
       + (plan.reference.exact ? "." : " (the best that was found in time).")),
     ...plan.notes.map((note) => element("p", { class: "notice" }, note)),
@@ -98,5 +98,5 @@ export const suggestionsView = (answer, take) => [
     element("p", {}, element("strong", {}, one.goal.label), ` (${one.dish_type}), ${one.units} steps, ${Math.round(one.share * 100)} % is there`),
     element("p", { class: "aside" }, `takes ${one.taken.map((t) => (t.own === t.food ? t.food : `${t.own} for ${t.food}`)).join(", ")}`
       + (one.missing.length ? `; missing: ${one.missing.join(", ")}` : "; nothing is missing")),
-    element("button", { type: "button", class: "small", onclick: () => take(one.dish_type) }, `Plan a ${one.dish_type}`))), { class: "plain" }),
+    element("button", { type: "button", class: "small", onclick: () => take(one.dish_type) }, `Plan it as ${one.dish_type}`))), { class: "plain" }),
 ];
