@@ -21,6 +21,7 @@ _STYLE = {  # these stand out on light and on dark paper
     "unseen": "color:#388bfd;border-bottom:1px dashed",
     "aside": "opacity:.65",
 }
+_CELL = "text-align:left;vertical-align:top;padding:.15em .8em .15em 0"
 
 
 def plan_html(plan: JsonObject) -> str:
@@ -33,7 +34,7 @@ def plan_html(plan: JsonObject) -> str:
          _nodes(unit["output_nodes"], unseen), _styled("aside", unit["origin"]))
         for number, unit in enumerate(plan["units"], start=1)
     )  # fmt: skip
-    head = "".join(f"<th>{name}</th>" for name in ("", "takes", "motion", "makes", "origin"))
+    head = "".join(f'<th style="{_CELL}">{name}</th>' for name in ("", "takes", "motion", "makes", "origin"))
     parts = [f"<b>{escape(title)}</b> → {_node(plan['goal'], unseen)}"]
     parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{steps}</tbody></table>")
     parts += [_substitution(one) for one in plan["substitutions"]]
@@ -76,8 +77,7 @@ def _words(node: Mapping[str, Any]) -> str:
 
 
 def _rows(rows: Iterable[Sequence[str]]) -> str:
-    style = "text-align:left;vertical-align:top"
-    cells = ("".join(f'<td style="{style}">{cell}</td>' for cell in row) for row in rows)
+    cells = ("".join(f'<td style="{_CELL}">{cell}</td>' for cell in row) for row in rows)
     return "".join(f"<tr>{row}</tr>" for row in cells)
 
 
