@@ -67,8 +67,7 @@ class CutBound:
         dearest, of_node = 0.0, self.heights.of_node
         for node in core.inputs[step]:
             height = of_node[node]
-            if height > dearest:
-                dearest = height
+            dearest = max(dearest, height)
         # a sum of efforts may be too great an integer to be added to infinity
         return dearest if dearest == math.inf else self.bound + self.left[step] + dearest
 
@@ -76,15 +75,10 @@ class CutBound:
 def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> Heights:
     """Find the heights of all nodes: the dearest input counts, and the cheapest maker. Nodes ``there`` are free."""
     outputs, users = web.core.outputs, web.users
-    of_node: list[float] = [math.inf] * len(web.core.nodes)
+    of_node = _at_once(web, weights, there)
     missing, supporter = web.arity.copy(), [_NEVER] * len(web.arity)
-    for node in there:
-        of_node[node] = 0
     for step in users[_FREE]:
-        supporter[step], weight = _FREE, weights[step]
-        for node in outputs[step]:
-            if weight < of_node[node]:
-                of_node[node] = weight
+        supporter[step] = _FREE
     waiting = [(height, node) for node, height in enumerate(of_node) if height != math.inf]
     heapify(waiting)
     while waiting:
@@ -106,6 +100,17 @@ def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> He
                         else:
                             level.append(made)
     return Heights(of_node, supporter)
+
+
+def _at_once(web: Web, weights: Sequence[int], there: Collection[int]) -> list[float]:
+    """Answer how much a node costs at least by a single step that needs nothing."""
+    of_node: list[float] = [math.inf] * len(web.core.nodes)
+    for node in there:
+        of_node[node] = 0
+    for step in web.users[_FREE]:
+        for node in web.core.outputs[step]:
+            of_node[node] = min(of_node[node], weights[step])
+    return of_node
 
 
 def lower(web: Web, weights: Sequence[int], found: Heights, cheaper: Sequence[int]) -> None:
@@ -168,13 +173,7 @@ def cut_bound(
 
 def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collection[int]) -> list[int]:
     """Answer the steps that lead from what the start reaches into what reaches the goal for nothing."""
-    zone, waiting = {goal}, [goal]
-    for node in waiting:  # grows while it is read
-        for step in web.makers[node]:
-            supporter = found.supporter[step]
-            if supporter >= 0 and not left[step] and supporter not in zone:
-                zone.add(supporter)
-                waiting.append(supporter)
+    zone = _zone(web, left, found, goal)
     cut, reached, outputs = list[int](), set(there), web.core.outputs
     waiting = [_FREE, *there]
     for node in waiting:  # grows while it is read
@@ -191,3 +190,15 @@ def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collec
             if leads_in:
                 cut.append(step)
     return cut
+
+
+def _zone(web: Web, left: Sequence[int], found: Heights, goal: int) -> set[int]:
+    """Answer the nodes from which steps that cost nothing any more lead to ``goal``."""
+    zone, waiting = {goal}, [goal]
+    for node in waiting:  # grows while it is read
+        for step in web.makers[node]:
+            supporter = found.supporter[step]
+            if supporter >= 0 and not left[step] and supporter not in zone:
+                zone.add(supporter)
+                waiting.append(supporter)
+    return zone

@@ -95,7 +95,8 @@ def _within_limits(problem: SearchProblem, goals: Goals, deadline: Deadline) -> 
     least = 0 if problem.available else min((index.dearest_inputs[unit] for unit in makers), default=math.inf)
     if least == math.inf:
         return None
-    for limit in (math.inf,) if problem.available else (_AT_FIRST * least, _THEN * least, math.inf):
+    limit = math.inf if problem.available else _AT_FIRST * least
+    while True:
         core = (
             core_behind(problem, goals[0], limit=limit)
             if len(goals) == 1
@@ -104,7 +105,10 @@ def _within_limits(problem: SearchProblem, goals: Goals, deadline: Deadline) -> 
         found = within_least_penalty(core, deadline)
         if found is not None and found.penalty <= limit:
             return core, found
-    return None
+        if limit == math.inf:
+            return None
+        # a tree that was found says how much a better one may cost
+        limit = found.penalty if found is not None else _THEN * least if limit < _THEN * least else math.inf
 
 
 def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str]:

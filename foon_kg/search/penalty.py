@@ -1,7 +1,9 @@
 """The first part of the objective, alone: the least gap penalty, and the steps that can keep it.
 
-Only the nodes that cannot be made without a gap matter here; that is a small part of a core, on which LM-cut is nearly
-always the exact answer.
+Units cost nothing here: the question is for the cheapest set of gaps with which the goal can be made. It is the
+cheapest one that hits every *landmark*, a set of gaps without which the goal cannot be made; the few landmarks that
+decide are found one after another, wherever the cheapest set that hits those known so far does not make the goal
+(Haslum, Slaney, Thiébaux: Minimal landmarks for optimal delete-free planning, ICAPS 2012).
 """
 
 from __future__ import annotations
@@ -10,11 +12,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from foon_kg.search.core import Core, bits_of
-from foon_kg.search.cuts import CutBound, Web, cut_bound, heights
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import chain, cheapest_first
-from foon_kg.search.landmarks import landmarks_of
-from foon_kg.search.partial import Choice, Partial
+from foon_kg.search.hitting_set import cheapest_hitting_set, members_of_cheapest
 
 
 @dataclass(frozen=True)
@@ -31,31 +31,20 @@ class LeastPenalty:
 
 def within_least_penalty(core: Core, deadline: Deadline) -> LeastPenalty | None:
     """Find the least gap penalty of any tree that makes the goal; ``None`` where nothing makes it."""
-    order, made = chain(core, range(len(core.gap_nodes), core.step_count))
+    units = range(len(core.gap_nodes), core.step_count)
+    order, made = chain(core, units)
     if made[core.goal]:
         return LeastPenalty(0, 0, order)
     part = needy(core, made)
     order, reached = chain(part)
     if not reached[part.goal]:
         return None
-    penalty, part, cuts = _least(part.only(reachable(part, order)), deadline)
-    at_least = penalty if not deadline.has_passed() else cuts.bound
-    return LeastPenalty(penalty, at_least, _kept(core, made, part, cuts, penalty))
-
-
-def _kept(core: Core, made: list[bool], part: Core, cuts: CutBound, penalty: int) -> list[int]:
-    """Answer which steps of ``core`` may be in a tree of that penalty, by the cuts of a part of it."""
-    paid = dict(zip(part.names, cuts.left, strict=True))
-    left = [paid.get(name, weight) for name, weight in zip(core.names, _weights(core), strict=True)]
-    for gap, (node,) in enumerate(core.outputs[: len(core.gap_nodes)]):
-        if made[node]:
-            left[gap] = penalty + 1  # what can be made is never a gap in a best tree
-    whole = CutBound(cuts.bound, left, heights(Web.of(core), left))
-    return [step for step in range(core.step_count) if whole.least_with(core, step) <= penalty]
-
-
-def _weights(core: Core) -> list[int]:
-    return [*core.costs, *[0] * len(core.units)]
+    part = part.only(reachable(part, order))
+    least = _least(part, deadline)
+    names = {part.names[gap] for gap in bits_of(least.possible)}
+    gaps = [gap for gap in range(len(core.gap_nodes)) if core.names[gap] in names]
+    order, _ = chain(core, [*gaps, *units])
+    return LeastPenalty(part.penalty_of(least.cheapest), least.at_least, order)
 
 
 def needy(core: Core, made: list[bool]) -> Core:
@@ -69,79 +58,120 @@ def needy(core: Core, made: list[bool]) -> Core:
     return part.only(reachable(part, steps))
 
 
-def _least(core: Core, deadline: Deadline) -> tuple[int, Core, CutBound]:
-    """Answer the least penalty, and cuts for what of ``core`` may be in a tree of that penalty."""
-    best = core.penalty_of(cheapest_first(core))
-    while True:
-        cuts = _cuts(Web.of(core), _weights(core))
-        kept = reachable(core, [step for step in range(core.step_count) if cuts.least_with(core, step) <= best])
-        if cuts.bound == best:
-            return best, core, cuts
-        if len(kept) == core.step_count:
-            best = _proven(core, best, cuts, deadline)
-            return (best, core, cuts) if deadline.has_passed() else (best, *_sharpened(core, best))
-        core = core.only(kept)
-        best = min(best, core.penalty_of(cheapest_first(core)))
+@dataclass(frozen=True)
+class _Gaps:
+    """The gaps of ``cheapest`` make the goal; ``possible`` are those that may be among the gaps of a tree as cheap."""
+
+    cheapest: int
+    possible: int
+    at_least: int
 
 
-def _sharpened(core: Core, penalty: int) -> tuple[Core, CutBound]:
-    """Answer cuts for trees of that ``penalty`` alone: without the gaps that cost more, whatever is chosen beside."""
-    while True:
-        web, weights = Web.of(core), _weights(core)
-        cuts = _cuts(web, weights)
-        spare = penalty - cuts.bound
-        dear = {
-            gap
-            for gap, cost in enumerate(core.costs)
-            if cost > spare and _costs_more(web, [*weights[:gap], 0, *weights[gap + 1 :]], penalty - cost)
-        }
-        if not spare or not dear:
-            return core, cuts
-        core = core.only(reachable(core, [step for step in range(core.step_count) if step not in dear]))
+def _least(core: Core, deadline: Deadline) -> _Gaps:
+    """Answer a cheapest set of gaps that makes the goal, or the cheapest one found before the deadline."""
+    reach, costs = _Reach.of(core), core.costs
+    best = reach.without_idle(cheapest_first(core) & ((1 << len(costs)) - 1))
+    landmarks, hitting, at_least = list[int](), 0, 0
+    while core.penalty_of(best) > at_least and not deadline.has_passed():
+        while landmark := reach.landmark(hitting):
+            landmarks.append(landmark)
+            hitting |= 1 << min(bits_of(landmark), key=lambda gap: (costs[gap], gap))
+        best = min(best, reach.without_idle(hitting), key=lambda gaps: (core.penalty_of(gaps), gaps))
+        found = cheapest_hitting_set(landmarks, costs, deadline, limit=core.penalty_of(best) - 1)
+        if deadline.has_passed():
+            break
+        at_least = core.penalty_of(best if found is None else found)
+        hitting = found or 0
+    if core.penalty_of(best) > at_least:
+        return _Gaps(best, best, at_least)
+    return _Gaps(best, members_of_cheapest(landmarks, costs, deadline), at_least)
 
 
-def _cuts(web: Web, weights: list[int]) -> CutBound:
-    cuts = cut_bound(web, weights, [web.core.goal])
-    if cuts is None:
-        raise AssertionError("a tree of least penalty is never thrown out")
-    return cuts
+@dataclass(frozen=True, eq=False)
+class _Reach:
+    """What can be made with a set of gaps.
 
-
-def _costs_more(web: Web, weights: list[int], limit: int) -> bool:
-    return cut_bound(web, weights, [web.core.goal], limit=limit) is None
-
-
-def _proven(core: Core, best: int, cuts: CutBound, deadline: Deadline) -> int:
-    """Answer the least penalty, at most ``best``, by branch and bound with LM-cut at every tree.
-
-    It is the least found where the deadline passes.
+    ``users`` are the steps that take each node, ``arity`` how many inputs each step has, and ``cheap_first`` the gaps
+    with their nodes.
     """
-    order, _ = chain(core)
-    landmarks = landmarks_of(core, order)
-    web, weights = Web.of(core), _weights(core)
-    choice = Choice(core, web.makers, landmarks.nodes_of_step)
-    stack = [choice.start()]
-    while stack and best > cuts.bound and not deadline.has_passed():
-        partial = choice.forced(stack.pop())
-        if partial is None:
-            continue
-        if not partial.waiting:
-            best = min(best, core.penalty_of(partial.chosen))
-            continue
-        if not _may_cost_less(web, weights, partial, best):
-            continue
-        options = {node: choice.options(partial, node) for node in partial.waiting}
-        node = min(options, key=lambda waiting: (len(options[waiting]), waiting))
-        options[node].sort(key=lambda step: (cuts.least_with(core, step), step), reverse=True)
-        stack += [partial.take(core, node, step) for step in options[node]]
-    return best
+
+    core: Core
+    users: list[list[int]]
+    arity: list[int]
+    cheap_first: list[tuple[int, int]]
+
+    @classmethod
+    def of(cls, core: Core) -> _Reach:
+        users: list[list[int]] = [[] for _ in core.nodes]
+        for step, nodes in enumerate(core.inputs):
+            for node in nodes:
+                users[node].append(step)
+        arity = [len(nodes) for nodes in core.inputs]
+        gaps = sorted(range(len(core.costs)), key=lambda gap: (core.costs[gap], gap))
+        return cls(core, users, arity, [(gap, core.outputs[gap][0]) for gap in gaps])
+
+    def landmark(self, gaps: int) -> int:
+        """Answer gaps outside ``gaps`` one of which is needed to make the goal, none too many; 0 where it is made.
+
+        All others are taken, the cheap ones first, as long as they do not make the goal.
+        """
+        made = _Made(self, gaps)
+        if made.goal:
+            return 0
+        landmark = 0
+        for gap, node in self.cheap_first:
+            if not made.has[node] and not made.take(node):
+                landmark |= 1 << gap
+        return landmark
+
+    def without_idle(self, gaps: int) -> int:
+        """Answer ``gaps`` without those that are not needed to make the goal, the dearest first."""
+        for gap in sorted(bits_of(gaps), key=lambda gap: (-self.core.costs[gap], gap)):
+            if _Made(self, gaps & ~(1 << gap)).goal:
+                gaps &= ~(1 << gap)
+        return gaps
 
 
-def _may_cost_less(web: Web, weights: list[int], partial: Partial, best: int) -> bool:
-    left, spare = list(weights), best - 1 - web.core.penalty_of(partial.chosen)
-    for step in bits_of(partial.chosen):
-        left[step] = 0
-    return cut_bound(web, left, partial.waiting, list(bits_of(partial.decided)), limit=spare) is not None
+class _Made:
+    """The nodes that some gaps make, and how many inputs each step lacks."""
+
+    def __init__(self, reach: _Reach, gaps: int) -> None:
+        self.reach = reach
+        self.missing = reach.arity.copy()
+        self.has = [False] * len(reach.core.nodes)
+        self._spread([reach.core.outputs[gap][0] for gap in bits_of(gaps)])
+
+    @property
+    def goal(self) -> bool:
+        """Whether the goal is made."""
+        return self.has[self.reach.core.goal]
+
+    def take(self, node: int) -> bool:
+        """Take ``node`` as well, unless that makes the goal: False then."""
+        fresh = self._spread([node])
+        if not self.goal:
+            return True
+        for undone in fresh:
+            self.has[undone] = False
+            for step in self.reach.users[undone]:
+                self.missing[step] += 1
+        return False
+
+    def _spread(self, nodes: Iterable[int]) -> list[int]:
+        """Make ``nodes`` and all that can then be made; answer what is new."""
+        outputs, users, has, missing = self.reach.core.outputs, self.reach.users, self.has, self.missing
+        fresh = [node for node in nodes if not has[node]]
+        for node in fresh:
+            has[node] = True
+        for node in fresh:  # grows while it is read
+            for step in users[node]:
+                missing[step] -= 1
+                if not missing[step]:
+                    for other in outputs[step]:
+                        if not has[other]:
+                            has[other] = True
+                            fresh.append(other)
+        return fresh
 
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:
