@@ -27,7 +27,7 @@ EXAMPLES = examples(
     "foon export --format weights --output motion_cost.json",
 )
 _FORMATS = ("foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl", "csv", "weights")
-_WEIGHTED = {"graphml", "csv", "weights"}
+_WEIGHTED = {"graphml", "behaviour-tree", "csv", "weights"}
 
 
 def _formats(incomplete: str) -> list[str]:
@@ -89,7 +89,8 @@ def export(
     carried out when its inputs are there, and then its outputs are there too; nothing is used up. With --goal and,
     as a rule, --kitchen, PDDL asks a planner to make a dish from the whole FOON.
 
-    GraphML and CSV have the weights of motions, too: as success rates, and as foon load weights would store them.
+    GraphML, behaviour trees (success rates) and CSV (costs) have the weights of motions, too: those of the graph, or of
+    --weights, which a tree needs.
 
     The JSON of a plan does not say which motions take any number of foods, nor what moves: where that matters,
     export "foon plan --foon".

@@ -16,6 +16,7 @@ from foon_kg.exports.notation import node_text
 from foon_kg.exports.pddl_names import slug
 from foon_kg.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.motion_costs import NO_COSTS, MotionCosts
 
 _TREE = "TaskTree"
 _TEXTS = "std::vector<std::string>"
@@ -26,11 +27,12 @@ _PORTS = {
     "video": ("std::string", "where it was seen: a video or its address"),
     "start": ("double", "the second of the video in which it begins"),
     "end": ("double", "the second of the video in which it ends"),
+    "success_rate": ("double", "how likely it succeeds, from 0 to 1"),
 }
 
 
-def write_behaviour_tree(tree: ExportedTree) -> str:
-    """Answer a task tree as a behaviour tree.
+def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> str:
+    """Answer a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
 
     Raises :class:`~foon_kg.errors.FormatError` for names with control characters, which no XML can hold.
     """
@@ -39,7 +41,7 @@ def write_behaviour_tree(tree: ExportedTree) -> str:
     sequence = ET.SubElement(ET.SubElement(root, "BehaviorTree", {"ID": _TREE}), "Sequence")
     sequence.set("name", _instance(tree.title))
     for place, known in enumerate(tree.units, 1):
-        ET.SubElement(sequence, "Action", _attributes(place, known, names))
+        ET.SubElement(sequence, "Action", _attributes(place, known, names) | _success(known, costs))
     model = ET.SubElement(root, "TreeNodesModel")
     for name in names.values():
         _add_model(model, name)
@@ -76,6 +78,11 @@ def _attributes(place: int, known: KnownUnit, names: dict[str, str]) -> dict[str
         if seen.start is not None and seen.end is not None:
             attributes |= {"start": f"{seen.start:g}", "end": f"{seen.end:g}"}
     return attributes
+
+
+def _success(known: KnownUnit, costs: MotionCosts) -> dict[str, str]:
+    motion = known.unit.motion
+    return {"success_rate": f"{float(costs.success(motion)):g}"} if motion in costs.costs else {}
 
 
 def _add_model(model: ET.Element, name: str) -> None:

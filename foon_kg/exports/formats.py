@@ -51,7 +51,7 @@ def export_tree(
 ) -> tuple[ExportFile, ...]:
     """Answer a task tree in the format called ``form``; its files are called after the tree.
 
-    ``costs`` give the motion nodes of GraphML their success rates.
+    ``costs`` give the motions in GraphML and behaviour trees their success rates.
 
     Raises :class:`~foon_kg.errors.UsageError` for a format that is for whole FOONs only, and
     :class:`~foon_kg.errors.FormatError` where the format cannot say what is in the tree.
@@ -69,7 +69,7 @@ def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None, costs: Mo
     if form == "markdown":
         return write_recipe(tree, amounts)
     if form == "behaviour-tree":
-        return write_behaviour_tree(tree)
+        return write_behaviour_tree(tree, costs)
     raise _not_for("a task tree", form)
 
 

@@ -15,6 +15,7 @@ from foon_kg.errors import FormatError
 from foon_kg.exports.behaviour_tree import write_behaviour_tree
 from foon_kg.exports.notation import node_text
 from foon_kg.model import ObjectNode
+from foon_kg.motion_costs import MotionCosts
 
 NOTATION = re.compile(
     r"(?P<label>[^;(){}\[\]]*?)(?: \((?P<states>[^)]*)\))?(?: \{(?P<inside>[^}]*)\})?"
@@ -81,6 +82,14 @@ def test_an_action_says_what_it_needs_what_it_makes_and_where_it_was_seen():
         "moving": "",
         "video": "greek",
     }
+
+
+def test_an_action_whose_motion_has_a_weight_says_how_likely_it_succeeds():
+    tree = of_file(subgraph("salad", "salad", *SALAD))
+    root = ET.fromstring(write_behaviour_tree(tree, MotionCosts({"chop": 0.9})))
+    rates = [action.get("success_rate") for action in root.iter("Action") if action.get("inputs")]
+    assert rates == ["0.1" if known.unit.motion == "chop" else None for known in tree.units]
+    assert "0.1" in rates
 
 
 def test_motions_that_differ_only_in_marks_are_two_actions():
