@@ -14,6 +14,7 @@ ITSELF = "by itself"
 _COLOURS = ("#0969da", "#bf8700", "#8250df", "#1a7f37")
 _ITSELF_COLOUR = "#afb8c1"
 _ROW = 18
+_MINUTES = "floor(datum.value / 60) + ':' + pad(datum.value % 60, 2, '0', 'left')"
 _WIDTH = 640
 
 
@@ -29,7 +30,7 @@ def _chart(tree: ShownTree, plan: Schedule) -> str:
     colours = [_COLOURS[number % len(_COLOURS)] for number in range(plan.hands)] + [_ITSELF_COLOUR]
     base = alt.Chart(alt.InlineData(values=rows)).encode(
         y=alt.Y("step:N", sort=names, title=None, axis=alt.Axis(labelLimit=320, ticks=False, domain=False)),
-        x=alt.X("start:Q", title="seconds", axis=alt.Axis(grid=True)),
+        x=alt.X("start:Q", title="minutes and seconds", axis=alt.Axis(grid=True, labelExpr=_MINUTES)),
     )
     bars = base.mark_bar(height=11, cornerRadius=2).encode(
         x2="end:Q",

@@ -23,6 +23,8 @@ _Drawn = tuple[Sequence[tuple[int, Point]], float, float, Sequence[tuple[int, in
 GAP = 18.0
 """Between two boxes of a layer."""
 LAYER_GAP = 30.0
+ROW = 2400.0
+"""How wide a row of parts is at most, as a rule."""
 _WAY_GAP = 10.0
 _SWEEPS = 60
 _STRAIGHT = 6.0  # a long arrow is pulled straight more strongly than a box is pulled under another
@@ -40,22 +42,27 @@ class Layout:
     size: Size
 
 
-def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]]) -> Layout:
+def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], row: float = ROW) -> Layout:
     """Place boxes of these ``sizes``; ``arrows`` lead from a box to one that stands in a lower layer.
 
-    Every box must be at an end of some arrow. Parts without connection stand side by side.
+    Every box must be at an end of some arrow. Parts without connection stand side by side, in rows no wider than ``row``
+    (a part that is wider has a row of its own).
     """
     parts = cast("list[_Drawn]", fast_sugiyama.from_edges(list(arrows), dummy_vertices=True, vertex_spacing=1))
     middles: dict[int, Point] = {}
     ways: dict[tuple[int, int], tuple[Point, ...]] = {}
-    left, depth = 0.0, 0.0
+    left, top, width, depth = 0.0, 0.0, 0.0, 0.0
     for positions, _, _, links in sorted(parts, key=lambda part: min(number for number, _ in part[0])):
         part = _Part.of(positions, links or (), sizes)
-        places, reach, size = part.placed(left)
+        across = part.across()
+        if left and left + part.width(across) > row:
+            left, top = 0.0, depth + 3 * GAP
+        places, reach, size = part.placed(across, left, top)
         middles.update({number: place for number, place in places.items() if number < len(sizes)})
         ways.update(part.ways(places, reach))
-        left, depth = left + size[0] + 3 * GAP, max(depth, size[1])
-    return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (max(left - 3 * GAP, 0.0), depth))
+        width, depth = max(width, left + size[0]), max(depth, top + size[1])
+        left += size[0] + 3 * GAP
+    return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (width, depth))
 
 
 @dataclass(frozen=True)
@@ -78,20 +85,27 @@ class _Part:
         known = {n: sizes[n] if n < len(sizes) else (0.0, 0.0) for layer in layers for n in layer}
         return cls(layers, tuple(sorted(links)), known, len(sizes))
 
-    def placed(self, left: float) -> tuple[dict[int, Point], dict[int, Point], Size]:
+    def width(self, across: Mapping[int, float]) -> float:
+        """Answer how wide the part is when its boxes stand so far to the right."""
+        return max(across[n] + self.sizes[n][0] / 2 for n in across) - self._start(across)
+
+    def _start(self, across: Mapping[int, float]) -> float:
+        return min(across[n] - self.sizes[n][0] / 2 for n in across)
+
+    def placed(
+        self, across: Mapping[int, float], left: float, top: float
+    ) -> tuple[dict[int, Point], dict[int, Point], Size]:
         """Answer the middle of each box, from where to where down its layer reaches, and the size of the part."""
-        across = self._across()
-        start = min(across[n] - self.sizes[n][0] / 2 for n in across)
-        width = max(across[n] + self.sizes[n][0] / 2 for n in across) - start
-        places, reach, top = {}, {}, 0.0
+        start, first = self._start(across), top
+        places, reach = {}, {}
         for layer in self.layers:
             height = max(self.sizes[n][1] for n in layer)
             places.update({n: (across[n] - start + left, top + height / 2) for n in layer})
             reach.update(dict.fromkeys(layer, (top, top + height)))
             top += height + LAYER_GAP
-        return places, reach, (width, top - LAYER_GAP)
+        return places, reach, (self.width(across), top - LAYER_GAP - first)
 
-    def _across(self) -> dict[int, float]:
+    def across(self) -> dict[int, float]:
         """Answer how far to the right every box stands: sweep down and up until the layers lie well."""
         above: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
         below: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}

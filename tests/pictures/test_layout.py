@@ -33,10 +33,10 @@ def sides(middle, size):
 
 
 @settings(max_examples=40)
-@given(graphs())
-def test_boxes_stand_apart_and_inside_the_picture(graph):
+@given(graphs(), st.sampled_from([100.0, 300.0, 2400.0]))
+def test_boxes_stand_apart_and_inside_the_picture(graph, row):
     sizes, arrows = graph
-    layout = layered(sizes, arrows)
+    layout = layered(sizes, arrows, row)
     boxes = [sides(middle, size) for middle, size in zip(layout.middles, sizes, strict=True)]
     for left, right, top, bottom in boxes:
         assert -NEARLY <= left < right <= layout.size[0] + NEARLY
@@ -59,6 +59,15 @@ def test_every_arrow_runs_down_from_its_box_to_the_other(graph):
         assert all(a <= b + NEARLY for a, b in itertools.pairwise(heights))
         assert points[0][0] == layout.middles[one][0]
         assert points[-1][0] == layout.middles[other][0]
+
+
+def test_parts_without_connection_stand_in_rows():
+    sizes, arrows = [(100.0, 20.0)] * 6, [(0, 1), (2, 3), (4, 5)]
+    beside, two_rows, three_rows = (layered(sizes, arrows, row) for row in (2400.0, 300.0, 100.0))
+    width, height = beside.size
+    assert two_rows.size[0] < width
+    assert height < two_rows.size[1] < three_rows.size[1]
+    assert three_rows.size[0] == 100.0
 
 
 @settings(max_examples=40)
