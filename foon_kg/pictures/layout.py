@@ -45,7 +45,7 @@ class Layout:
 def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], row: float = ROW) -> Layout:
     """Place boxes of these ``sizes``; ``arrows`` lead from a box to one that stands in a lower layer.
 
-    Every box must be at an end of some arrow. Parts without connection stand side by side, in rows no wider than ``row``
+    Every box must be at an end of some arrow. Parts without connection stand side by side, in rows of ``row``
     (a part that is wider has a row of its own).
     """
     parts = cast("list[_Drawn]", fast_sugiyama.from_edges(list(arrows), dummy_vertices=True, vertex_spacing=1))
