@@ -4,5 +4,5 @@
 // mode: read
 // scans: foods are few beside units, and after a load most of them have none
 MATCH (i:Ingredient)
-WHERE i.vector IS NULL AND (EXISTS { (i)-[:SEEN_AS]->() } OR EXISTS { (i)<-[:MADE_OF]-() })
+WHERE i.singular IS NULL AND (EXISTS { (i)-[:SEEN_AS]->() } OR EXISTS { (i)<-[:MADE_OF]-() })
 RETURN i.name AS name

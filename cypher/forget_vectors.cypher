@@ -3,7 +3,7 @@
 // mode: write
 // scans: all points are made anew
 MATCH (f:Foon {name: 'foon-kg'})
-SET f.words = $words
+SET f.words = $words, f.all_placed = true
 WITH f
 MATCH (i:Ingredient)
 REMOVE i.canonical, i.singular, i.vector

@@ -1,6 +1,11 @@
-// Gives foods their points, the names that they are compared by, and their words, each in the singular. Each food may be named once.
+// Gives foods their points, the names that they are compared by, and their words, each in the singular. Each food may be
+// named once. The record tells where a food has no point, since nothing is known of it.
 // param: rows LIST<MAP>
 // mode: write
 UNWIND $rows AS row
 MATCH (i:Ingredient {name: row.name})
 SET i.canonical = row.canonical, i.singular = row.singular, i.vector = row.vector
+WITH count(i) > count(i.vector) AS some_are_nowhere
+WHERE some_are_nowhere
+MATCH (f:Foon {name: 'foon-kg'})
+SET f.all_placed = false

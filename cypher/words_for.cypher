@@ -1,7 +1,7 @@
 // What of the vocabulary matters to who asks for some foods: the foods that are called like one of them, that are named
 // after one of them with more words, or that are nearest to one of them in the vector index, each state with its foods
 // and their counts side by side; of the nearest how many they are, and the cosine of the furthest; all states, all verbs
-// that make them, and the dish types. Among the names are also those of mere ingredients of a dish. No row where the
+// that make them, and the dish types. Where not all foods are placed, there are some of which nothing is known. Among the names are also those of mere ingredients of a dish. No row where the
 // points were made of other word lists.
 // param: words STRING
 // param: called LIST<STRING>
@@ -9,13 +9,14 @@
 // param: count INTEGER
 // column: nearest
 // column: names
+// column: all_placed
 // column: foods
 // column: states
 // column: motions
 // column: dish_types
 // mode: read
 // scans: states, verbs and dish types are few, and all are asked for
-MATCH (:Foon {name: 'foon-kg', words: $words})
+MATCH (record:Foon {name: 'foon-kg', words: $words})
 CALL () {
   UNWIND $asked AS asked
   CALL db.index.vector.queryNodes('ingredient_vector', $count, asked.point) YIELD node, score
@@ -44,6 +45,7 @@ CALL (near) {
 RETURN
   [row IN near | [row.name, size(row.foods), row.furthest]] AS nearest,
   [i IN found | i.name] AS names,
+  coalesce(record.all_placed, false) AS all_placed,
   COLLECT {
     UNWIND found AS i
     MATCH (i)-[r:SEEN_AS]->(s:State)

@@ -130,7 +130,7 @@ class KnowledgeView(Protocol):
         States, motions and dish types are all there. Of the foods there are, with all that is known of them, those
         that have an equal canonical name (``foon_kg.names``) with one of ``foods`` or of ``called``, those named after
         one of ``foods`` with more words, and all that the default similarity takes for a fair equivalent of one of
-        them; where there is one, its five best at least.
+        them; where there is one, the four best at least, itself apart.
         """
         ...
 

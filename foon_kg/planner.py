@@ -99,7 +99,8 @@ class Planner:
         Recipes with equal kitchens, and the same words, share it, and so what was worked out in it.
         """
         kept = self._equivalents
-        known = next((e for e in kept if e.vocabulary is vocabulary and _same_kitchen(e.kitchen, kitchen)), None)
+        same = (e for e in kept if e.vocabulary is vocabulary and e.name_confidence is likeness)
+        known = next((e for e in same if _same_kitchen(e.kitchen, kitchen)), None)
         if known is None:
             like, motions = self.settings.state_similarity, self.settings.rules.motions
             known = Equivalents(vocabulary, kitchen, likeness, like, likeness.own, motions)

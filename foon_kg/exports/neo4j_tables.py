@@ -11,7 +11,7 @@ from foon_kg.graph.rows import properties_of
 from foon_kg.kitchen import singular
 from foon_kg.model import ObjectNode, Subgraph
 from foon_kg.names import canonical
-from foon_kg.similarity.points import points
+from foon_kg.similarity.points import indexed_points
 from foon_kg.snapshot import Snapshot, goals_of
 from foon_kg.vocabulary import WordCounts
 
@@ -40,8 +40,8 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
         "Motion": [(known.unit.key, known.unit.motion, known.unit.accepts_any) for known in foon.units],
         "DishType": _names(goal.dish_type for goal in foon.goals()),
         "Ingredient": [
-            (food, canonical(food), singular(food), list(point))
-            for food, point in zip(foods, points(foods), strict=True)
+            (food, canonical(food), singular(food), point)
+            for food, point in zip(foods, indexed_points(foods), strict=True)
         ],
         "State": _names(states),
         "Verb": _names(row.motion for row in counts.made_by()),

@@ -21,7 +21,10 @@ Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
 
 
 def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:
-    """Answer the ``limit`` best known foods of each name; ``None`` where the points are of other word lists.
+    """Answer the ``limit`` best known foods of each name; ``None`` where they cannot be told by points.
+
+    That is where these are of other word lists, or where a food of which nothing is known, and which has no point, may
+    be among the best.
 
     ``ask`` takes the parameters of ``cypher/equivalents.cypher``. One round trip where 64 points settle every name.
     """
@@ -33,9 +36,12 @@ def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tu
         if not rows:
             return None
         for row, answer in zip(rows, _best(rows, limit), strict=True):
-            if len(row.nearest) < count or _is_settled(answer, row, waiting[row.name], limit):
+            is_all = len(row.nearest) < count
+            if (is_all and row.all_placed) or _is_settled(answer, row, waiting[row.name], limit):
                 found[row.name] = answer
                 del waiting[row.name]
+            elif is_all:
+                return None
         count *= MORE
     return found
 
@@ -53,5 +59,5 @@ def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, 
 
 def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
     """Say whether nothing further away than the last point can be as good as the last of ``answer``."""
-    furthest = min(cosine for _, _, cosine in row.nearest)
+    furthest = min((cosine for _, _, cosine in row.nearest), default=0.0)
     return len(answer) == limit and answer[-1].confidence > about.most(furthest)

@@ -135,6 +135,7 @@ class WordsForRow:
 
     nearest: list[tuple[str, int, float]]
     names: list[str]
+    all_placed: bool
     foods: list[StateRow]
     states: list[str]
     motions: list[tuple[str, str, int]]
@@ -159,6 +160,7 @@ class EquivalentsRow:
     name: str
     equal: list[str]
     nearest: list[tuple[str, bool, float]]
+    all_placed: bool
 
 
 @dataclass(frozen=True)

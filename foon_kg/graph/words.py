@@ -2,7 +2,7 @@
 
 The vector index answers the foods nearest to each wanted one, and the bound of :mod:`foon_kg.similarity.points` says
 what none of the others can exceed: where that is little enough, all that matters is there. So it is exact, like
-:mod:`foon_kg.graph.equivalents`; of the public FOON and of one a hundred times as large, 64 points settle every food.
+:mod:`foon_kg.graph.equivalents`; of the public FOON, and among thirty thousand names, 64 points settle every food.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from foon_kg.similarity.points import question, word_lists_key
 LEAST = 0.05
 """Whatever is less sure than this is no equivalent, and adds next to nothing to the score of a goal."""
 
-FAIR, BEST = 0.5, 5
-"""Where a food has a fair equivalent, so many of its best are wanted: itself, the one chosen and three alternatives."""
+FAIR, BEST = 0.5, 4
+"""Where a food has a fair equivalent, so many of its best are wanted: the one chosen and three alternatives."""
 
 MOST = FIRST * MORE
 """So many points a food are asked for at most; a food that they do not settle is compared with all words in memory."""
@@ -47,7 +47,8 @@ def find_words(ask: Ask, foods: Sequence[str], called: Sequence[str]) -> WordsFo
     """Answer what matters to ``foods``, and besides the foods called like ``called``.
 
     ``ask`` takes the parameters of ``cypher/words_for.cypher``. ``None`` where that cannot be told without reading all
-    words: the points are of other word lists, a food has no word in it, or too many others are near it.
+    words: the points are of other word lists, a food has no word in it, too many others are near it, or so few that
+    foods of which nothing is known, and which have no point, may be among the best.
     """
     if not all(map(words, foods)):
         return None
@@ -59,8 +60,11 @@ def find_words(ask: Ask, foods: Sequence[str], called: Sequence[str]) -> WordsFo
         if not rows:
             return None
         found = _Found(rows[0], foods)
-        if all(found.settles(food, count) for food in foods):
+        unsettled = [food for food in foods if not found.settles(food, count)]
+        if not unsettled:
             return WordsFound(found.vocabulary(), tuple(found.pairs()))
+        if any(found.is_all(food, count) for food in unsettled):
+            return None
         count *= MORE
     return None
 
@@ -81,12 +85,16 @@ class _Found:
         self.known = {label for _, labels, _, _ in row.foods for label in labels}
         self.nearest = {name: (size, furthest) for name, size, furthest in row.nearest}
 
+    def is_all(self, food: str, count: int) -> bool:
+        """Say whether the index has no more; what is left has no point."""
+        return self.nearest.get(food, (0, 0.0))[0] < count
+
     def settles(self, food: str, count: int) -> bool:
         """Say whether nothing that was not answered matters to ``food``."""
-        size, furthest = self.nearest.get(food, (0, 1.0))
-        if size < count:
-            return True  # the index has no more
-        bound = question(food).most(furthest)
+        is_all = self.is_all(food, count)
+        if is_all and self.row.all_placed:
+            return True
+        bound = question(food).most(0.0 if is_all else self.nearest[food][1])
         sure = zip(self.names, self.confidences[self.foods.index(food)].tolist(), strict=True)
         best = sorted((confidence for name, confidence in sure if name in self.known and name != food), reverse=True)
         fair = bool(best) and best[0] >= FAIR

@@ -19,7 +19,7 @@ from foon_kg.graph.statements import Row, Statement, ask
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.names import canonical
-from foon_kg.similarity.points import points, word_lists_key
+from foon_kg.similarity.points import indexed_points, word_lists_key
 from foon_kg.snapshot import goals_of
 from foon_kg.vocabulary import WordCounts
 
@@ -101,7 +101,7 @@ class Writer:
             self._ask(cypher.FORGET_VECTORS, words=words)
         names = sorted(row.name for row in self._ask(cypher.FOODS_WITHOUT_VECTOR))
         if names:
-            rows = zip(names, points(names), strict=True)
+            rows = zip(names, indexed_points(names), strict=True)
             self._ask(
                 cypher.LOAD_VECTORS,
                 rows=[

@@ -108,27 +108,19 @@ class Evidence:
 
     def _near_listed(self, names: Sequence[str]) -> Table:
         """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
-        vectors, kinds, known = self._listed
+        vectors, kinds = self._listed
         rows, own = self.taxonomy.rows(names), self.food_vectors.embed(names)
         near = np.zeros((len(names), len(vectors)))
         told = rows.filled | own.any(axis=1)  # of the others nothing is known: they are near to nothing
         cosines = own[told] @ vectors.T
-        by_kind = _sparse_product(rows.dense()[told], kinds)
-        both = np.outer(rows.filled[told], known)
+        by_kind = rows.columns(rows.used)[told] @ kinds.columns(rows.used).T  # a name is of ten kinds out of thousands
+        both = np.outer(rows.filled[told], kinds.filled)
         near[told] = np.where(both, (1 - _KIND_SHARE) * cosines + _KIND_SHARE * by_kind, _ALONE * cosines)
         return near
 
     @cached_property
-    def _listed(self) -> tuple[Table, Table, Flags]:
-        kinds = self.taxonomy.rows(self.food_groups.foods)
-        return self.food_vectors.embed(self.food_groups.foods), kinds.dense(), kinds.filled
-
-
-def _sparse_product(rows: Table, columns: Table) -> Table:
-    """Answer ``rows @ columns.T``, leaving out what no row has: a name is of some ten kinds out of thousands."""
-    used = rows.any(axis=0)
-    product: Table = rows[:, used] @ columns[:, used].T
-    return product
+    def _listed(self) -> tuple[Table, SparseRows]:
+        return self.food_vectors.embed(self.food_groups.foods), self.taxonomy.rows(self.food_groups.foods)
 
 
 def _by_words(wanted: Names, known: Names) -> Table:

@@ -38,9 +38,13 @@ POINT_LENGTH = VECTOR + KIND + GROUP + SHELF + 3
 LONGEST = 4.0
 """No food's evidence is longer; what is not used up goes into the last place."""
 
+NOWHERE = [*[0.0] * (POINT_LENGTH - 1), 1.0]
+"""The point of a name of which nothing is known. It is in no index: where many points are equal, a search among
+neighbours loses its way. Its product with any question is 0."""
+
 _SLACK = 1e-3  # log odds; databases reckon with 32 bits
 _ROUNDED = 10.0**-DECIMALS
-_FORM = "2"  # of the points and of the names beside them; a change of the code that makes them changes it
+_FORM = "3"  # of the points and of the names beside them; a change of the code that makes them changes it
 _WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
 
 
@@ -54,9 +58,18 @@ class Question:
     constant: float
 
     def most(self, cosine: float) -> float:
-        """Answer a confidence that no food at ``cosine`` from the question exceeds, one of an equal name apart."""
+        """Answer a confidence that no food at ``cosine`` or farther exceeds, one of an equal name apart.
+
+        That goes for names of which nothing is known, too.
+        """
+        cosine = max(cosine, 0.0)
         odds = np.array([cosine * self.length + self.constant + _SLACK])
         return float(confidence_of(odds)[0]) + _ROUNDED
+
+
+def indexed_points(names: Sequence[str]) -> list[list[float] | None]:
+    """Answer the point that an index has for each name; ``None`` for ``NOWHERE``."""
+    return [None if point == NOWHERE else point for point in points(names)]
 
 
 def points(names: Sequence[str]) -> list[list[float]]:

@@ -44,7 +44,21 @@ class SparseRows:
         """Answer the matrix in ``width`` columns: column n is added to column n modulo ``width``."""
         rows = np.repeat(np.arange(len(self.counts)), self.counts)
         cells = np.bincount(rows * width + self.places % width, self.values, len(self.counts) * width)
-        return cells.astype(np.float64).reshape(len(self.counts), width)
+        return cells.astype(np.float64, copy=False).reshape(len(self.counts), width)
+
+    @property
+    def used(self) -> Places:
+        """The columns in which any row has anything, ascending."""
+        return np.unique(self.places)
+
+    def columns(self, columns: Places) -> Table:
+        """Answer just these ``columns``, ascending, of the matrix."""
+        rows = np.repeat(np.arange(len(self.counts)), self.counts)
+        place = np.searchsorted(columns, self.places)
+        there = np.isin(self.places, columns)
+        table = np.zeros((len(self.counts), len(columns)))
+        table[rows[there], place[there]] = self.values[there]
+        return table
 
     def product(self, table: Table) -> Table:
         """Answer ``table @ matrix.T`` for the rows of a dense ``table``."""
