@@ -7,69 +7,84 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 from foon_kg.search.core import bits_of
 from foon_kg.search.deadline import Deadline
 
 
-def cheapest_hitting_set(
-    sets: Sequence[int], costs: Sequence[int], deadline: Deadline, *, limit: float = math.inf
-) -> int | None:
-    """Answer a cheapest set that hits all ``sets`` at a cost of at most ``limit``; ``None`` where there is none.
+@dataclass(eq=False)
+class HittingSets:
+    """Questions about sets whose members have these ``costs``.
 
-    Sets that share no member, not even through others, are hit apart. Where the deadline passes, the answer may be
-    ``None`` or a dearer set.
+    What was found out before the ``deadline`` is ``known``: for sets that hang together, the limit under which a
+    cheapest set that hits them was looked for, and what was found. The same come again, in one question and the next.
     """
-    parts = _parts(_undominated(minimal(sets), costs))
-    bounds = [ascent(part, costs)[0] for part in parts]
-    chosen, spare = 0, limit - sum(bounds)
-    for part, bound in zip(parts, bounds, strict=True):
-        if spare < 0:
+
+    costs: Sequence[int]
+    deadline: Deadline
+    known: dict[tuple[int, ...], tuple[float, int | None]] = field(default_factory=dict)
+
+    def cheapest(self, sets: Sequence[int], limit: float = math.inf) -> int | None:
+        """Answer a cheapest set that hits all ``sets`` at a cost of at most ``limit``; ``None`` where there is none.
+
+        Sets that share no member, not even through others, are hit apart. Where the deadline passes, the answer may be
+        ``None`` or a dearer set.
+        """
+        parts = parts_of(_undominated(minimal(sets), self.costs))
+        bounds = [ascent(part, self.costs)[0] for part in parts]
+        chosen, spare = 0, limit - sum(bounds)
+        for part, bound in zip(parts, bounds, strict=True):
+            found = self._cheapest_of_part(part, bound + spare) if spare >= 0 else None
+            if found is None:
+                return None
+            chosen |= found
+            spare -= self.cost_of(found) - bound
+        return chosen if spare >= 0 else None
+
+    def members_of_cheapest(self, sets: Sequence[int]) -> int:
+        """Answer all members of all cheapest sets that hit ``sets``; where the deadline passes, perhaps others too."""
+        possible = 0
+        for part in parts_of(minimal(sets)):
+            bound, left = ascent(part, self.costs)
+            found = self.cheapest(part)
+            least = math.inf if found is None else self.cost_of(found)
+            possible |= found or 0
+            for member in left:
+                if not possible >> member & 1 and bound + left[member] <= least:
+                    others = [one for one in part if not one >> member & 1]
+                    found = self.cheapest(others, least - self.costs[member])
+                    if found is not None or self.deadline.has_passed():
+                        possible |= (found or 0) | 1 << member
+        return possible
+
+    def cost_of(self, members: int) -> int:
+        """Answer the sum of the costs of ``members``."""
+        return sum(self.costs[member] for member in bits_of(members))
+
+    def _cheapest_of_part(self, sets: tuple[int, ...], limit: float) -> int | None:
+        tried, found = self.known.get(sets, (-1, None))
+        if found is not None:
+            return found if self.cost_of(found) <= limit else None
+        if limit <= tried:
             return None
-        found = _hitting_all(part, costs, deadline, bound + spare)
-        if found is None:
-            return None
-        chosen |= found
-        spare -= cost_of(found, costs) - bound
-    return chosen if spare >= 0 else None
+        found = self._with_a_member_of_the_smallest(sets, limit)
+        if not self.deadline.has_passed():
+            self.known[sets] = (limit, found)
+        return found
 
-
-def members_of_cheapest(sets: Sequence[int], costs: Sequence[int], deadline: Deadline) -> int:
-    """Answer all members of all cheapest sets that hit ``sets``; where the deadline passes, perhaps others as well."""
-    possible = 0
-    for part in _parts(minimal(sets)):
-        bound, left = ascent(part, costs)
-        found = cheapest_hitting_set(part, costs, deadline)
-        least = math.inf if found is None else cost_of(found, costs)
-        possible |= found or 0
-        for member in left:
-            if not possible >> member & 1 and bound + left[member] <= least:
-                others = [one for one in part if not one >> member & 1]
-                found = cheapest_hitting_set(others, costs, deadline, limit=least - costs[member])
-                if found is not None or deadline.has_passed():
-                    possible |= (found or 0) | 1 << member
-    return possible
-
-
-def cost_of(members: int, costs: Sequence[int]) -> int:
-    """Answer the sum of the costs of ``members``."""
-    return sum(costs[member] for member in bits_of(members))
-
-
-def _hitting_all(sets: Sequence[int], costs: Sequence[int], deadline: Deadline, limit: float) -> int | None:
-    """Answer a cheapest set that hits all ``sets``, by choosing a member of the smallest and going on."""
-    bound, left = ascent(sets, costs)
-    best, barred = None, 0
-    for member in sorted(bits_of(sets[0]), key=lambda member: (left[member], costs[member], member)):
-        if bound + left[member] <= limit and not deadline.has_passed():
-            rest = [one & ~barred for one in sets if not one >> member & 1]
-            if all(rest):
-                found = cheapest_hitting_set(rest, costs, deadline, limit=limit - costs[member])
+    def _with_a_member_of_the_smallest(self, sets: tuple[int, ...], limit: float) -> int | None:
+        bound, left = ascent(sets, self.costs)
+        best, barred = None, 0
+        for member in sorted(bits_of(sets[0]), key=lambda member: (left[member], self.costs[member], member)):
+            if bound + left[member] <= limit and not self.deadline.has_passed():
+                rest = [one & ~barred for one in sets if not one >> member & 1]
+                found = self.cheapest(rest, limit - self.costs[member]) if all(rest) else None
                 if found is not None:
                     best = found | 1 << member
-                    limit = cost_of(best, costs) - 1
-        barred |= 1 << member  # from here on: without it
-    return best
+                    limit = self.cost_of(best) - 1
+            barred |= 1 << member  # from here on: without it
+        return best
 
 
 def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
@@ -88,19 +103,18 @@ def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
     return minimal([one & ~idle for one in sets]) if idle else sets
 
 
-def _parts(sets: Sequence[int]) -> list[list[int]]:
-    """Answer ``sets`` in groups that have no member in common."""
+def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:
+    """Answer ``sets`` in groups that have no member in common, in each the smallest first."""
     parts: list[tuple[int, list[int]]] = []
     for one in sets:
-        members, group = one, [one]
-        apart = []
-        for others, part in parts:
-            if others & members:
-                members, group = members | others, [*part, *group]
+        members, group, apart = one, [one], []
+        for part in parts:
+            if part[0] & members:
+                members, group = members | part[0], [*part[1], *group]
             else:
-                apart.append((others, part))
+                apart.append(part)
         parts = [*apart, (members, group)]
-    return [sorted(part, key=lambda one: (one.bit_count(), one)) for _, part in parts]
+    return [tuple(sorted(group, key=lambda one: (one.bit_count(), one))) for _, group in parts]
 
 
 def minimal(sets: Sequence[int]) -> list[int]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from foon_kg.search.core import Core, bits_of
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import chain, cheapest_first
-from foon_kg.search.hitting_set import cheapest_hitting_set, members_of_cheapest
+from foon_kg.search.hitting_set import HittingSets
 
 
 @dataclass(frozen=True)
@@ -71,20 +71,21 @@ def _least(core: Core, deadline: Deadline) -> _Gaps:
     """Answer a cheapest set of gaps that makes the goal, or the cheapest one found before the deadline."""
     reach, costs = _Reach.of(core), core.costs
     best = reach.without_idle(cheapest_first(core) & ((1 << len(costs)) - 1))
+    hitting_sets = HittingSets(costs, deadline)
     landmarks, hitting, at_least = list[int](), 0, 0
     while core.penalty_of(best) > at_least and not deadline.has_passed():
         while landmark := reach.landmark(hitting):
             landmarks.append(landmark)
             hitting |= 1 << min(bits_of(landmark), key=lambda gap: (costs[gap], gap))
         best = min(best, reach.without_idle(hitting), key=lambda gaps: (core.penalty_of(gaps), gaps))
-        found = cheapest_hitting_set(landmarks, costs, deadline, limit=core.penalty_of(best) - 1)
+        found = hitting_sets.cheapest(landmarks, core.penalty_of(best) - 1)
         if deadline.has_passed():
             break
         at_least = core.penalty_of(best if found is None else found)
         hitting = found or 0
     if core.penalty_of(best) > at_least:
         return _Gaps(best, best, at_least)
-    return _Gaps(best, members_of_cheapest(landmarks, costs, deadline), at_least)
+    return _Gaps(best, hitting_sets.members_of_cheapest(landmarks), at_least)
 
 
 @dataclass(frozen=True, eq=False)
