@@ -8,19 +8,20 @@ as drafted when the draft has one with the same motion and main object (names co
 asks for the states of that object before and after, too. Both sides are multisets: a unit drafted twice counts once.
 Units that a draft adds as assumed are counted like all others.
 
-What the confidence is worth is printed as a reliability table and as Brier scores (mean squared error of a probability;
-less is better): of the confidence as it is, of the same calibrated by isotonic regression, and of the share of right
-units alone. Calibration and share are cross-fitted: those of a video are learned from the other folds of videos.
+What the confidence is worth is printed as a reliability table and as Brier scores (mean squared error of a probability,
+less is better): of the confidence as it is, of what a logistic curve makes of it, and of the share of right units.
+Curve and share are cross-fitted: those of a video are learned from the other folds of videos. The curve over all videos
+says how ``foon_kg.drafting.calibration`` should change: multiply its slope, multiply its height and add.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
-from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
+from math import exp, log
 from pathlib import Path
 
 from foon_kg.drafting import draft
@@ -35,7 +36,7 @@ from foon_kg.narration import Mention, NarratedAction, Narration, Place, Sentenc
 from foon_kg.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
-BINS = (0.0, 0.1, 0.2, 0.3, 0.5, 0.7, 1.01)
+BINS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.01)
 FOLDS = 10
 
 Judged = tuple[float, bool]
@@ -115,11 +116,13 @@ class Score:
             precision, recall = self.common[way] / max(self.drafted, 1), self.common[way] / self.true
             print(f"  {what:24} precision {precision:.2f}  recall {recall:.2f}")
         judged = [one for video in self.videos for one in video]
-        ways = (("as it is", judged), ("calibrated", cross_fitted(self.videos, isotonic)))
+        ways = (("as it is", judged), ("cross-fitted", cross_fitted(self.videos, logistic)))
         for what, pairs in (*ways, ("share alone", cross_fitted(self.videos, share))):
             print(f"  confidence {what:12} Brier {sum((sure - right) ** 2 for sure, right in pairs) / len(pairs):.3f}")
         for what, pairs in ways:
             print(f"  confidence {what}: " + "  ".join(reliability(pairs)))
+        slope, height = curve(judged)
+        print(f"  curve over all of it: slope {slope:.2f}, height {height:+.2f}")
 
 
 def reliability(pairs: Sequence[Judged]) -> Iterator[str]:
@@ -149,17 +152,29 @@ def share(pairs: Sequence[Judged]) -> Callable[[float], float]:
     return lambda _: right
 
 
-def isotonic(pairs: Sequence[Judged]) -> Callable[[float], float]:
-    """Answer the step function of least squared error that never falls (pool adjacent violators)."""
-    steps: list[tuple[float, int, int]] = []  # least confidence, right, in all
-    for sure, right in sorted(pairs):
-        step = (sure, int(right), 1)
-        while steps and (steps[-1][0] == step[0] or steps[-1][1] * step[2] >= step[1] * steps[-1][2]):
-            last = steps.pop()
-            step = (last[0], last[1] + step[1], last[2] + step[2])
-        steps.append(step)
-    lows, rates = [low for low, _, _ in steps], [right / count for _, right, count in steps]
-    return lambda sure: rates[max(0, bisect_right(lows, sure) - 1)]
+def logistic(pairs: Sequence[Judged]) -> Callable[[float], float]:
+    """Answer the logistic curve over the log odds of a confidence that fits best."""
+    slope, height = curve(pairs)
+    return lambda sure: 1 / (1 + exp(-slope * odds(sure) - height))
+
+
+def curve(pairs: Sequence[Judged]) -> tuple[float, float]:
+    """Answer slope and height of greatest likelihood, by Newton's method."""
+    slope, height = 1.0, 0.0
+    for _ in range(25):
+        said = [(odds(sure), 1 / (1 + exp(-slope * odds(sure) - height)), right) for sure, right in pairs]
+        down = [sum((p - right) * x for x, p, right in said), sum(p - right for _, p, right in said)]
+        xx, x1, one = (sum(p * (1 - p) * x**power for x, p, _ in said) for power in (2, 1, 0))
+        whole = xx * one - x1 * x1
+        slope -= (one * down[0] - x1 * down[1]) / whole
+        height -= (xx * down[1] - x1 * down[0]) / whole
+    return slope, height
+
+
+def odds(sure: float) -> float:
+    """Answer the log odds of a confidence in hundredths."""
+    sure = min(max(sure, 0.005), 0.995)
+    return log(sure / (1 - sure))
 
 
 def main():

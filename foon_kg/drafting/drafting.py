@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg import motions
+from foon_kg.drafting.calibration import probability
 from foon_kg.drafting.drafts import Draft, DraftUnit, LeftOut
 from foon_kg.drafting.nodes import NodeDrafter
 from foon_kg.drafting.precedents import FoonPrecedents
@@ -45,9 +46,17 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
     drafter.look_ahead(narration.actions)
     for action in narration.actions:
         rows += drafter.rows(action)
+    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in rows]
     if dish_type in DISH_TYPES:
         _mark_goal(rows, dish_type, precedents)
     return Draft(narration.name, tuple(rows), narration.source, dish_type)
+
+
+def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOut:
+    """Answer ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
+    if isinstance(row, LeftOut):
+        return row
+    return replace(row, confidence=round(probability(row.confidence, parsed=parsed), 2))
 
 
 class _Drafter:

@@ -11,13 +11,11 @@ from foon_kg.model import Annotation, Subgraph, Timing
 class DraftUnit:
     """One unit as drafted.
 
-    ``confidence`` is the product of the shares of like actions in the FOON that speak for each thing that the narration
-    leaves unsaid (motion, states, places), each counted with one success and one failure more than were seen (Laplace),
-    and of how well the food that they are taken from stands for the one narrated. ``doubts`` say so in words.
-
-    It ranks units and is no probability: of held-out units drafted from verbs and nouns 6 % were right to the last
-    state below 0.1, 21 % from 0.2, 41 % from 0.3, 49 % from 0.7 on; of those from sentences 6, 27, 38 and 22 %
-    (``benchmarks/drafts.py``).
+    ``confidence`` is the probability that motion, main object and the states of that object are all right. It comes
+    from the shares of like actions in the FOON that speak for each thing that the narration leaves unsaid (motion,
+    states, places), each counted with one success and one failure more than were seen (Laplace), and from how well the
+    food that they are taken from stands for the one narrated; see :mod:`foon_kg.drafting.calibration`. ``doubts`` say
+    so in words.
     """
 
     annotation: Annotation

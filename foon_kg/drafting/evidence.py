@@ -38,9 +38,9 @@ class Evidence:
         if doubt and share < SOMETHING:
             self.doubts.append(doubt)
 
-    def confidence(self) -> float:
-        """Answer the product of all shares, in hundredths."""
-        return round(prod(self.shares), 2)
+    def product(self) -> float:
+        """Answer all shares multiplied."""
+        return prod(self.shares)
 
 
 def as_one(units: Sequence[DraftUnit]) -> DraftUnit:

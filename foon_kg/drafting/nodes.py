@@ -106,12 +106,14 @@ class NodeDrafter:
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
 
-    def source(self, node: ObjectNode, food: str) -> tuple[list[ObjectNode], list[ObjectNode]]:
-        """Answer the vessel that a food leaves, before and after."""
-        if not self.in_utensil(node):
-            return [], []
-        vessel = self.vessel(node.container or "")
-        return [vessel], [emptied(vessel, [food])]
+    def sources(self, foods: Iterable[ObjectNode]) -> tuple[list[ObjectNode], list[ObjectNode]]:
+        """Answer the vessels that foods leave, each once, before and after."""
+        leaving: dict[str, list[str]] = {}
+        for food in foods:
+            if food.container is not None and self.in_utensil(food):
+                leaving.setdefault(food.container, []).append(food.label)
+        left = [self.vessel(name) for name in leaving]
+        return left, [emptied(vessel, leaving[vessel.label]) for vessel in left]
 
     def target(
         self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence

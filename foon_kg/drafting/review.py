@@ -10,7 +10,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 
 SURE = 0.5
-"""Doubts below this confidence must be resolved before a draft is accepted."""
+"""Doubts below this must be resolved before a draft is accepted: those of units that are likelier wrong than right."""
 
 
 @dataclass(frozen=True)

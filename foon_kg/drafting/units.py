@@ -88,7 +88,7 @@ class UnitDrafter:
         """Answer one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self.nodes.utensil_place(action) or self.nodes.common_vessel(action)
         vessel = [self.nodes.vessel(at)] if at is not None else []
-        befores, afters, left, gone = (list[ObjectNode]() for _ in range(4))
+        befores, afters, leaving = (list[ObjectNode]() for _ in range(3))
         tools = dict[str, None]()
         for mention in action.objects:
             like = self.precedents.of(motion, mention.name)
@@ -99,12 +99,12 @@ class UnitDrafter:
             evidence.doubts += [*([like.doubt] if like.doubt else []), *own.doubts]
             tools |= dict.fromkeys(like.tools())
             if at is not None and before.container != at:
-                sides = self.nodes.source(before, mention.name)
-                left, gone = [*left, *sides[0]], [*gone, *sides[1]]
+                leaving.append(before)
                 after = replace(after, relation=self.precedents.relation(at), container=at)
             befores.append(before)
             afters.append(after)
         evidence.weigh(evidence.states)
+        left, gone = self.nodes.sources(leaving)
         said = [name for name in action.instruments or tools if name not in {at, *(node.label for node in left)}]
         held = [filled(vessel[0], [node.label for node in afters])] if vessel else []
         self.scene.focus, self.scene.last = at, tuple(node.label for node in afters)
@@ -121,9 +121,9 @@ class UnitDrafter:
         tools = self.nodes.tools(action, like, [target or "", before.container or ""])
         if target is None:
             after = replace(before, relation=None, container=None)
-            left, gone = self.nodes.source(before, mention.name)
+            left, gone = self.nodes.sources([before])
             return [self._unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
-        left, gone = self.nodes.source(before, mention.name) if before.container != target else ([], [])
+        left, gone = self.nodes.sources([before]) if before.container != target else ([], [])
         if target in self.scene.foods:
             onto = self.scene.foods[target]
             covered = replace(onto, ingredients=(*onto.ingredients, mention.name))
@@ -143,7 +143,7 @@ class UnitDrafter:
         motion = self.precedents.bringing(food)
         evidence = Evidence([IMPLIED], [f"nobody says how {food} comes to the {at}"])
         into = self.nodes.vessel(at)
-        left, gone = self.nodes.source(known, food)
+        left, gone = self.nodes.sources([known])
         after = replace(known, relation=self.precedents.relation(at), container=at)
         quiet = NarratedAction(motion, said=action.said, timing=Timing(assumed=True))
         self.scene.focus = at
@@ -172,8 +172,7 @@ class UnitDrafter:
         ]
         evidence.weigh_states(min(own.states for own in owns) * SOMETHING)
         evidence.doubts += [doubt for own in owns for doubt in own.doubts]
-        sources = (self.nodes.source(food, food.label) for food in foods if food.container != at)
-        left = [pair for source in sources for pair in zip(*source, strict=True)]
+        left, gone = self.nodes.sources(food for food in foods if food.container != at)
         tools = self.nodes.tools(action, next(iter(likes.values()), Precedents(())), [at])
         label = action.product or self._mixture_of(names)
         made_of = tuple(dict.fromkeys(part for food in foods for part in (food.ingredients or (food.label,))))
@@ -183,8 +182,8 @@ class UnitDrafter:
         self.scene.forget(names)
         self.scene.focus, self.scene.last = at, (label,)
         held = replace(filled(vessel, [label]), ingredients=(label,))
-        inputs = [vessel, *(pair[0] for pair in left), *foods, *tools]
-        return (self._unit(action, motion, inputs, [held, mixture, *(pair[1] for pair in left)], evidence),)
+        inputs = [vessel, *left, *foods, *tools]
+        return (self._unit(action, motion, inputs, [held, mixture, *gone], evidence),)
 
     def _mixture_of(self, names: Sequence[str]) -> str:
         """Answer what to call a mixture: as it was called before, else after its first food."""
@@ -224,6 +223,5 @@ class UnitDrafter:
         for node in outputs:
             if not self.precedents.kitchen.is_utensil(node.label):
                 self.scene.sure[node.label] = evidence.states
-        confidence = evidence.confidence()
         doubts = tuple(dict.fromkeys(evidence.doubts))
-        return DraftUnit(Annotation(unit, action.timing), confidence, doubts, action.said)
+        return DraftUnit(Annotation(unit, action.timing), evidence.product(), doubts, action.said)

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from math import exp
+
 import pytest
 from drafting.kitchen_foon import precedents
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from foon_kg.drafting import draft
+from foon_kg.drafting.calibration import ACTIONS, probability
 from foon_kg.drafting.drafting import plain_name
 from foon_kg.drafting.tables import read_draft, write_draft
 from foon_kg.drafting.verbs import Verbs
@@ -154,3 +158,25 @@ def test_every_narration_gives_a_draft_that_is_read_back_whole_and_says_the_same
     for row in made.units:
         held = [node for node in row.annotation.unit.output_nodes if FOON.kitchen.is_utensil(node.label)]
         assert len({node.label for node in held}) == len(held)
+
+
+@pytest.mark.parametrize("verb", ["mix", "stir"])
+def test_a_board_that_two_foods_leave_at_once_is_there_once_and_empty(verb):
+    brought = (action("put", "onion", to="cutting board"), action("put", "potato", to="cutting board"))
+    unit = drafted(*brought, action(verb, "onion", "potato", to="bowl")).units[-1].annotation.unit
+    boards = [
+        [node for node in side if node.label == "cutting board"] for side in (unit.input_nodes, unit.output_nodes)
+    ]
+    assert [len(side) for side in boards] == [1, 1]
+    assert set(boards[0][0].ingredients) == {"onion", "potato"}
+    assert boards[1][0].ingredients == ()
+
+
+def test_a_confidence_grows_with_what_speaks_for_it_and_is_less_for_what_was_parsed():
+    steps = [step / 100 for step in range(101)]
+    told, parsed = ([probability(step, parsed=way) for step in steps] for way in (False, True))
+    assert all(0 < low <= high < 1 for low, high in pairwise(told))
+    assert all(0 < low <= high < 1 for low, high in pairwise(parsed))
+    assert parsed[-1] < told[-1]
+    odds = exp(ACTIONS[1]) * 0.5 ** ACTIONS[0]
+    assert told[50] == pytest.approx(odds / (1 + odds))
