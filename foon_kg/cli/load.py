@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import load_recipes, load_weights
-from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, print_json, sayer
+from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts
 
 if TYPE_CHECKING:
     from foon_kg.graph import LoadReport
@@ -32,16 +33,6 @@ def load() -> None:
 
 app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
 app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
-
-
-Report = Annotated[
-    Path | None,
-    typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
-]
-BadTolerance = Annotated[
-    int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units are unusable.")
-]
-DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
 
 
 @app.command(
@@ -130,13 +121,10 @@ def _bring(
     _tell_notices(results, report, say)
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     rejected = sum(result.rejected for result in results)
-    _refuse_too_many(results, rejected, bad_tolerance)
+    bad = sum(result.rejected > 0 for result in results)
+    refuse_too_many(rejected, bad_tolerance, "unit", f", in {bad} of {len(results)} files")
     loaded = None if dry_run else _load(subgraphs, say, quiet=quiet)
-    counts = _counts(subgraphs, loaded, rejected)
-    if as_json:
-        print_json(counts)
-    else:
-        typer.echo(", ".join(f"{count} {what.replace('_', ' ')}" for what, count in counts.items()))
+    show_counts(_counts(subgraphs, loaded, rejected), as_json=as_json)
 
 
 def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) -> None:
@@ -159,18 +147,6 @@ def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) 
     if assumed:
         where = f"see {report}" if report else "--report FILE lists them"
         say(f"{len(assumed)} places were read with an assumption ({where}): {'; '.join(summary(assumed))}")
-
-
-def _refuse_too_many(results: Sequence[ReadResult], rejected: int, tolerance: int) -> None:
-    from foon_kg.errors import ToleranceError
-
-    if rejected > tolerance:
-        units = "1 unit is" if rejected == 1 else f"{rejected} units are"
-        bad = sum(result.rejected > 0 for result in results)
-        raise ToleranceError(
-            f"{units} unusable, in {bad} of {len(results)} files; nothing was loaded",
-            hint=f"Mend the lines named above, or load all the rest with --bad-tolerance {rejected}.",
-        )
 
 
 def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport:

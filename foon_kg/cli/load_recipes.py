@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 
 import typer
 
-from foon_kg.cli.console import Json, Quiet, Say, examples, messages, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts
 
 if TYPE_CHECKING:
     from foon_kg.collected import UnderstoodRecipe
@@ -46,14 +47,9 @@ def recipes(
     parse: Annotated[
         Parse, typer.Option(help="quick: the full parser only where the collection names no food itself.")
     ] = Parse.QUICK,
-    report: Annotated[
-        Path | None,
-        typer.Option("--report", metavar="FILE", help="Write all that was not understood here, as JSON Lines."),
-    ] = None,
-    bad_tolerance: Annotated[
-        int, typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N recipes are unusable.")
-    ] = 0,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")] = False,
+    report: Report = None,
+    bad_tolerance: BadTolerance = 0,
+    dry_run: DryRun = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -74,7 +70,7 @@ def recipes(
     with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
         usable = _check(collections, quiet=quiet)
         journal.tell(say)
-        _refuse_too_many(journal.rejected, bad_tolerance)
+        refuse_too_many(journal.rejected, bad_tolerance, "recipe")
         counts = {"recipes": usable, "rejected_recipes": journal.rejected}
         if not dry_run:
             stored = _load(collections, usable, journal.note_left_over, say, full=parse is Parse.FULL, quiet=quiet)
@@ -82,10 +78,7 @@ def recipes(
         if journal.left_over:
             where = f"see {report}" if report else "--report FILE lists them"
             say(f"{journal.left_over} lines name no food that could be read ({where})")
-    if as_json:
-        print_json(counts)
-    else:
-        typer.echo(", ".join(f"{count} {what.replace('_', ' ')}" for what, count in counts.items()))
+    show_counts(counts, as_json=as_json)
 
 
 class Journal:
@@ -150,17 +143,6 @@ def _check(collections: RecipeCollections, *, quiet: bool) -> int:
     with Progress(SpinnerColumn(), shown, console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task("", total=None)
         return collections.check(lambda: progress.advance(task))
-
-
-def _refuse_too_many(rejected: int, tolerance: int) -> None:
-    from foon_kg.errors import ToleranceError
-
-    if rejected > tolerance:
-        recipes_are = "1 recipe is" if rejected == 1 else f"{rejected} recipes are"
-        raise ToleranceError(
-            f"{recipes_are} unusable; nothing was loaded",
-            hint=f"Mend what is named above, or load all the rest with --bad-tolerance {rejected}.",
-        )
 
 
 def _load(

@@ -1,0 +1,41 @@
+"""What the commands of ``foon load`` share: options, the refusal of too much that is unusable, and the counts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from foon_kg.cli.console import print_json
+
+Report = Annotated[
+    Path | None,
+    typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
+]
+BadTolerance = Annotated[
+    int,
+    typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units or recipes are unusable."),
+]
+DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
+
+
+def refuse_too_many(rejected: int, tolerance: int, what: str, where: str = "") -> None:
+    """Raise ToleranceError where more is ``rejected`` than allowed; ``what`` is one of it, as in: unit."""
+    from foon_kg.errors import ToleranceError
+
+    if rejected > tolerance:
+        unusable = f"1 {what} is" if rejected == 1 else f"{rejected} {what}s are"
+        raise ToleranceError(
+            f"{unusable} unusable{where}; nothing was loaded",
+            hint=f"Mend what is named above, or load all the rest with --bad-tolerance {rejected}.",
+        )
+
+
+def show_counts(counts: Mapping[str, int], *, as_json: bool) -> None:
+    """Print counts as one JSON object or as words."""
+    if as_json:
+        print_json(counts)
+    else:
+        typer.echo(", ".join(f"{count} {what.replace('_', ' ')}" for what, count in counts.items()))
