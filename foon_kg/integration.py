@@ -252,11 +252,13 @@ class Integration:
         return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
 
     def _arrives(self, addition: Addition, party: _Party) -> bool:
-        steps, item = self._executed(self._replay_with(party.casting, [*party.additions, addition]))
-        if item is None or not any(node == addition.node for step in steps for node in step.added):
+        replayed = self._replay_with(party.casting, [*party.additions, addition])
+        item = replayed.items.get(self.goal)
+        arrived = {now for _, now in item.atoms} if item is not None else set[str]()
+        if not arrived.issuperset(a.want.object for a in (*party.additions, addition)):
             return False
-        arrived = {now for _, now in item.atoms}
-        return addition.want.object in arrived and all(a.want.object in arrived for a in party.additions)
+        steps, _ = self._executed(replayed)
+        return any(addition.node in step.added for step in steps)
 
     def _replay_with(self, casting: Casting, additions: Sequence[Addition]) -> Replayed:
         joined: dict[int, list[Item]] = {}

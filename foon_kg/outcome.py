@@ -63,22 +63,23 @@ def _planned(step: Step, casting: Casting, reference: set[str], substitutions: S
 
 
 def _origin(step: Step, casting: Casting, substitutions: Sequence[Substitution], *, in_reference: bool) -> Origin:
-    if any(True for _ in _renamings(step, casting)) or any(_shows(step, other) for other in substitutions):
+    if any(True for _ in _renamings(step, casting)) or _shows_any(step, substitutions):
         return "substituted"
     return "reference" if in_reference else "foon"
 
 
-def _shows(step: Step, other: Substitution) -> bool:
+def _shows_any(step: Step, substitutions: Sequence[Substitution]) -> bool:
     """Say whether a substitution is to be seen in a step, be it that the food itself joined before as another's."""
-    for now, before in _same_things(step):
-        if other.kind == "object":
-            gone = set(before.ingredients) - set(now.ingredients)
-            if other.equivalent in gone and other.required in now.ingredients:
-                return True
-        elif other.kind == "state" and other.object == now.label:
-            extra, lost = _other_states(now, before)
-            if other.required in extra or other.equivalent in lost:
-                return True
+    return any(_shows(now, before, other) for now, before in _same_things(step) for other in substitutions)
+
+
+def _shows(now: ObjectNode, before: ObjectNode, other: Substitution) -> bool:
+    if other.kind == "object":
+        gone = set(before.ingredients) - set(now.ingredients)
+        return other.equivalent in gone and other.required in now.ingredients
+    if other.kind == "state" and other.object == now.label:
+        extra, lost = _other_states(now, before)
+        return other.required in extra or other.equivalent in lost
     return False
 
 

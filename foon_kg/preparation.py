@@ -201,11 +201,11 @@ def needed(steps: Sequence[Step], goal: ObjectNode) -> list[Step]:
     wanted = {goal}
     kept: list[Step] = []
     for step in reversed(steps):
-        made = wanted & set(step.output_nodes) - set(step.input_nodes)
-        if made:
+        made = wanted.intersection(step.output_nodes)
+        if made and not made.issubset(step.input_nodes):
             kept.append(step)
             wanted -= made
-            wanted |= set(step.input_nodes)
+            wanted.update(step.input_nodes)
     return kept[::-1]
 
 

@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.model import ObjectNode
 from foon_kg.performance import SPENT, UNSEEN, USED, Found, Performer
-from foon_kg.script import Casting, Item, Performance, Replayed, Scene, Script, Step, spot_of
+from foon_kg.script import Casting, Item, Performance, Performances, Replayed, Scene, Script, Step, spot_of
 
 Additions = Mapping[int, Sequence[Item]]
 """What joins the units of a script, by their places."""
@@ -41,12 +41,14 @@ class Stage:
         self.leaf_foods: set[str] = set()
         self.used: set[ObjectNode] = set()
         self.later: dict[ObjectNode, Item] = {}
+        self._known: dict[Scene, Performances] = {}
 
     def copy(self) -> Stage:
         """Answer a stage on which everything stands as it does here."""
         other = Stage(self.casting, self.script)
         other.items, other.leaf_foods = self.items.copy(), self.leaf_foods.copy()
         other.used, other.later = self.used.copy(), self.later.copy()
+        other._known = self._known
         return other
 
     def perform(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Step | None:
@@ -68,16 +70,25 @@ class Stage:
 
     def _performance(self, place: int, scene: Scene, added: tuple[Item, ...]) -> Performance:
         """Answer what comes of a unit as things stand, known or worked out now."""
+        known = self._known.get(scene)
+        if known is None:
+            known = self._known[scene] = self._performances(scene)
+        spent = self.casting.spent
+        found = tuple([SPENT if (place, node) in spent else self._found(node) for node in scene.inputs])
+        key = (found, added, scene.spoken & self.leaf_foods, self._carried(scene, found, added))
+        performance = known.get(key)
+        if performance is None:
+            alone, kitchen = self.script.taken_alone, self.script.repertoire.kitchen
+            performer = Performer(scene, self.casting, kitchen, self.leaf_foods, alone)
+            performance = known[key] = performer.perform(found, added)
+        return performance
+
+    def _performances(self, scene: Scene) -> Performances:
+        """Answer what came so far of a unit with such a casting, in whatever script."""
         casting, alone = self.casting, self.script.taken_alone.intersection(scene.outputs)
         roles = tuple([casting.roles.get(name, UNSEEN) for name in scene.names])
         goal = casting.goal if casting.goal in scene.outputs else None
-        known = self.script.repertoire.performances(scene, alone, roles, goal, casting.cut)
-        found = tuple([SPENT if (place, node) in casting.spent else self._found(node) for node in scene.inputs])
-        key = (found, added, scene.spoken & self.leaf_foods, self._carried(scene, found, added))
-        if key not in known:
-            performer = Performer(scene, casting, self.script.repertoire.kitchen, self.leaf_foods, alone)
-            known[key] = performer.perform(found, added)
-        return known[key]
+        return self.script.repertoire.performances(scene, alone, roles, goal, casting.cut)
 
     def _found(self, node: ObjectNode) -> Found:
         if node in self.used:
