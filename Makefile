@@ -9,7 +9,7 @@ PIP_QUIETLY := --quiet --disable-pip-version-check
 LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --upgrade --generate-hashes --no-annotate \
 	--no-header --quiet
 
-.PHONY: demo test check lock clean
+.PHONY: demo test check mutants lock clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
@@ -24,13 +24,18 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types and the direction of imp
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 
+mutants: $(INSTALLED_FOR_TESTS)  ## how many mistakes made on purpose in the core the tests find: hours; MUTANTS='foon_kg.goals*' some
+	$(BIN)/mutmut run $(foreach name,$(MUTANTS),'$(name)')
+	$(BIN)/mutmut export-cicd-stats
+	cat mutants/mutmut-cicd-stats.json
+
 lock: $(INSTALLED)  ## write both requirements files anew from pyproject.toml, for every system
 	$(BIN)/python -m pip install --quiet uv
 	$(LOCKED) --extra server --extra fast --group build --output-file requirements.txt
 	$(LOCKED) --extra dev --group build --constraint requirements.txt --output-file requirements-dev.txt
 
 clean:  ## take away the environment and everything that was built
-	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
+	rm -rf .venv build dist mutants .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
 
 $(INSTALLED): requirements.txt pyproject.toml
 	@echo "Making .venv with everything in requirements.txt; the first time this takes a minute."
