@@ -25,7 +25,7 @@ class _Writing:
     """
 
     def __init__(self, rows: Sequence[KeyedNode]) -> None:
-        ordered = sorted(rows, key=lambda row: order(row[1:]))
+        ordered = sorted(rows, key=lambda row: order(row[2:]))
         self.place = {row[0]: place for place, row in enumerate(ordered)}
         self.nodes = tuple(map(_node, ordered))
         self.participants: dict[tuple[int, bool, str], Participant] = {}
@@ -44,9 +44,9 @@ class _Writing:
         return KnownUnit(unit, tuple(Sighting(*sighting[:_SIGHTING_FIELDS]) for sighting in sightings))
 
     def _side(
-        self, keys: Sequence[str], ranks: Sequence[int], moving: Sequence[bool], dishes: Sequence[str]
+        self, numbers: Sequence[int], ranks: Sequence[int], moving: Sequence[bool], dishes: Sequence[str]
     ) -> tuple[Participant, ...]:
-        places = sorted(map(self.place.__getitem__, keys))
+        places = sorted(map(self.place.__getitem__, numbers))
         columns = zip(ranks, moving, dishes, strict=True)
         return tuple(self._participant(places[rank], moves, dish) for rank, moves, dish in columns)
 
@@ -58,6 +58,6 @@ class _Writing:
 
 
 def _node(row: KeyedNode) -> ObjectNode:
-    node = node_of(row[1:])
-    vars(node)["key"] = row[0]
+    node = node_of(row[2:])
+    vars(node)["key"] = row[1]
     return node

@@ -21,11 +21,11 @@ GoalValue = tuple[NodeRow, str, list[str]]
 SeenUnit = tuple[str, str, bool, list[NodeRow], list[NodeRow], Properties]
 """``[key, verb, accepts_any, inputs, outputs, properties]``: a unit as one video has it."""
 
-KeyedNode = tuple[str, str, list[str], list[str], str | None, str | None]
-"""``[key, label, states, ingredients, relation, container]``."""
+KeyedNode = tuple[int, str, str, list[str], list[str], str | None, str | None]
+"""``[number, key, label, states, ingredients, relation, container]``; numbers hold for one answer."""
 
-KnownUnitValue = tuple[str, str, bool, list[str], list[str], list[list[Any]]]
-"""``[key, verb, accepts_any, inputs, outputs, sightings]``, the nodes by their keys. A sighting has the values of a
+KnownUnitValue = tuple[str, str, bool, list[int], list[int], list[list[Any]]]
+"""``[key, verb, accepts_any, inputs, outputs, sightings]``, the nodes by their numbers. A sighting has the values of a
 ``Sighting``, then those of ``inputs``, ``inputs_moving``, ``inputs_dish``, ``outputs``, … on its ``SEEN_IN`` edge."""
 
 
