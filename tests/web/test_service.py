@@ -117,6 +117,18 @@ def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(ou
     assert outside.answer(PlanQuestion("salad", ("sliced onion",))).status == 200
 
 
+def test_the_process_of_an_edition_ends_when_what_it_was_asked_is_answered():
+    foon = GrowingFoon(2)
+    with FoonService(foon, processes=1) as service:
+        asked, before = service.ask(SALAD), desk_of(service)._process
+        foon.grow(3)
+        assert service.answer(ONIONS).status in {200, 404}
+        assert asked.result().status in {200, 404}
+        before.join(60)
+        assert not before.is_alive()
+        assert desk_of(service)._process.is_alive()
+
+
 def test_a_plan_under_way_is_given_up_when_the_service_ends():
     service = FoonService(FixedFoon(demo_foon()), processes=1)
     process = desk_of(service)._process
