@@ -23,7 +23,7 @@ def show_candidates(
     from foon_kg.views.candidates import candidates_view
 
     cook = Cook(view, wishes)
-    read = question.read(cook.words, wishes.avoided)
+    read = question.read(cook.words_for(question), wishes.avoided)
     for note in read.notes:
         say(note)
     ranked, problem = cook.planner.reference_question(read.recipe)

@@ -64,11 +64,11 @@ class CutBound:
 
     def least_with(self, core: Core, step: int) -> float:
         """Answer what any tree with ``step`` weighs at least, infinite where there is none."""
-        dearest, of_node = 0.0, self.heights.of_node
+        dearest: float = 0  # an integer as long as it is finite: sums of efforts need every digit
+        of_node = self.heights.of_node
         for node in core.inputs[step]:
             height = of_node[node]
             dearest = max(dearest, height)
-        # a sum of efforts may be too great an integer to be added to infinity
         return dearest if dearest == math.inf else self.bound + self.left[step] + dearest
 
 
