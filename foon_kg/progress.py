@@ -92,12 +92,15 @@ class _Stages:
     """A tree as stages.
 
     ``uses`` has the places of the units that take each; ``relations`` the usual word between a food and a container.
+    ``holding`` has the stages that are or hold each food (in the singular), ``taken`` the foods that each unit takes.
     """
 
     units: Sequence[FunctionalUnit]
     uses: dict[_Stage, list[int]]
     goal: _Stage | None
     relations: dict[str, str]
+    holding: dict[str, list[_Stage]]
+    taken: list[frozenset[str]]
 
     @classmethod
     def of(cls, units: Sequence[FunctionalUnit], goal: ObjectNode, kitchen: Kitchen) -> Self:
@@ -114,7 +117,12 @@ class _Stages:
                 if node.container and node.relation and kitchen.is_food(node):
                     relations.setdefault(node.container, Counter())[node.relation] += 1
         usual = {container: max(sorted(words), key=words.__getitem__) for container, words in relations.items()}
-        return cls(units, uses, _Stage(made[goal], goal) if goal in made else None, usual)
+        holding: dict[str, list[_Stage]] = {}
+        for stage in uses:
+            for name in _names_of(stage.node):
+                holding.setdefault(name, []).append(stage)
+        taken = [frozenset().union(*map(_names_of, unit.input_nodes)) for unit in units]
+        return cls(units, uses, _Stage(made[goal], goal) if goal in made else None, usual, holding, taken)
 
     def after(self, stage: _Stage) -> Iterator[_Stage]:
         """Answer the stages that the takers of ``stage`` leave."""
@@ -128,9 +136,8 @@ class _Stages:
         Last come inputs that no unit outputs, but that lie where an earlier unit put such a thing: tea that was poured
         into the blender and is taken from there without its state is the same tea.
         """
-        held = [stage for stage in self.uses if stage != self.goal and _names(stage.node, food)]
-        made = [stage for stage in held if stage.made_by != _KITCHEN]
-        begun = [s for s in made if not any(_names(node, food) for node in self.units[s.made_by].input_nodes)]
+        held = [stage for stage in self.holding.get(food, ()) if stage != self.goal]
+        begun = [s for s in held if s.made_by != _KITCHEN and food not in self.taken[s.made_by]]
         kitchen = [stage for stage in held if stage.made_by == _KITCHEN]
         again = [stage for stage in kitchen if self._was_put_there(stage)]
         return [[stage for stage in kitchen if stage not in again], begun, again]

@@ -9,7 +9,7 @@ from operator import attrgetter
 
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient
-from foon_kg.validation.derivation import Derivation, derive
+from foon_kg.validation.derivation import Derivation, derive, may_explain
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.tree import TaskTree, TreeUnit
 
@@ -72,11 +72,16 @@ class Case:
     @cached_property
     def comparisons(self) -> tuple[tuple[Derivation, ...], ...]:
         """Each unit derived from each of its sources."""
-        declared = self.tree.substitutions or ()
-        return tuple(
-            tuple(derive(unit, source, declared, self.kitchen) for source in self.sources(unit))
-            for unit in self.tree.units
-        )
+        return tuple(tuple(self._derived(unit, source) for source in self.sources(unit)) for unit in self.tree.units)
+
+    def _derived(self, unit: TreeUnit, source: FunctionalUnit) -> Derivation:
+        """Derive a unit as it was derived in an earlier tree, where all is the same that may come up in it."""
+        known = self.foon.derivations if self.foon is not None else {}
+        declared = tuple(entry for entry in self.tree.substitutions or () if may_explain(entry, unit, source))
+        key = (unit.input_nodes, unit.motion, unit.output_nodes, source.key, declared, self.kitchen)
+        if key not in known:
+            known[key] = derive(unit, source, declared, self.kitchen)
+        return known[key]
 
     def sources(self, unit: TreeUnit) -> tuple[FunctionalUnit, ...]:
         """Answer the units of the FOON that ``unit`` names; for a tree that cannot name any, those of its motion."""

@@ -60,6 +60,16 @@ def derive(unit: TreeUnit, source: FunctionalUnit, declared: Sequence[Substitute
     return replace(guessed, used=guessed.used - set(guesses), undeclared=(*guessed.undeclared, *missing))
 
 
+def may_explain(entry: Substituted, unit: TreeUnit, source: FunctionalUnit) -> bool:
+    """Say whether ``entry`` is about anything in the two units: no other entry has a part in :func:`derive`."""
+    if entry.kind == "object":
+        named = (*source.input_nodes, *source.output_nodes)
+        return any(entry.equivalent in (node.label, node.container, *node.ingredients) for node in named)
+    if entry.kind == "state":
+        return any(entry.object == node.label for node in (*unit.input_nodes, *unit.output_nodes))
+    return entry.kind == "motion" and unit.motion != source.motion
+
+
 def _is_the_same(unit: TreeUnit, source: FunctionalUnit) -> bool:
     """Say whether nothing was changed, so that nothing is to be explained."""
     return (

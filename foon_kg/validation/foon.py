@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.levels import Level, node_at, units_at
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
+from foon_kg.recent import Recent
+from foon_kg.validation.derivation import Derivation
 from foon_kg.validation.words import OPENS, has_word
+
+MOST_DERIVATIONS = 16384
+"""How many derivations of a unit are kept for the next tree."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,11 @@ class KnownFoon:
     @cached_property
     def _lower(self) -> dict[Level, KnownFoon]:
         return {}  # many trees of one level are judged one after another
+
+    @cached_property
+    def derivations(self) -> Recent[Hashable, Derivation]:
+        """How units of the trees that were judged of late come from units of this FOON: many trees share them."""
+        return Recent(MOST_DERIVATIONS)
 
     @cached_property
     def by_sighting(self) -> Mapping[tuple[str, int], FunctionalUnit]:
