@@ -110,7 +110,7 @@ class Integration:
                 role = self._role(want, line, cast[0]) if cast is not None else None
                 if cast is None or role is None:
                     continue
-                if not self._is_made_better(want, name * cast[1]):
+                if line.label == self.goal.label or not self._is_made_better(want, name * cast[1]):
                     offers.append((-name * cast[1], number, line.label, role))
         offers.sort(key=lambda offer: offer[:3])
         played: dict[RequiredIngredient, tuple[str, Recast]] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from foon_kg import motions
@@ -28,9 +28,12 @@ class FoodLine:
     opened: bool
 
 
-def food_lines(script: Sequence[KnownUnit], kitchen: Kitchen) -> dict[str, FoodLine]:
-    """Answer the line of every food that ``script`` takes from the kitchen, by label, sorted by label."""
-    made: set[ObjectNode] = set()
+def food_lines(script: Sequence[KnownUnit], kitchen: Kitchen, same: Collection[ObjectNode] = ()) -> dict[str, FoodLine]:
+    """Answer the line of every food that ``script`` takes from the kitchen, by label, sorted by label.
+
+    Nodes of ``same`` are made in it under another name.
+    """
+    made: set[ObjectNode] = set(same)
     leaves: dict[str, list[ObjectNode]] = {}
     for known in script:
         for node in known.unit.input_nodes:
@@ -40,9 +43,9 @@ def food_lines(script: Sequence[KnownUnit], kitchen: Kitchen) -> dict[str, FoodL
     return {label: _line(label, leaves[label], script, kitchen) for label in sorted(leaves)}
 
 
-def held_names(script: Sequence[KnownUnit], kitchen: Kitchen) -> frozenset[str]:
+def held_names(script: Sequence[KnownUnit], kitchen: Kitchen, same: Collection[ObjectNode] = ()) -> frozenset[str]:
     """Answer the names of what lies from the start in vessels of ``script`` that no earlier unit fills."""
-    made: set[ObjectNode] = set()
+    made: set[ObjectNode] = set(same)
     names: set[str] = set()
     for known in script:
         for node in known.unit.input_nodes:

@@ -23,7 +23,7 @@ from foon_kg.knowledge import KnowledgeView, LikelyGoals, Vocabulary
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.outcome import plan_result, with_progress
-from foon_kg.repairs import repaired
+from foon_kg.repairs import best_of
 from foon_kg.result import PlanResult, ReferenceSummary
 from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.settings import PlanSettings
@@ -280,14 +280,19 @@ class _Question:
     def _for_goal(self, ranked: RankedGoal, workshop: Workshop) -> Attempt:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
-        script = workshop.script(reference, ranked.goal.videos)
-        preparations = workshop.preparations(self.equivalents)
-        joins_alike = self.settings.rules.joining
-        integration = Integration(
+        judge = partial(self._judged, ranked=ranked, reference=reference, foon=workshop.foon)
+        scripts = (
+            partial(workshop.script, reference, ranked.goal.videos),
+            partial(workshop.footage, goal, ranked.goal.videos),
+        )
+        integrations = (self._integration(script, goal, workshop) for find in scripts if (script := find()))
+        return best_of(integrations, judge, partial(self._faults, ranked=ranked))
+
+    def _integration(self, script: tuple[KnownUnit, ...], goal: ObjectNode, workshop: Workshop) -> Integration:
+        preparations, joins_alike = workshop.preparations(self.equivalents), self.settings.rules.joining
+        return Integration(
             script, goal, self.wants, self.equivalents, self.kitchen, preparations, joins_alike=joins_alike
         )
-        judge = partial(self._judged, ranked=ranked, reference=reference, foon=workshop.foon)
-        return repaired(integration, judge, partial(self._faults, ranked=ranked))
 
     def _judged(
         self, integration: Integration, *, ranked: RankedGoal, reference: ReferenceTree, foon: KnownFoon
@@ -303,7 +308,8 @@ class _Question:
         recipe = replace(self.recipe, dish_type=self.recipe.dish_type or ranked.goal.dish_type)
         result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)
         self._refuse_avoided(result)
-        report = check(submitted(result), foon, self.kitchen)
+        # as the judge sees it who knows only the answer: what is free does not turn on the recipe
+        report = check(submitted(result), foon, kitchen_without(self.settings.kitchen, self.settings.avoided))
         return Attempt(result, report, integration, tree, self._missing(result))
 
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:

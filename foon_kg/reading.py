@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from foon_kg.footage import same_things
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, food_lines, held_names
-from foon_kg.model import KnownUnit
+from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.recent import Recent
 from foon_kg.script import Repertoire, Script
 from foon_kg.slots import Slots
@@ -26,14 +27,18 @@ class Reading:
     repertoire: Repertoire
 
     @cached_property
+    def _same(self) -> Mapping[ObjectNode, ObjectNode]:
+        return same_things(self.units, self.kitchen)
+
+    @cached_property
     def lines(self) -> Mapping[str, FoodLine]:
         """The lines of the foods that the script takes from the kitchen."""
-        return food_lines(self.units, self.kitchen)
+        return food_lines(self.units, self.kitchen, self._same)
 
     @cached_property
     def names(self) -> frozenset[str]:
         """The foods that are there from the start, by themselves or in vessels, and cost something to have."""
-        names = {*self.lines, *held_names(self.units, self.kitchen)}
+        names = {*self.lines, *held_names(self.units, self.kitchen, self._same)}
         return frozenset(name for name in names if not self.kitchen.is_free(name))
 
     @cached_property
@@ -44,7 +49,7 @@ class Reading:
     @cached_property
     def play(self) -> Script:
         """The script, ready to be executed."""
-        return Script.of(self.units, self.repertoire)
+        return Script.of(self.units, self.repertoire, self._same)
 
 
 @dataclass(frozen=True, eq=False)

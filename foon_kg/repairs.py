@@ -6,7 +6,7 @@ Two things can be mended: a tree takes again what an earlier step took away or p
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from foon_kg.attempt import Attempt
@@ -22,6 +22,27 @@ _REPAIRED = frozenset({*CONTRACT, "S1", "S2", "S7"})
 
 Judge = Callable[[Integration], Attempt]
 Faults = Callable[[Attempt], tuple[int, ...]]
+
+
+def best_of(integrations: Iterable[Integration], judge: Judge, faults: Faults) -> Attempt:
+    """Answer the best tree of the first of ``integrations`` that has one without a fault, else the best of all.
+
+    Raises :class:`~foon_kg.errors.NoTreeError`, that of the first, where none has a tree.
+    """
+    best: Attempt | None = None
+    trouble: NoTreeError | None = None
+    for integration in integrations:
+        try:
+            attempt = repaired(integration, judge, faults)
+        except NoTreeError as error:
+            trouble = trouble or error
+            continue
+        best = attempt if best is None else min(best, attempt, key=faults)
+        if not any(faults(best)):
+            break
+    if best is None:
+        raise trouble or NoTreeError("there is nothing to make a tree of", code="no-way")
+    return best
 
 
 def repaired(integration: Integration, judge: Judge, faults: Faults) -> Attempt:

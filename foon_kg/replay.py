@@ -91,6 +91,8 @@ class Stage:
         return self.script.repertoire.performances(scene, alone, roles, goal, casting.cut)
 
     def _found(self, node: ObjectNode) -> Found:
+        if node not in self.items:
+            node = self.script.same.get(node, node)
         if node in self.used:
             return USED
         if node not in self.items:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
@@ -135,6 +136,7 @@ class Scene:
         """
         unit = known.unit
         inputs, outputs, kept = unit.input_nodes, unit.output_nodes, frozenset(unit.output_nodes)
+        usual = Kitchen.default()  # where water is asked it is not free, and comes out of the tap all the same
         foods = tuple(node for node in inputs if kitchen.is_food(node))
         acted = tuple(node for node in foods if node not in kept)
         utensils = [node for node in inputs if not kitchen.is_food(node)]
@@ -152,7 +154,7 @@ class Scene:
             holders=tuple(node for node in utensils if node.ingredients and node not in kept),
             turned=tuple(node for node in utensils if is_turned(node, outputs)),
             has_foods=bool(foods) or any(kitchen.foods_in(node) for node in inputs),
-            springs=frozenset(filter(kitchen.is_free, left - written)),
+            springs=frozenset(name for name in left - written if kitchen.is_free(name) or usual.is_free(name)),
             vanishing=frozenset(node for node in foods if node.label not in left),
             foods=frozenset(filter(kitchen.is_food, nodes)),
             filled=frozenset(node for node in nodes if not kitchen.is_food(node) and kitchen.foods_in(node)),
@@ -242,6 +244,9 @@ class Repertoire:
         return kept
 
 
+_NOTHING: Mapping[ObjectNode, ObjectNode] = MappingProxyType({})
+
+
 @dataclass(frozen=True, eq=False)
 class Script:
     """The units of a task tree in their order, read once so that they can be replayed many times."""
@@ -250,12 +255,17 @@ class Script:
     repertoire: Repertoire
     taken_alone: frozenset[ObjectNode]
     """Vessels that some unit takes without naming the food in them: only they can tell what is in that food."""
+    same: Mapping[ObjectNode, ObjectNode]
+    """Inputs that an earlier unit outputs under another name."""
 
     @classmethod
-    def of(cls, units: Iterable[KnownUnit], repertoire: Repertoire) -> Script:
+    def of(
+        cls, units: Iterable[KnownUnit], repertoire: Repertoire, same: Mapping[ObjectNode, ObjectNode] = _NOTHING
+    ) -> Script:
         """Read ``units``, which are in the order of execution."""
         scenes, kitchen = tuple(map(repertoire.scene, units)), repertoire.kitchen
-        return cls(scenes, repertoire, frozenset(node for scene in scenes for node in scene.vessels_alone(kitchen)))
+        alone = frozenset(node for scene in scenes for node in scene.vessels_alone(kitchen))
+        return cls(scenes, repertoire, alone, same)
 
 
 @dataclass(frozen=True)

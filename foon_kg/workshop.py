@@ -6,6 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from functools import cached_property
 
 from foon_kg.errors import NoTreeError
+from foon_kg.footage import footage
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import SeenAs, TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
@@ -141,6 +142,12 @@ class Workshop:
         if key not in self.recorded:
             self.recorded[key] = restored(as_recorded(reference.units, videos), self._makers, self.kitchen)
         return self.recorded[key]
+
+    def footage(self, goal: ObjectNode, videos: tuple[str, ...]) -> tuple[KnownUnit, ...]:
+        """Answer the units of the first of ``videos`` that may take part in making ``goal``, in their order."""
+        if goal not in self.index.number_of:
+            return ()
+        return restored(footage(goal, videos, self._makers, self.kitchen.has), self._makers, self.kitchen)
 
     def preparations(self, equivalents: Equivalents) -> Preparations:
         """Answer the ways to have foods ready; recipes with the same ``equivalents`` share what was made so far."""

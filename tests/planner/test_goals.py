@@ -7,7 +7,9 @@ from kitchen_stories import node
 from foon_kg.goals import rank_goals
 from foon_kg.model import Goal, RequiredIngredient
 
-FOODS = frozenset({"blood orange", "potato", "carrot", "egg", "onion", "orange", "salad"})
+FOODS = frozenset(
+    {"blueberry", "muffin", "rice", "blood orange", "potato", "carrot", "egg", "onion", "orange", "salad"}
+)
 
 
 def goal(text, dish_type="salad"):
@@ -79,3 +81,10 @@ goals = st.lists(
 def test_the_order_in_which_goals_come_does_not_matter(found):
     orders = {tuple(r.goal for r in ranked(list(order), "onion", "egg")) for order in itertools.permutations(found)}
     assert len(orders) == 1
+
+
+def test_the_kind_of_dish_at_the_end_of_a_name_is_no_missing_food():
+    muffin, rice = goal("blueberry muffin{blueberry,flour}", "cake"), goal("fried rice{rice,egg}", "cake")
+    first, last = ranked([muffin, rice], "blueberry", "egg", dish_type="cake")
+    assert (first.goal, first.misnamed) == (muffin, ())
+    assert (last.goal, last.misnamed) == (rice, ("rice",))
