@@ -190,7 +190,7 @@ class Performer:
         if acted:
             if not any(node in here.present for node in acted):
                 return False
-            return not (here.gone and motions.transfers(scene.known.unit.motion) and self._all_stay(here))
+            return not here.gone or not self._only_brought(here)
         there = {node: here.present[node] for node in scene.holders if node in here.present}
         if motions.transfers(scene.known.unit.motion):
             kept = {node.label for node in scene.outputs if node.ingredients}
@@ -198,6 +198,15 @@ class Performer:
             if givers and not any(item.atoms for item in givers):
                 return False  # a cup out of which nothing comes
         return not scene.holders or any(item.atoms for item in there.values())
+
+    def _only_brought(self, here: _Moment) -> bool:
+        """Say whether the unit did no more than bring what is gone: pepper that was ground over the beans."""
+        motion = here.scene.known.unit.motion
+        if motions.mixes(motion) or motions.heats(motion) or not self._all_stay(here):
+            return False
+        states = {(node.label, node.states) for node in here.scene.outputs}
+        left = (node for node in here.scene.acted if node in here.present)
+        return motions.transfers(motion) or all((node.label, node.states) in states for node in left)
 
     def _all_stay(self, here: _Moment) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""

@@ -254,3 +254,13 @@ def test_what_no_output_names_went_into_what_was_acted_on():
     )
     replayed = replay(units, Casting(), KITCHEN)
     assert replayed.items[node("fish(marinated){lemon juice,salt}@plate")].node.ingredients == ("lemon juice", "salt")
+
+
+def test_a_unit_that_only_brought_what_is_gone_does_not_happen_whatever_its_motion():
+    units = script(
+        "foil(empty); green bean(whole) > place > foil{green bean}; green bean(whole)@on foil",
+        "foil{green bean}; green bean(whole)@on foil; grinder{black pepper}; black pepper(ground)@grinder"
+        " > grind > foil{green bean,pepper}; green bean(whole){black pepper}@on foil",
+    )
+    assert [step.motion for step in replay(units, Casting({"black pepper": None}), KITCHEN).steps] == ["place"]
+    assert [step.motion for step in replay(units, Casting(), KITCHEN).steps] == ["place", "grind"]
