@@ -160,6 +160,17 @@ def test_the_kitchen_is_kept_and_what_is_odd_about_it_is_told_even_without_a_tre
     assert chips(page, "at-hand") == ["egg", "spoon", "onionn"]
 
 
+def test_what_the_kitchen_lacks_can_be_said_to_be_there(page):
+    page.find_element("css selector", "#wishes > summary").send_keys(ENTER)
+    for thing in ("kohlrabi", "olive oil"):
+        page.find_element("id", "thing").send_keys(thing, ENTER)
+    plan(page, "sliced kohlrabi", "chopped onion")
+    assert "The kitchen lacks onion" in text_of(page, "#result [role=alert]")
+    page.find_element("xpath", "//button[text()='I have onion']").send_keys(ENTER)
+    until(page, "return result.innerText.includes('Task tree')")
+    assert chips(page, "at-hand") == ["kohlrabi", "olive oil", "onion"]
+
+
 def test_going_back_from_an_object_leads_to_the_plan_again(page):
     plan(page, "chopped onion")
     page.find_element("css selector", "#result ol a.link").send_keys(ENTER)

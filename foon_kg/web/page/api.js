@@ -3,11 +3,12 @@
 const KEPT = "foon-token";
 
 export class Refusal extends Error {
-  constructor(status, told, notes = []) {
+  constructor(status, told, notes = []) { // notes: what had to be decided to read the question
     super(told.message);
     this.status = status;
     this.code = told.code;
     this.hint = told.hint;
+    this.missing = told.missing ?? [];
     this.notes = notes;
   }
 }

@@ -14,11 +14,11 @@ export const heading = (level, text) => element(`h${level}`, {}, text);
 export const list = (items, attributes = {}, name = "ul") =>
   element(name, attributes, ...items.map((item) => (item instanceof HTMLLIElement ? item : element("li", {}, ...[item].flat()))));
 
-export const errorNotice = (error) =>
+export const errorNotice = (error, ...remedies) =>
   element("div", { class: "notice error", role: "alert" },
     element("p", {}, element("strong", {}, sentence(error.message))),
     error.hint ? element("p", {}, error.hint) : null,
-    ...(error.notes ?? []).map((note) => element("p", { class: "aside" }, sentence(note))));
+    ...(error.notes ?? []).map((note) => element("p", { class: "aside" }, sentence(note))), ...remedies);
 
 export const sentence = (text) => {
   const begun = text.charAt(0).toUpperCase() + text.slice(1);

@@ -32,13 +32,21 @@ const answer = async (words, question, view) => {
     if (!(error instanceof api.Refusal)) throw error;
     if (mine !== turn) return;
     say("");
-    shown = [errorNotice(error)];
+    shown = [errorNotice(error, ...remedies(error.missing))];
     if (error.status === 401) askToken();
   }
   result.replaceChildren(...shown.filter(Boolean));
   result.setAttribute("aria-busy", "false");
   result.focus({ preventScroll: true });
   result.scrollIntoView({ block: "start" });
+};
+
+// What a named kitchen lacks is there after all: a button for each.
+const remedies = (missing) => {
+  const plain = missing.filter(({ node, remedy }) => /^(get|buy) /.test(remedy) && !node.ingredients.length);
+  const things = wished.question().kitchen.length ? [...new Set(plain.map(({ node }) => node.label))].slice(0, 8) : [];
+  const buttons = things.map((thing) => element("button", { type: "button", class: "small", onclick: () => { wished.have(thing); plan(); } }, `I have ${thing}`));
+  return buttons.length ? [element("div", { class: "choices" }, ...buttons)] : [];
 };
 
 const ready = () => {

@@ -75,6 +75,7 @@ export const wishes = (say) => {
     choose,
     chosen: () => chosen,
     question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words() }),
+    have: (thing) => kitchen.add(thing),
     gather: () => [kitchen, avoided].forEach((field) => field.add()), // what is typed and not yet entered
   };
 };
