@@ -4,7 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import node
 
-from foon_kg.goals import rank_goals
+from foon_kg.goals import LOOKED_AT, likeliest, rank_goals
+from foon_kg.knowledge import LikelyGoals
 from foon_kg.model import Goal, RequiredIngredient
 
 FOODS = frozenset(
@@ -88,3 +89,25 @@ def test_the_kind_of_dish_at_the_end_of_a_name_is_no_missing_food():
     first, last = ranked([muffin, rice], "blueberry", "egg", dish_type="cake")
     assert (first.goal, first.misnamed) == (muffin, ())
     assert (last.goal, last.misnamed) == (rice, ("rice",))
+
+
+contents = st.sets(st.sampled_from(sorted(FOODS)), max_size=4).map(",".join)
+
+
+@given(st.sets(contents, min_size=1, max_size=12), st.integers(1, 6), st.integers(1, 4))
+def test_the_likeliest_goals_are_told_without_looking_at_those_that_cannot_be(filled, least, at_once):
+    goals = [goal(f"{name}{{{food}}}") for name in ("salad", "egg salad") for food in sorted(filled)]
+    whole = ranked(goals, "onion", "egg", "rice")
+    by_score = sorted(whole, key=lambda r: -r.score)
+    looked_at = []
+
+    def ask(count):
+        looked_at.append(count)
+        shown = count * at_once // LOOKED_AT
+        most = by_score[shown].score if shown < len(by_score) else None
+        return LikelyGoals(tuple(r.goal for r in by_score[:shown]), FOODS, most)
+
+    found = likeliest(ask, lambda likely: ranked(likely.goals, "onion", "egg", "rice"), least)
+    assert list(found) == list(whole[: len(found)])
+    assert len(found) >= min(least, len(whole))
+    assert looked_at == sorted(set(looked_at))

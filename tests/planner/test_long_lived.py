@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
-from foon_kg import preparation, reading, workshop
+from foon_kg import likeness, planner, preparation, reading, substitution, workshop
 from foon_kg.errors import NoTreeError
 from foon_kg.model import Recipe
 from foon_kg.planner import Planner
@@ -19,6 +19,7 @@ from foon_kg.snapshot import Snapshot
 
 ROOM = ((workshop, "MOST_TREES"), (workshop, "MOST_KITCHENS"), (ground, "MOST_TREES"))
 ROOM += ((reading, "MOST_READINGS"), (preparation, "MOST_WANTS"))
+ROOM += ((planner, "MOST_KITCHENS"), (substitution, "MOST_FOODS"), (likeness, "LEAST_KEPT"), (likeness, "MOST_KEPT"))
 
 
 def answer(planner: Planner, recipe: Recipe) -> str:
@@ -41,4 +42,5 @@ def test_how_much_a_planner_keeps_does_not_change_its_answers(asked):
         little = [answer(forgetful, recipe) for recipe in recipes]
         assert forgetful.whole is not None
         assert len(forgetful.whole.references) <= 1
+        assert len(forgetful.likeness.rows) <= 1
     assert little == [answer(roomy, recipe) for recipe in recipes]
