@@ -41,7 +41,7 @@ def read_epic_kitchens(text: str, file: str) -> NarratedFile:
     videos: defaultdict[str, list[NarratedAction]] = defaultdict(list)
     try:
         for told in table_rows(text):
-            row = missing | told.cells
+            row = {**missing, **told.cells}
             if problem := told.problem or _problem(row):
                 journal.reject(told.line, problem)
             else:
