@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from foon_kg.integration import Addition, FinalTree, Integration
-from foon_kg.lines import FoodLine, food_lines
+from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, RequiredIngredient
 from foon_kg.script import Casting, Recast
 from foon_kg.substitution import FAIR, Candidate
@@ -80,7 +80,7 @@ class _Reader:
         self.kitchen = integration.kitchen
         self.equivalents = integration.equivalents
         self.preparations = integration.preparations
-        self.lines = food_lines(self.script, self.kitchen)
+        self.lines = self.preparations.readings.of(self.script).lines
         self.additions = {addition.want: addition for addition in tree.additions}
 
     def explain(self, want: RequiredIngredient) -> Explanation:
@@ -100,16 +100,19 @@ class _Reader:
         fit = [self.equivalents.state_confidence(want.object, now, known) for known, now in recast.states.items()]
         confidence = self._own(want, line.label) * min(fit, default=1.0)
         units = [known for known in self.script if any(n.label == line.label for n in known.unit.input_nodes)]
+        made = self.tree.made_apart.get(want)
+        apart = () if made is None else self._ready(made.preparation)
+        before = [] if made is None else [step.known for step in made.preparation.steps]
         return Explanation(
             want,
             "played",
             line.label,
             round(confidence, 4),
             self._is_chosen(want, line.label),
-            tuple(_renamed(recast)),
-            _videos(units),
+            tuple(dict.fromkeys((*apart, *_renamed(recast)))),
+            _videos((*before, *units)),
             Joining(self._step_of(self.script[line.joins]), self.script[line.joins].unit.motion),
-            tuple(self._made_apart(want, confidence)),
+            tuple(self._made_apart(want, confidence, None if made is None else made.preparation)),
         )
 
     def _made(self, addition: Addition, preparation: Preparation) -> Explanation:
@@ -120,11 +123,15 @@ class _Reader:
             candidate.label,
             round(self._confidence(want, candidate), 4),
             self._is_chosen(want, candidate.label),
-            tuple(_renamed(self._recast(candidate.label, [preparation.casting]))),
+            self._ready(preparation),
             _videos(step.known for step in preparation.steps),
             self._joining(addition),
             tuple(self._not_chosen(want, preparation)),
         )
+
+    def _ready(self, preparation: Preparation) -> tuple[tuple[str, str], ...]:
+        """Answer what is renamed where a food is made apart."""
+        return tuple(_renamed(self._recast(preparation.candidate.label, [preparation.casting])))
 
     # ---- where it joins
 
@@ -143,9 +150,13 @@ class _Reader:
 
     # ---- what was not taken
 
-    def _made_apart(self, want: RequiredIngredient, confidence: float) -> Iterator[PassedOver]:
-        """Answer the ways to make a food apart that a line of the reference was preferred to."""
+    def _made_apart(
+        self, want: RequiredIngredient, confidence: float, taken: Preparation | None
+    ) -> Iterator[PassedOver]:
+        """Answer the ways to make a food apart, but ``taken``, that a line of the reference was preferred to."""
         for other in self.preparations.of(want):
+            if other is taken:
+                continue
             less = self._confidence(want, other.candidate) < confidence
             why = _STALE if other.stale else "less sure" if less else "the reference has as good a one"
             yield self._passed(want, other.candidate, why)

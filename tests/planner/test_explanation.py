@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
+from kitchen_stories import CHOP_ONION, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.test_demo_dishes import RECIPES, SNAPSHOT
 from planner.test_overrides import SALAD, recipe
@@ -14,7 +15,7 @@ from rich.console import Console
 from foon_kg.errors import NoTreeError
 from foon_kg.explanation import Explanation, Joining, PassedOver
 from foon_kg.likeness import Substitute
-from foon_kg.model import RequiredIngredient
+from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planner import Planner
 from foon_kg.snapshot import Snapshot
 from foon_kg.views.explanation import explanation_view
@@ -150,3 +151,21 @@ def test_a_food_whose_like_is_never_made_in_such_a_state_says_so():
 )
 def test_the_view_says_it_in_a_sentence(explanation, words):
     assert words in printed(explanation)
+
+
+SALAD_FROM_A_BOWL = (
+    "salad bowl(empty); shaker{salt}; salt(granulated)@shaker > pour > salad bowl{salt}; salt(granulated)@salad_bowl",
+    "salad bowl{salt}; bowl{onion}; onion(chopped)@bowl > pour > salad bowl{onion,salt}; onion(chopped)@salad_bowl",
+    "salad bowl{onion,salt}; onion(chopped)@salad_bowl; spoon > mix > salad(mixed){onion,salt}@salad_bowl",
+)
+"""The onion is in its bowl from the start, chopped by nobody."""
+
+
+def test_a_food_that_plays_a_line_and_is_made_apart_names_the_video_in_which_it_is_made():
+    videos = [subgraph("salads", "salad", *SALAD_FROM_A_BOWL), subgraph("chopping", "vegetables", *CHOP_ONION)]
+    wanted = (RequiredIngredient("onion", "chopped"), RequiredIngredient("salt", "granulated"))
+    planner = Planner(Snapshot.of(videos, KITCHEN), SETTINGS)
+    result, (onion, _) = planner.explain(Recipe("salad", wanted))
+    assert "chop" in [unit.motion_node for unit in result.units]
+    assert (onion.how, onion.videos) == ("played", ("chopping", "salads"))
+    assert onion.passed_over == ()
