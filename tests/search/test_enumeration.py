@@ -33,6 +33,8 @@ def test_candidates_are_in_order_and_executable(problem):
     ranks = [tree.rank for tree in found.trees]
     assert ranks == sorted(set(ranks))
     assert [tree.exact for tree in found.trees] == [found.complete and not n for n in range(len(ranks))]
+    assert found.first(2) == found.trees[:2]
+    assert [tree.rank for tree in found.found] == ranks
     index = problem.index
     there = {n for n, has in zip(index.nodes, index.at_hand, strict=True) if has} | problem.available
     for tree in found.trees:

@@ -33,6 +33,22 @@ def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     assert found == (enumeration.trees[0] if enumeration.trees else None)
 
 
+@settings(max_examples=150, deadline=None)
+@given(problems() | deep_problems())
+def test_out_of_time_the_answer_is_a_tree_and_what_is_said_to_be_proven_holds(problem):
+    best = answer(problem)
+    if best is None:
+        return
+    hurried = retrieve(problem, time_limit=-1.0)
+    assert hurried.rank >= best.rank
+    if hurried.exact:
+        assert hurried == best
+        return
+    assert hurried.bound.penalty <= best.penalty
+    assert hurried.bound.overlap >= best.overlap
+    assert hurried.bound.units <= len(best.units)
+
+
 @settings(max_examples=100, deadline=None)
 @given(problems(), st.lists(st.sampled_from(NODES[:8]), min_size=2, max_size=5))
 def test_the_best_of_several_targets_is_the_best_of_each_alone(problem, targets):
