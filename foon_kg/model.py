@@ -29,6 +29,8 @@ def content_key(*parts: object) -> str:
 
 
 def _as_set(names: Iterable[str]) -> tuple[str, ...]:
+    if isinstance(names, tuple) and len(names) <= 1:  # as most are
+        return names
     return tuple(sorted(set(names)))
 
 

@@ -7,7 +7,6 @@ finds the same (:class:`foon_kg.script.Repertoire`).
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
@@ -32,7 +31,11 @@ SPENT = "spent"
 
 
 class _Moment:
-    """A scene while it is performed: which of its inputs are there, and what they bring."""
+    """A scene while it is performed: which of its inputs are there, and what they bring.
+
+    ``atoms`` are all the foods in what is there, ``visible`` the names that the inputs say now: only these can be named
+    in what comes of them.
+    """
 
     def __init__(
         self,
@@ -46,18 +49,10 @@ class _Moment:
         self.present = present
         self.gone = gone
         self.added = added
+        items = (*present.values(), *added)
+        self.atoms: frozenset[Atom] = frozenset().union(*[item.atoms for item in items])
+        self.visible = frozenset([name for item in items for name in (item.node.label, *item.node.ingredients)])
         self.spent = spent
-
-    @cached_property
-    def atoms(self) -> frozenset[Atom]:
-        """All the foods in what is there."""
-        return frozenset().union(*(item.atoms for item in self.present.values()), *(i.atoms for i in self.added))
-
-    @cached_property
-    def visible(self) -> frozenset[str]:
-        """The names that the inputs say now: only these can be named in what comes of them."""
-        items = (*self.present.values(), *self.added)
-        return frozenset(name for item in items for name in (item.node.label, *item.node.ingredients))
 
     def of_label(self, label: str) -> list[Item]:
         return [item for node, item in self.present.items() if node.label == label]
@@ -345,16 +340,17 @@ class Performer:
         inputs = list(dict.fromkeys([*inputs, *added]))
         if set(outputs) <= set(inputs):
             return None
-        there = {**here.present, **{node: item for node, item in made.items() if item is not None}}
-        participants = (*known.unit.inputs, *known.unit.outputs)
-        moving = {there[p.node].node for p in participants if p.moving and p.node in there}
+        moved = [p.node for p in (*known.unit.inputs, *known.unit.outputs) if p.moving]
+        items = (made.get(node) or here.present.get(node) for node in moved)
+        moving = {item.node for item in items if item is not None}
         motion = self._motion(known.unit.motion, here)
         strained = any(self._is_strange(node, item) for node, item in here.present.items() if node not in untouched)
         taken = tuple((node, item.node) for node, item in here.present.items() if node not in untouched)
         return Step(0, known, tuple(inputs), motion, outputs, added, frozenset(moving.union(added)), strained, taken)
 
     def _is_strange(self, node: ObjectNode, item: Item) -> bool:
-        states = self._recast(node, ()).states
+        recast = self.casting.foods.get(node.label)
+        states = node.states if recast is None else recast.states_of(node)
         return bool((set(states) ^ set(item.node.states)) - {EMPTY}) or spot_of(node) != spot_of(item.node)
 
     def _stays(self, node: ObjectNode, here: _Moment, untouched: set[ObjectNode]) -> Item | None:

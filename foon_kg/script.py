@@ -318,8 +318,8 @@ def changed(
 ) -> ObjectNode:
     """Answer ``node`` with another label, other states or other ingredients; its place stays."""
     named = node.label if label is None else label
-    shown = node.states if states is None else tuple(sorted(set(states)))
-    held = node.ingredients if ingredients is None else tuple(sorted(set(ingredients)))
+    shown = node.states if states is None else tuple(states)
+    held = node.ingredients if ingredients is None else tuple(ingredients)
     if named == node.label and shown == node.states and held == node.ingredients:
         return node
     return ObjectNode(named, shown, held, node.relation, node.container)
