@@ -32,7 +32,7 @@ from foon_kg.snapshot import Snapshot
 from foon_kg.workshop import gap_cost, mixtures
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
-ENUMERATED = 2_000
+ENUMERATED = 200
 SOLVER_SECONDS = 20.0
 UNITS_AT_MOST, FOODS_AT_MOST = 2_000, 64
 
