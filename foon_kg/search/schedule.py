@@ -121,7 +121,8 @@ class _Queue:
                 heappush(self.ready, self._urgency(number))
 
     def _urgency(self, number: int) -> Urgency:
-        return (self.makers[number] > 0, *self.needed[number], number)
+        made, found = self.needed[number]
+        return self.makers[number] > 0, made, found, number
 
     def _next(self, done: Sequence[bool], fresh: Iterable[int]) -> int:
         """Answer the most urgent unit; of equally urgent ones the first that takes what the last one made."""
