@@ -15,7 +15,7 @@ from foon_kg.script import EMPTY, Atom, Casting, Item, Performance, Scene, Step,
 
 
 class Unseen:
-    """The mark of a node that nothing was done with so far: it is taken from the kitchen."""
+    """The mark of a node with which nothing was done so far, and of a food that no casting names."""
 
 
 UNSEEN = Unseen()
@@ -162,10 +162,10 @@ class Performer:
         return frozenset((name, now) for name, now in inside if now is not None)
 
     def _name_now(self, name: str) -> str | None:
-        recast = self.casting.foods.get(name, _AS_IT_IS)
+        recast = self.casting.foods.get(name, UNSEEN)
         if recast is None:
             return None
-        return name if isinstance(recast, _AsItIs) else recast.label
+        return name if isinstance(recast, Unseen) else recast.label
 
     def _recast(self, node: ObjectNode, ingredients: Iterable[str]) -> ObjectNode:
         recast = self.casting.foods.get(node.label)
@@ -392,13 +392,6 @@ class Performer:
             return motion
         recast = self.casting.foods.get(next(iter(acted)))
         return recast.motions.get(motion, motion) if recast is not None else motion
-
-
-class _AsItIs:
-    """The mark of a label that the casting does not name."""
-
-
-_AS_IT_IS = _AsItIs()
 
 
 def _place(node: ObjectNode) -> tuple[tuple[str, ...], str | None, str | None]:
