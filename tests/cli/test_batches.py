@@ -151,8 +151,9 @@ def test_a_folder_is_no_output_file(folder, tmp_path):
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_substitute_that_the_foon_does_not_know_ends_a_batch_whatever_its_processes(folder, jobs):
     answer = plan(folder, "--json", "--substitute", "salt=unicorn", "--jobs", jobs)
-    assert (answer.exit_code, answer.stdout) == (2, "")
+    assert answer.exit_code == 2
     assert "this FOON does not know “unicorn”" in answer.stderr
+    assert json.loads(answer.stdout)["error"]["code"] == "unknown-substitute"
 
 
 def test_a_process_that_is_ended_from_outside_is_told_with_what_to_do():
