@@ -175,6 +175,9 @@ def _answered_before(asked: Sequence[LeftOutVideo], run: Run) -> AnswerFile | No
 
 
 def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | None, snapshot: Snapshot) -> None:
+    from foon_kg.evaluation.leave_one_out import planned_without
     from foon_kg.pictures.leave_one_out_report import leave_one_out_report
 
-    write_text(path, leave_one_out_report(evaluation, comparison, snapshot.subgraphs, snapshot.kitchen), "--html")
+    subgraphs, kitchen = snapshot.subgraphs, snapshot.kitchen
+    planned = partial(planned_without, subgraphs, kitchen)
+    write_text(path, leave_one_out_report(evaluation, comparison, subgraphs, kitchen, planned), "--html")

@@ -30,22 +30,22 @@ def asking_without(
     return partial(_asked_without, subgraphs, kitchen, methods)
 
 
-def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: LeftOutVideo) -> PlanResult:
+def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: VideoFigures) -> PlanResult:
     """Answer the tree that foon-kg makes for a video without it; raises NoTreeError where there is none."""
-    rest, recipe = _left(subgraphs, kitchen, video)
+    rest, recipe = _left(subgraphs, kitchen, video.recipe)
     return Planner(rest, PlanSettings()).plan(recipe)
 
 
-def _left(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: LeftOutVideo) -> tuple[Snapshot, Recipe]:
-    """Answer the FOON without the video, and the question in the words of that."""
-    rest = Snapshot.of((other for other in subgraphs if other.name != video.name), kitchen)
-    return rest, with_states(video.recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
+def _left(subgraphs: Sequence[Subgraph], kitchen: Kitchen, recipe: Recipe) -> tuple[Snapshot, Recipe]:
+    """Answer the FOON without the video of the recipe, and the question in the words of that."""
+    rest = Snapshot.of((other for other in subgraphs if other.name != recipe.id), kitchen)
+    return rest, with_states(recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
 
 
 def _asked_without(
     subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str], video: LeftOutVideo
 ) -> VideoFigures:
-    rest, recipe = _left(subgraphs, kitchen, video)
+    rest, recipe = _left(subgraphs, kitchen, video.recipe)
     overlaps, failed = dict[str, Overlap](), dict[str, str]()
     for method in methods:
         try:

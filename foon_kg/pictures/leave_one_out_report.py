@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from foon_kg.evaluation.comparison import Comparison
 from foon_kg.evaluation.curves import THRESHOLDS, recipes_over
-from foon_kg.evaluation.leave_one_out import planned_without
-from foon_kg.evaluation.left_out_video import LeftOutVideo
 from foon_kg.evaluation.methods import BASELINES, OURS
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.tree_overlap import MEASURES
@@ -28,17 +26,22 @@ from foon_kg.pictures.report import (
     unfolded,
     words,
 )
+from foon_kg.result import PlanResult
 from foon_kg.views.evaluation import interval_words, per_cent
 from foon_kg.views.leave_one_out import TITLES
 from foon_kg.views.shown_tree import ShownTree
 
 
 def leave_one_out_report(
-    evaluation: LeaveOneOut, comparison: Comparison | None, subgraphs: Sequence[Subgraph], kitchen: Kitchen
+    evaluation: LeaveOneOut,
+    comparison: Comparison | None,
+    subgraphs: Sequence[Subgraph],
+    kitchen: Kitchen,
+    planned: Callable[[VideoFigures], PlanResult],
 ) -> str:
     """Answer the text of an HTML file: tables, charts, and the worst videos with both their trees.
 
-    The trees of the worst are planned once more: the figures do not hold them.
+    ``planned`` makes the tree of a video once more, from the others: the figures do not hold them.
     """
     every = evaluation.all
     parts = [
@@ -52,7 +55,9 @@ def leave_one_out_report(
         *(_measure(every, measure) for measure in MEASURES),
         _curves(every),
         _by_dish(evaluation),
-        section("worst", "The worst videos, with their trees", *_trees(worst(every.videos), subgraphs, kitchen)),
+        section(
+            "worst", "The worst videos, with their trees", *_trees(worst(every.videos), subgraphs, kitchen, planned)
+        ),
         _without_tree(every),
         left_out_section(evaluation.left_out),
     ]
@@ -122,13 +127,17 @@ def _by_dish(evaluation: LeaveOneOut) -> str:
     return section("dishes", "Units in common by dish type", table(("", "videos", *evaluation.methods), rows))
 
 
-def _trees(videos: Sequence[VideoFigures], subgraphs: Sequence[Subgraph], kitchen: Kitchen) -> Iterator[str]:
+def _trees(
+    videos: Sequence[VideoFigures],
+    subgraphs: Sequence[Subgraph],
+    kitchen: Kitchen,
+    planned: Callable[[VideoFigures], PlanResult],
+) -> Iterator[str]:
     named = {subgraph.name: subgraph for subgraph in subgraphs}
     for place, video in enumerate(videos):
         subgraph = named[video.recipe.id or ""]
         truth = ShownTree.of_subgraph(subgraph)
-        units = tuple(note.unit for note in subgraph.annotations)
-        ours = ShownTree.of_result(planned_without(subgraphs, kitchen, LeftOutVideo(video.recipe, units)))
+        ours = ShownTree.of_result(planned(video))
         foods = kitchen.with_foods(want.object for want in video.recipe.ingredients)
         found = video.overlaps[OURS]
         figures = f"{per_cent(found.units)} of the units, {per_cent(found.graph)} of the graph in common"
