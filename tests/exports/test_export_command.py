@@ -116,8 +116,10 @@ def test_weights_go_round_and_are_on_the_motion_nodes(export, story, tmp_path):
 
 
 @pytest.mark.neo4j
-def test_stored_weights_are_exported_with_the_graph(export, empty_graph, story, tmp_path):
+def test_stored_weights_are_exported_with_the_graph(export, empty_graph, tmp_path, monkeypatch):
     costs = MotionCosts({"chop": 0.25})
+    for name in ("uri", "user", "password", "database"):
+        monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(empty_graph, name))
     with Connection(empty_graph) as connection:
         load(connection, [STORY])
         assert export("-f", "weights").exit_code == 2

@@ -189,7 +189,8 @@ def test_neo4j_and_memory_plan_and_enumerate_the_same_in_a_named_kitchen(empty_g
         planner = Planner(view, own)
         for recipe in ASKED:
             ranked, problem = planner.reference_question(recipe)
-            yield ranked, enumerate_paths(with_gaps_of(problem, retrieve(problem)), limit=20)
+            found = enumerate_paths(with_gaps_of(problem, retrieve(problem)), limit=20)
+            yield ranked, found.trees, found.complete
             try:
                 yield planner.plan(recipe).to_json()
             except NoTreeError as error:
