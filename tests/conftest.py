@@ -19,6 +19,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import hypothesis
 import neo4j
 import pytest
 from chromium import chromium
@@ -34,6 +35,10 @@ if TYPE_CHECKING:
 
 IMAGE = "neo4j:2026.09.0-community"
 SESSION_FOLDER = "FOON_KG_TEST_SESSION"
+
+# a test never depends on how quick the machine is; what else Hypothesis has chosen for this place (CI) stays
+hypothesis.settings.register_profile("untimed", hypothesis.settings(), deadline=None)
+hypothesis.settings.load_profile("untimed")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -15,7 +15,7 @@ distributed = pytest.importorskip("distributed", reason="the extra “cluster”
 
 @pytest.fixture(scope="module")
 def address():
-    settings = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    settings = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
     with distributed.LocalCluster(host="127.0.0.1", **settings) as cluster:
         yield cluster.scheduler_address
 
@@ -72,7 +72,7 @@ def test_a_scheduler_that_does_not_answer_is_named(monkeypatch):
 
 
 def test_a_scheduler_without_workers_is_told():
-    nobody = distributed.LocalCluster(n_workers=0, host="127.0.0.1", dashboard_address=None)
+    nobody = distributed.LocalCluster(n_workers=0, host="127.0.0.1", dashboard_address=":0")
     refused = pytest.raises(UsageError, match="has no workers")
     with nobody as cluster, refused, spread_over(Adding, [1], cluster.scheduler_address):
         pass
