@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
-from collections.abc import Iterator, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -17,10 +19,14 @@ from foon_kg.server.java import MAIN_CLASS, run_admin, write_arguments
 from foon_kg.server.settings import ConnectionSettings
 
 
-def launch(
+@contextmanager
+def launched(
     place: Home, port: int, jar_set: JarSet, folder: Path, flags: Sequence[str]
-) -> tuple[subprocess.Popen[bytes], ConnectionSettings]:
-    """Configure a home and start Neo4j on it from the jars in ``folder``; it does not answer yet."""
+) -> Iterator[tuple[subprocess.Popen[bytes], ConnectionSettings]]:
+    """Configure a home and start Neo4j on it from the jars in ``folder``; it does not answer yet.
+
+    The process is ended if the block raises, Ctrl-C included: no half-started server stays.
+    """
     class_path = jar_set.class_path(folder)
     write_configuration(place, port)
     _set_password(place, class_path)
@@ -28,18 +34,36 @@ def launch(
     main = (MAIN_CLASS, f"--home-dir={place.root}", f"--config-dir={place.configuration}")
     with explain_os_error(f"cannot write {place.arguments}"):
         command = write_arguments(place.arguments, class_path, flags, main)
-    return processes.spawn(command, place.console_log, place.root), settings
+    with _interrupts_held() as let_go:
+        child = processes.spawn(command, place.console_log, place.root)
+        try:
+            let_go()
+            yield child, settings
+        except BaseException:
+            child.kill()
+            child.wait()
+            raise
 
 
 @contextmanager
-def ended_on_failure(child: subprocess.Popen[bytes]) -> Iterator[None]:
-    """End the process if the block raises, Ctrl-C included: no half-started server stays."""
+def _interrupts_held() -> Iterator[Callable[[], None]]:
+    """Hold Ctrl-C back until the block lets go: one that came while a process starts would leave it to nobody."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or before is None:
+        yield lambda: None  # Python raises nothing here
+        return
+    held: list[int] = []
+
+    def let_go() -> None:
+        signal.signal(signal.SIGINT, before)
+        if held:
+            signal.raise_signal(held.pop())
+
+    signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
     try:
-        yield
-    except BaseException:
-        child.kill()
-        child.wait()
-        raise
+        yield let_go
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def settings_of(place: Home, port: int) -> ConnectionSettings:

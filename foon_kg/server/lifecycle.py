@@ -18,7 +18,7 @@ from foon_kg.server.fetch import fetch
 from foon_kg.server.home import Home, Memory, Say, cache_folder, home, silent
 from foon_kg.server.jars import JarSet, pinned
 from foon_kg.server.java import java
-from foon_kg.server.launch import ended_on_failure, launch, settings_of
+from foon_kg.server.launch import launched, settings_of
 from foon_kg.server.settings import ConnectionSettings, connection_from_environment
 from foon_kg.server.startup_cache import StartupCache, the_startup_cache
 
@@ -145,8 +145,7 @@ def _launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Co
 
 
 def _launch_on(place: Home, port: int, memory: Memory, cache: StartupCache) -> ConnectionSettings:
-    child, settings = launch(place, port, cache.jar_set, cache.folder, cache.flags())
-    with ended_on_failure(child):
+    with launched(place, port, cache.jar_set, cache.folder, cache.flags()) as (child, settings):
         place.remember(replace(memory, pid=child.pid))
         _watch(place, child.pid)
         processes.wait_for_answer(psutil.Process(child.pid), settings, place)

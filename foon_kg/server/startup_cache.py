@@ -23,7 +23,7 @@ from foon_kg.server import process as processes
 from foon_kg.server.home import Home, cache_folder
 from foon_kg.server.jars import JarSet, pinned
 from foon_kg.server.java import FLAGS, java, java_version, write_arguments
-from foon_kg.server.launch import ended_on_failure, launch
+from foon_kg.server.launch import launched
 from foon_kg.server.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
@@ -113,8 +113,7 @@ class StartupCache:
         with tempfile.TemporaryDirectory(dir=cache_folder(), prefix=TRAINING_PREFIX) as folder:
             place = Home(Path(folder))
             place.create()
-            child, settings = launch(place, processes.free_port(), self.jar_set, self.folder, flags)
-            with ended_on_failure(child):
+            with launched(place, processes.free_port(), self.jar_set, self.folder, flags) as (child, settings):
                 processes.wait_for_answer(psutil.Process(child.pid), settings, place)
                 _train(settings)
                 processes.end(psutil.Process(child.pid))
