@@ -8,6 +8,10 @@ from functools import cached_property
 from foon_kg.dish_classes import DishClass
 from foon_kg.model import content_key
 
+LONGEST_ID = 200
+LONGEST_LINE = 1_000
+"""More characters than anybody writes; Neo4j can look up no name of more than 8,000 bytes."""
+
 
 @dataclass(frozen=True)
 class CollectedLine:
@@ -22,6 +26,11 @@ class CollectedLine:
     state: str = ""
     quantity: str = ""
     unit: str = ""
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether it is as short as a line is that asks for something."""
+        return len(self.text) <= LONGEST_LINE and len(self.detected or "") <= LONGEST_LINE
 
 
 @dataclass(frozen=True)

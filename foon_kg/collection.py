@@ -67,6 +67,9 @@ class CollectionReader:
         new = [line for line in lines if line not in self._known]
         left = []
         for line in new:
+            if not line.is_readable:
+                self._known[line] = None
+                continue
             called = None if self.full and line.text and not line.state else self._as_told(line)
             if called is None:
                 left.append(line)

@@ -72,6 +72,30 @@ def stream_fields(blocks: Iterable[str], inside: str) -> Iterator[tuple[int, str
         cursor.fail("something follows the end of the JSON")
 
 
+def stream_items(blocks: Iterable[str]) -> Iterator[object]:
+    """Answer the items of the one JSON list that ``blocks`` make, one after another; of a field twice the last counts.
+
+    Raises ``UnreadableFile``, perhaps after some items: only who went through all of them knows that it is whole.
+    """
+    cursor = _Cursor("", blocks, json.JSONDecoder())
+    if (first := cursor.peek()) != "[":
+        cursor.fail(f"no JSON list ({f'it begins with {first}' if first else 'it is empty'})")
+    yield from (value for _, value in cursor.items())
+    if cursor.peek():
+        cursor.fail("something follows the end of the JSON")
+
+
+ENDS_EARLY = "not JSON: the text ends in the middle"
+"""What is said of a stream that is truncated."""
+
+_LONGEST_VALUE = 1 << 26
+
+
+def ends_early(error: json.JSONDecodeError) -> bool:
+    """Answer whether the text is JSON as far as it goes."""
+    return error.msg.startswith("Unterminated string") or not error.doc[error.pos :].strip()
+
+
 _NEAR_THE_END = 16
 """No number, word or escape that a block cuts in two has more characters (``-Infinity``)."""
 
@@ -82,14 +106,17 @@ class _Cursor:
     ``blocks`` are what follows ``text``; what lies behind the cursor is forgotten when the next one is read.
     """
 
-    def __init__(self, text: str, blocks: Iterable[str] = ()) -> None:
+    def __init__(self, text: str, blocks: Iterable[str] = (), decoder: json.JSONDecoder | None = None) -> None:
         self._text = text
         self._blocks = iter(blocks)
+        self._streams = not text
         self._at = 0
         self._first = 1  # the line on which the text begins
         self._line = 1
         self._counted = 0
-        self._decoder = json.JSONDecoder(object_pairs_hook=_without_repetition, parse_constant=_refuse_constant)
+        self._decoder = decoder or json.JSONDecoder(
+            object_pairs_hook=_without_repetition, parse_constant=_refuse_constant
+        )
 
     @property
     def line(self) -> int:
@@ -117,9 +144,11 @@ class _Cursor:
             except json.JSONDecodeError as error:
                 if self._may_be_cut(error) and self._read_on():
                     continue
-                raise UnreadableFile(f"not JSON: {error.msg}", self._first + error.lineno - 1) from error
+                message = ENDS_EARLY if self._streams and ends_early(error) else f"not JSON: {error.msg}"
+                raise UnreadableFile(message, self._first + error.lineno - 1) from error
             except ValueError as error:
-                raise UnreadableFile(f"in the value that begins here: {error}", self.line) from error
+                reason = str(error).partition(": value has")[0]  # Python tells of a long number how to allow it
+                raise UnreadableFile(f"in the value that begins here: {reason}", self.line) from error
             except RecursionError as error:
                 raise UnreadableFile("the value that begins here is nested too deeply", self.line) from error
             if (
@@ -134,6 +163,8 @@ class _Cursor:
     def _read_on(self) -> bool:
         """Read as much again as waits to be decoded, one block at least; answers whether there was anything."""
         wanted = max(1, len(self._text) - self._at)
+        if wanted > _LONGEST_VALUE:
+            self.fail(f"the value that begins here has more than {_LONGEST_VALUE:,} characters")
         read: list[str] = []
         while wanted > 0 and (block := next(self._blocks, "")):
             read.append(block)
@@ -171,7 +202,9 @@ class _Cursor:
         self._take(closing)
 
     def _take(self, character: str) -> None:
-        if self.peek() != character:
+        if (there := self.peek()) != character:
+            if self._streams and not there:
+                self.fail(ENDS_EARLY)
             self.fail(f"not JSON: {character!r} is missing")
         self._at += 1
 

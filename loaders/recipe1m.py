@@ -20,6 +20,7 @@ from typing import Any, Self
 from foon_kg.collected import CollectedLine, CollectedRecipe
 from foon_kg.loaders.json_stream import stream_list
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.loaders.text_blocks import half_character
 
 LAYER_1 = "layer1.json"
 DETECTED = "det_ingrs.json"
@@ -100,7 +101,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         """Put on disk what ``path`` says; what cannot be used of it is told."""
         self._disk.execute("BEGIN")
         for number, value in stream_list(path):
-            said = read(value) if isinstance(value, dict) and isinstance(value.get("id"), str) else None
+            said = read(value) if isinstance(value, dict) and _is_id(value.get("id")) else None
             if said is None:
                 message = f"no “id” with lists of one length in {path.name}"
                 place = f"{path}: element {number}"
@@ -128,7 +129,7 @@ def _problem(value: object) -> tuple[NoticeKind, str] | None:
     """Answer why an element is no recipe, ``None`` where it is one."""
     if not isinstance(value, dict):
         return NoticeKind.BAD_FIELD, f"no object but {_kind(value)}"
-    if not isinstance(value.get("id"), str) or not value["id"]:
+    if not _is_id(value.get("id")):
         return NoticeKind.BAD_FIELD, "it has no “id”"
     if not isinstance(value.get("title", ""), str):
         return NoticeKind.BAD_FIELD, f"“title” is {_kind(value['title'])}"
@@ -166,6 +167,10 @@ def _amounts(value: Mapping[str, object]) -> Sequence[object] | None:
     if not len(ingredients) == len(quantities) == len(units):
         return None
     return list(zip(quantities, units, strict=True))
+
+
+def _is_id(value: object) -> bool:
+    return isinstance(value, str) and value != "" and half_character(value) is None
 
 
 def _is_text(entry: object) -> bool:

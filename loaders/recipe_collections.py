@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
 from typing import Self
 
-from foon_kg.collected import CollectedRecipe
+from foon_kg.collected import LONGEST_ID, LONGEST_LINE, CollectedRecipe
 from foon_kg.errors import UsageError
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 from foon_kg.loaders.recipe1m import LAYER_1, Recipe1M, Tell
 from foon_kg.loaders.recipe_tables import KNOWN_ENDINGS, read_rows
+from foon_kg.loaders.text_blocks import half_character
+from foon_kg.model import DISH_TYPES
 
 
 class RecipeCollections(AbstractContextManager["RecipeCollections"]):
@@ -49,16 +51,12 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
         for path in self._paths:
             found = self._recipe1m[path].recipes(tell) if path in self._recipe1m else read_rows(path, tell)
             for recipe in found:
-                if recipe.id in seen:
-                    message = f"a second recipe with the id “{recipe.id}”"
-                    kind, action = NoticeKind.SAME_RECIPE, "recipe rejected"
-                    tell(Notice(recipe.place, None, kind, message, action, Severity.REJECTED))
+                if problem := _problem(recipe, seen):
+                    tell(Notice(recipe.place, None, *problem, "recipe rejected", Severity.REJECTED))
                     continue
                 seen.add(recipe.id)
-                if recipe.dish_type is None and not any(map(str.isalpha, recipe.title)):
-                    message = f"the title “{recipe.title[:40]}” has no words"
-                    action = "recipe kept without a dish type"
-                    tell(Notice(recipe.place, None, NoticeKind.TITLE_WITHOUT_WORDS, message, action))
+                for oddity in _oddities(recipe):
+                    tell(Notice(recipe.place, None, *oddity))
                 yield recipe
 
     def __enter__(self) -> Self:
@@ -69,6 +67,33 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
 
     def __exit__(self, *_: object) -> None:
         self._open.close()
+
+
+def _problem(recipe: CollectedRecipe, seen: Collection[str]) -> tuple[NoticeKind, str] | None:
+    """Answer why a recipe cannot be loaded, ``None`` where it can."""
+    if len(recipe.id) > LONGEST_ID:
+        return NoticeKind.ODD_NAME, f"its id has {len(recipe.id)} characters; {LONGEST_ID} are the most"
+    if recipe.id in seen:
+        return NoticeKind.SAME_RECIPE, f"a second recipe with the id “{recipe.id}”"
+    said = (recipe.id, recipe.title, recipe.dish_type, recipe.partition, recipe.url)
+    lines = (text for line in recipe.lines for text in (line.text, line.detected, line.state, line.unit))
+    if half := half_character("".join(text for text in (*said, *lines) if text)):
+        return NoticeKind.BAD_FIELD, f"half of a character in it ({half})"
+    return None
+
+
+def _oddities(recipe: CollectedRecipe) -> Iterator[tuple[NoticeKind, str, str]]:
+    """Answer what is odd about a recipe that is loaded, each with what is done about it."""
+    if recipe.dish_type is not None and recipe.dish_type not in DISH_TYPES:
+        message = f"“{recipe.dish_type[:40]}” is none of the dish types"
+        yield NoticeKind.ODD_CLASS, message, "its title says what dish it is"
+    elif recipe.dish_type is None and not any(map(str.isalpha, recipe.title)):
+        message = f"the title “{recipe.title[:40]}” has no words"
+        yield NoticeKind.TITLE_WITHOUT_WORDS, message, "recipe kept without a dish type"
+    for position, line in enumerate(recipe.lines):
+        if not line.is_readable:
+            message = f"ingredients[{position}] has more than {LONGEST_LINE} characters"
+            yield NoticeKind.LONG_CELL, message, "kept as left over"
 
 
 def _files(path: Path) -> list[Path]:

@@ -15,12 +15,16 @@ from types import ModuleType
 
 from foon_kg.collected import CollectedLine, CollectedRecipe
 from foon_kg.errors import ReadError, UsageError
+from foon_kg.loaders.json_document import ENDS_EARLY, ends_early
 from foon_kg.loaders.json_stream import stream_list
-from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.loaders.notices import Notice, NoticeKind, Severity, UnreadableFile
+from foon_kg.loaders.paths import decode
 from foon_kg.loaders.recipe1m import Tell, count_problem
 
 _ROWS = 5_000
 _BETWEEN = re.compile(r"[\n|;]")
+_TOO_MANY_CELLS = re.compile(r"Expected (\d+) fields in line (\d+), saw (\d+)")
+_OPEN_QUOTE = re.compile(r"EOF inside string starting at row (\d+)")
 
 
 def read_rows(path: Path, tell: Tell) -> Iterator[CollectedRecipe]:
@@ -55,7 +59,7 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
         return problem
     alone = path.stem if path.suffix.lower() == ".json" and number == 1 else f"{path.stem}-{number}"
     return CollectedRecipe(
-        _text(row, "id") or alone,
+        _number(row, "id") or alone,
         _text(row, "title") or "",
         lines,
         place,
@@ -72,7 +76,7 @@ def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | 
             return tuple(CollectedLine(part.strip()) for part in _BETWEEN.split(cell) if part.strip())
         try:
             cell = json.loads(cell)
-        except json.JSONDecodeError:
+        except (ValueError, RecursionError):
             return None
     if not isinstance(cell, list) or not all(isinstance(entry, str | Mapping) for entry in cell):
         return None
@@ -90,15 +94,21 @@ def _line(entry: str | Mapping[str, object]) -> CollectedLine | None:
     food, state, text = (_text(entry, name) or "" for name in ("object", "state", "text"))
     if not food and not text:
         return None
-    quantity, unit = (_text(entry, name) or "" for name in ("quantity", "unit"))
+    quantity, unit = _number(entry, "quantity") or "", _text(entry, "unit") or ""
     return CollectedLine(text or f"{state} {food}".strip(), food or None, state, quantity, unit)
 
 
 def _text(fields: Mapping[str, object], name: str) -> str | None:
     value = fields.get(name)
+    return value.strip() or None if isinstance(value, str) else None
+
+
+def _number(fields: Mapping[str, object], name: str) -> str | None:
+    """Answer a field that may be a number, as text."""
+    value = fields.get(name)
     if isinstance(value, int | float) and not isinstance(value, bool) and value == value:  # noqa: PLR0124 - not NaN
         return str(value)
-    return value.strip() or None if isinstance(value, str) else None
+    return _text(fields, name)
 
 
 def _json(path: Path) -> Iterator[tuple[int, object]]:
@@ -109,13 +119,12 @@ def _json(path: Path) -> Iterator[tuple[int, object]]:
         if not alone:
             yield from stream_list(path)
             return
-        yield 1, json.loads(path.read_text(encoding="utf-8-sig"))
-    except json.JSONDecodeError as error:
-        raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
-    except (UnicodeDecodeError, RecursionError) as error:
-        raise ReadError(f"{path}: not UTF-8 JSON that can be read: {error}", hint="Save it as UTF-8.") from error
+        text = decode(path.read_bytes()).removeprefix("\ufeff")
+    except UnreadableFile as bad:
+        raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from bad
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+    yield 1, _value(path, 1, text)
 
 
 def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
@@ -124,13 +133,25 @@ def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
         with path.open(encoding="utf-8-sig") as stream:
             for line, text in enumerate(stream, start=1):
                 if text.strip():
-                    yield line, json.loads(text)
-    except json.JSONDecodeError as error:
-        raise ReadError(f"{path}:{line}: not JSON: {error.msg}", hint="Correct this line.") from error
+                    yield line, _value(path, line, text.strip())
     except UnicodeDecodeError as error:
         raise ReadError(f"{path}:{line + 1}: not UTF-8 text", hint="Save it as UTF-8.") from error
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+
+
+def _value(path: Path, line: int, text: str) -> object:
+    """Answer the JSON that begins on ``line``. Raises ReadError with the line on which it is none."""
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError as error:
+        where = f"{path}:{line + error.lineno - 1}"
+        if ends_early(error):
+            raise ReadError(f"{where}: {ENDS_EARLY}", hint="Write it to its end.") from error
+        raise ReadError(f"{where}: not JSON: {error.msg}", hint="Correct this line.") from error
+    except (ValueError, RecursionError) as error:  # a number too long to be read, brackets in brackets in brackets
+        hint = "Mend it there."
+        raise ReadError(f"{path}:{line}: a number or a list that no recipe has", hint=hint) from error
 
 
 def _csv(path: Path) -> Iterator[tuple[int, object]]:
@@ -144,11 +165,26 @@ def _csv(path: Path) -> Iterator[tuple[int, object]]:
                 for row in chunk.to_dict("records"):
                     number += 1
                     yield number, row
-    except (pandas.errors.ParserError, pandas.errors.EmptyDataError, UnicodeDecodeError) as error:
-        hint = "Save it as UTF-8, with one header line and quotes around cells with commas."
-        raise ReadError(f"{path}: after recipe {number}: no CSV table: {error}", hint=hint) from error
+    except pandas.errors.EmptyDataError as error:
+        raise ReadError(f"{path}: the file is empty", hint="Its first line names the columns.") from error
+    except UnicodeDecodeError as error:
+        hint = "Save it as UTF-8."
+        raise ReadError(f"{path}: after recipe {number}: not UTF-8 text", hint=hint) from error
+    except pandas.errors.ParserError as error:
+        raise _no_table(path, number, error) from error
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error
+
+
+def _no_table(path: Path, number: int, error: Exception) -> ReadError:
+    """Answer the error of a table that pandas cannot read after recipe ``number``, with the line where it is known."""
+    said = str(error).strip()
+    if cells := _TOO_MANY_CELLS.search(said):
+        hint = "A cell with a comma needs quotes around it."
+        return ReadError(f"{path}:{cells[2]}: {cells[3]} cells under {cells[1]} columns", hint=hint)
+    if row := _OPEN_QUOTE.search(said):
+        return ReadError(f"{path}:{int(row[1]) + 1}: a quote begins here and does not end", hint="End it.")
+    return ReadError(f"{path}: after recipe {number}: no CSV table: {said}", hint="Mend it there.")
 
 
 def _parquet(path: Path) -> Iterator[tuple[int, object]]:

@@ -1,4 +1,4 @@
-"""The text of a file of any length, block by block."""
+"""The text of a file of any length, block by block, and what in it is no text."""
 
 from __future__ import annotations
 
@@ -35,3 +35,15 @@ def text_blocks(path: Path) -> Iterator[str]:
             passed += len(block)
             yield text.removeprefix("\ufeff") if first else text
             first = False
+
+
+def half_character(text: str) -> str | None:
+    """Answer the half of a character in ``text``, as in U+D83D; ``None`` where there is none.
+
+    JSON can say the first half of an emoji without the second, and no file or database can hold that.
+    """
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        return f"U+{ord(text[error.start]):04X}"
+    return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from enum import StrEnum
 from pathlib import Path
@@ -70,14 +70,13 @@ def recipes(
     with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
         usable = _check(collections, quiet=quiet)
         journal.tell(say)
+        _refuse_nothing(paths, usable + journal.rejected)
         refuse_too_many(journal.rejected, bad_tolerance, "recipe")
         counts = {"recipes": usable, "rejected_recipes": journal.rejected}
         if not dry_run:
             stored = _load(collections, usable, journal.note_left_over, say, full=parse is Parse.FULL, quiet=quiet)
             counts = _counts(stored) | counts
-        if journal.left_over:
-            where = f"see {report}" if report else "--report FILE lists them"
-            say(f"{journal.left_over} lines name no food that could be read ({where})")
+        journal.tell_left_over(say)
     show_counts(counts, as_json=as_json)
 
 
@@ -86,8 +85,9 @@ class Journal:
 
     def __init__(self, report: TextIO | None) -> None:
         self._report = report
+        self._where = f"see {report.name}" if report else "--report FILE lists them"
         self._shown: list[str] = []
-        self._counts: Counter[str] = Counter()
+        self._assumed: Counter[str] = Counter()
         self.rejected = 0
         self.left_over = 0
 
@@ -96,11 +96,12 @@ class Journal:
         from foon_kg.loaders import Severity
 
         self._write(notice.to_json())
-        self._counts[f"{notice.severity}: {notice.kind}"] += 1
-        if notice.severity is Severity.REJECTED:
-            self.rejected += 1
-            if len(self._shown) < _SHOWN:
-                self._shown.append(str(notice))
+        if notice.severity is not Severity.REJECTED:
+            self._assumed[notice.kind] += 1
+            return
+        self.rejected += 1
+        if len(self._shown) < _SHOWN:
+            self._shown.append(str(notice))
 
     def note_left_over(self, understood: UnderstoodRecipe) -> None:
         """Take down the lines of a recipe in which no food was found."""
@@ -113,8 +114,16 @@ class Journal:
         """Say what is odd: the first rejected recipes one by one, the rest in numbers."""
         for text in self._shown:
             say(text)
-        if self._counts:
-            say("; ".join(f"{kind} {count}" for kind, count in sorted(self._counts.items())))
+        if more := self.rejected - len(self._shown):
+            say(f"{more} recipes more were rejected ({self._where})")
+        if self._assumed:
+            kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(self._assumed.items()))
+            say(f"{self._assumed.total()} places were read with an assumption ({self._where}): {kinds}")
+
+    def tell_left_over(self, say: Say) -> None:
+        """Say how many lines name no food."""
+        if self.left_over:
+            say(f"{self.left_over} lines name no food that could be read ({self._where})")
 
     def _write(self, entry: dict[str, object]) -> None:
         if self._report:
@@ -143,6 +152,14 @@ def _check(collections: RecipeCollections, *, quiet: bool) -> int:
     with Progress(SpinnerColumn(), shown, console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task("", total=None)
         return collections.check(lambda: progress.advance(task))
+
+
+def _refuse_nothing(paths: Sequence[Path], count: int) -> None:
+    from foon_kg.errors import UsageError
+
+    if not count:
+        hint = "A collection is a JSON list of recipes, or a table with one recipe a row."
+        raise UsageError(f"there is no recipe in {', '.join(map(str, paths))}", hint=hint)
 
 
 def _load(

@@ -9,7 +9,8 @@ import sys
 import pandas as pd
 import pytest
 
-from foon_kg.collected import CollectedLine
+from foon_kg.collected import LONGEST_ID, LONGEST_LINE, CollectedLine
+from foon_kg.collection import CollectionReader, classes_of
 from foon_kg.errors import ReadError, UsageError
 from foon_kg.loaders.notices import NoticeKind, Severity
 from foon_kg.loaders.recipe1m import MOST_INGREDIENTS
@@ -103,6 +104,9 @@ def test_a_file_beside_with_another_number_of_lines_is_told_and_not_used(folder)
         (recipe("x", ingredients=[]), NoticeKind.NO_INGREDIENTS),
         (recipe("x", ingredients=texts(*["salt"] * 10_000)), NoticeKind.TOO_MANY_INGREDIENTS),
         (recipe("a1", title="the same again"), NoticeKind.SAME_RECIPE),
+        (recipe("x", title="Soup \ud83d"), NoticeKind.BAD_FIELD),
+        (recipe("x\ud83d"), NoticeKind.BAD_FIELD),
+        (recipe("x", ingredients=texts("\ude0b salt")), NoticeKind.BAD_FIELD),
     ],
 )
 def test_an_element_that_is_no_recipe_is_rejected_with_its_place_and_the_others_stay(folder, bad, kind):
@@ -126,11 +130,14 @@ GOOD = json.dumps([recipe("a1"), recipe("b2")]).encode()
     [
         (GOOD[:-1], "element 3", "ends in the middle"),
         (GOOD[:-20], "element 2", "ends in the middle"),
-        (GOOD.replace(b"Onion Soup", b"Onion\xff", 1), "element 1", "UTF-8"),
+        (GOOD.replace(b"Onion Soup", b"Onion\xff", 1), ":1: byte 29 (0xff) is not UTF-8", "UTF-8"),
         (b'{"id": 1}', ":1: no JSON list", "one list"),
         (b"", "it is empty", "one list"),
-        (GOOD.decode().encode("utf-16"), ":1: not UTF-8", "Save it as UTF-8"),
+        (GOOD.decode().encode("utf-16"), ":1: byte 0 (0xff) is not UTF-8", "Save it as UTF-8"),
         (b"[1, 2,, 3]", "element 3", "Mend"),
+        (b"[" * 200_000, "element 1: the value that begins here is nested too deeply", "Mend"),
+        (b'[1,\n{"id": ' + b"9" * 10_000 + b"}]", ":2: element 2: in the value", "Mend"),
+        (b'[{"id": "a1"}] []', "something follows", "Mend"),
     ],
 )
 def test_a_broken_file_is_refused_before_anything_is_answered(folder, raw, place, hint):
@@ -226,6 +233,9 @@ def test_of_two_recipes_with_one_id_in_two_files_the_first_counts(tmp_path):
         ("r.json", b"\xff{"),
         ("r.jsonl", b'{"ingredients": ["x"]}\n{'),
         ("r.jsonl", b'{"ingredients": ["x"]}\n\xff'),
+        ("r.json", b'{"a":' * 100_000),
+        ("r.jsonl", b"[" * 100_000),
+        ("r.jsonl", b"9" * 10_000),
         ("r.csv", b""),
         ("r.csv", b"title,ingredients\n\xff,x\n"),
         ("r.csv", b'title,ingredients\na,b,c\n"d'),
@@ -236,6 +246,53 @@ def test_a_broken_table_is_an_error_that_names_the_file(tmp_path, name, raw):
     (tmp_path / name).write_bytes(raw)
     with RecipeCollections([tmp_path / name], lambda _: None) as collections, pytest.raises(ReadError, match=name):
         collections.check()
+
+
+def test_a_dish_type_that_there_is_none_is_told_and_the_title_counts(tmp_path):
+    (tmp_path / "r.json").write_text(json.dumps({**QUERY, "type": "sushi", "title": "Rice Salad"}), encoding="utf-8")
+    ([kept], [notice]) = read(tmp_path / "r.json")
+    assert [dish.name for dish in classes_of(kept)] == ["salad", "rice"]
+    assert (notice.kind, notice.severity) == (NoticeKind.ODD_CLASS, Severity.ASSUMED)
+    assert "sushi" in notice.message
+
+
+@pytest.mark.parametrize("wanted", [{"object": 5}, {"object": ["salt"]}, {"text": True}])
+def test_a_food_of_another_type_than_text_is_left_out_and_told(tmp_path, wanted):
+    (tmp_path / "r.json").write_text(json.dumps({**QUERY, "ingredients": [wanted, "salt"]}), encoding="utf-8")
+    ([kept], [notice]) = read(tmp_path / "r.json")
+    assert [line.text for line in kept.lines] == ["salt"]
+    assert notice.kind is NoticeKind.MISSING_NAME
+
+
+def test_an_id_longer_than_any_is_rejected_as_no_index_could_hold_it(folder):
+    (recipes, [notice]) = read(folder([recipe("r" * (LONGEST_ID + 1)), recipe("s" * LONGEST_ID)]))
+    assert [len(kept.id) for kept in recipes] == [LONGEST_ID]
+    assert (notice.kind, notice.severity) == (NoticeKind.ODD_NAME, Severity.REJECTED)
+
+
+@pytest.mark.parametrize("lines", [("salt" * LONGEST_LINE, "salt"), ("salt", "salt" * LONGEST_LINE)])
+def test_a_line_longer_than_any_is_told_and_kept_unread(folder, lines):
+    text, food = lines
+    path = folder([recipe(ingredients=texts(text))], [detected(valid=(True,), foods=(food,))])
+    ([kept], [notice]) = read(path)
+    assert notice.kind is NoticeKind.LONG_CELL
+    (understood,) = CollectionReader({}).understand([kept])
+    assert (understood.ingredients, understood.left_over) == ((), (text,))
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('title,ingredients\nSoup,salt\nPie,"2 cups\n', ":3: a quote begins here and does not end"),
+        ("title,ingredients\nSoup,salt\nPie,2 cups, water\n", ":3: 3 cells under 2 columns"),
+        ("", ": the file is empty"),
+    ],
+)
+def test_a_broken_table_is_told_with_its_line(tmp_path, text, told):
+    (tmp_path / "r.csv").write_text(text, encoding="utf-8")
+    with pytest.raises(ReadError) as error, RecipeCollections([tmp_path / "r.csv"], lambda _: None) as collections:
+        collections.check()
+    assert error.value.message == f"{tmp_path / 'r.csv'}{told}"
 
 
 @pytest.mark.parametrize("name", ["missing", "empty", "notes.txt"])
