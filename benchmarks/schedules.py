@@ -60,7 +60,7 @@ def main() -> None:
     parser.add_argument("--hands", type=int, default=2)
     arguments = parser.parse_args()
     foon = Snapshot.of([r.subgraph for r in read_paths([arguments.foon]) if r.subgraph], KITCHEN)
-    durations = Durations.of((known.unit.motion, seen) for known in foon.units for seen in known.seen_in)
+    durations = Durations.of_units(foon.units)
     plans = [json.loads(line) for line in arguments.plans.read_text(encoding="utf-8").splitlines()]
     saved, over, proven = [], [], 0
     for value in plans:

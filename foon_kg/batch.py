@@ -111,12 +111,15 @@ class Cook:
         self.wishes = wishes
         self.planner = Planner(view, settings, units)
 
-    def answer(self, question: Question) -> Answer:
-        """Answer one question; what is raised is not about this recipe, and ends the batch."""
+    def answer(self, question: Question, *, explain: bool = False) -> Answer:
+        """Answer one question, and why where that, or all wishes, ask it.
+
+        What is raised is not about this recipe, and ends the batch.
+        """
         read = ReadRecipe(question.stand_in, ())
         try:
             read = question.read(self.words_for(question), self.wishes.avoided)
-            if self.wishes.explain:
+            if explain or self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)
                 return Answer(result, (*read.notes, *_chosen_dish(read, result)), explanations)
             result = self.planner.plan(read.recipe)
@@ -140,7 +143,7 @@ def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
     """Answer a note where no dish type was asked."""
     if read.recipe.dish_type:
         return ()
-    return (f"no dish type was asked: {result.recipe.dish_type} is most like these (foon suggest names others)",)
+    return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
 
 
 def answering(

@@ -9,9 +9,10 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import chain
 from typing import Self
 
-from foon_kg.model import Sighting
+from foon_kg.model import KnownUnit, Sighting
 
 _AT_LEAST = 1.0  # annotators write whole seconds: an action that begins and ends in one second takes about one
 
@@ -47,6 +48,11 @@ class Durations:
         every = [seconds for timed in seen.values() for seconds in timed.values()]
         by_motion = {motion: _duration(timed.values()) for motion, timed in sorted(seen.items())}
         return cls(by_motion, _duration(every) if every else None)
+
+    @classmethod
+    def of_units(cls, units: Iterable[KnownUnit], beside: Iterable[tuple[str, Sighting]] = ()) -> Self:
+        """Measure the motions of a FOON's ``units``, and of sightings ``beside`` them."""
+        return cls.of(chain(((known.unit.motion, seen) for known in units for seen in known.seen_in), beside))
 
 
 def _duration(seconds: Iterable[float]) -> Duration:

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 from foon_kg.durations import Duration, Durations
 from foon_kg.errors import UsageError
+from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.result import PlannedUnit
@@ -64,6 +65,12 @@ class Schedule:
     length: float
     alone: float
     shortest: bool
+
+    def to_json(self) -> JsonObject:
+        """Answer the schedule field by field; a step is named by its ``unit``, its place among the units, from 0."""
+        fields: JsonObject = asdict(self)
+        fields["steps"] = [{"unit": step.pop("place"), **step} for step in fields["steps"]]
+        return fields
 
 
 def schedule(

@@ -38,7 +38,7 @@ def shortage(
     return ShortageError(
         f"the kitchen lacks {named(missing)} for {goal.label}",
         missing=missing,
-        hint=f"{remedies(missing, kitchen)}{leave}; or name it in the kitchen file where it is there.",
+        hint=f"{remedies(missing, kitchen)}{leave}; or name it among what is at hand, where it is there.",
     )
 
 

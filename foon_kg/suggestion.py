@@ -124,7 +124,7 @@ def suggest(
         raise NoTreeError(
             f"no dish of this FOON takes any of {', '.join(own.foods)}",
             code="no-goal",
-            hint="Name other foods, or ask with foon similar which known foods are like these.",
+            hint="Name other foods, or known ones that are like these.",
         )
     return Suggestions(tuple(sorted(found, key=lambda s: s.rank)[:most]), len(goals), len(likely))
 

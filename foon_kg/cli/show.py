@@ -190,9 +190,8 @@ class _Shown:
         from foon_kg.schedule import schedule
 
         foon = whole_foon(self.files, sayer(quiet=self.quiet))
-        seen = [(known.unit.motion, sighting) for known in foon.units for sighting in known.seen_in]
-        own = [(unit.motion_node, sighting) for unit in self.tree.units for sighting in unit.seen_in]
-        durations = Durations.of([*own, *seen])
+        text = self.tree.units if self.tree.result is None else ()  # of a plan the FOON has all that was seen
+        durations = Durations.of_units(foon.units, [(u.motion_node, seen) for u in text for seen in u.seen_in])
         return schedule(self.tree.units, self.tree.kitchen, durations, Kitchen.default(), self.hands)
 
     def difference(self) -> tuple[StepChange, ...]:
@@ -225,7 +224,7 @@ def pictures_extra() -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        if error.name not in {"altair", "fast_sugiyama", "vl_convert"}:
+        if error.name not in {"fast_sugiyama", "vl_convert"}:
             raise
         message = f"pictures need the package {error.name}"
         raise UsageError(message, hint='Install it with: pip install "foon-kg[pictures]"') from error

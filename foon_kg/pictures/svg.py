@@ -17,6 +17,13 @@ _NARROW = frozenset("ijltfrI.,:;'|!()[]{} -")
 _WIDE = frozenset("mwMWGOQCDNHU@%&")
 
 _Paint = Mapping[str, tuple[str, str]]
+_HANDS: _Paint = {
+    "hands-1": ("#0969da", "#79b8ff"),
+    "hands-2": ("#9a6700", "#e3b341"),
+    "hands-3": ("#8250df", "#c297ff"),
+    "hands-4": ("#1a7f37", "#57c275"),
+    "by-itself": ("#8c959f", "#727b85"),
+}
 _FILL: _Paint = {  # in the light and in the dark
     "paper": ("#ffffff", "#16181d"),
     "name": ("#1f2328", "#e6e8eb"),
@@ -30,6 +37,7 @@ _FILL: _Paint = {  # in the light and in the dark
     "goal": ("#dafbe1", "#12351f"),
     "motion": ("#ffebe9", "#3a1c1b"),
     "band": ("#f6f8fa", "#1c2027"),
+    **_HANDS,
 }
 _STROKE: _Paint = {
     "object": ("#afb8c1", "#4b535d"),
@@ -39,6 +47,8 @@ _STROKE: _Paint = {
     "added": ("#cf5b53", "#b5554d"),
     "unseen-box": ("#0969da", "#79b8ff"),
     "way": ("#8c959f", "#727b85"),
+    "rule": ("#d0d7de", "#39414a"),
+    **_HANDS,
 }
 
 

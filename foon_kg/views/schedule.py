@@ -24,10 +24,11 @@ def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
         table.add_column(title, justify=justify)  # type: ignore[arg-type]
     for step in plan.steps:
         table.add_row(clock(step.start), clock(step.end), _hands(step), _step(tree, step), _seen(step.duration))
-    return Group(Text(tree.title, "bold"), table, Text(), Text(summary(plan)), Text(CAUTION, ASIDE))
+    caution = Text(f"{CAUTION} ? was never timed.", ASIDE)
+    return Group(Text(tree.title, "bold"), table, Text(), Text(summary(plan)), caution)
 
 
-CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself; ? was never timed."
+CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself."
 
 
 def summary(plan: Schedule) -> str:
@@ -47,6 +48,13 @@ def clock(seconds: float) -> str:
     return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
 
 
+def seen_words(duration: Duration) -> str:
+    """Answer how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
+    low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
+    return f"{times}, {low if low == high else f'{low} to {high}'} s"
+
+
 def _hands(step: ScheduledStep) -> Text:
     if step.hands is None:
         return Text("itself", ASIDE)
@@ -59,8 +67,4 @@ def _step(tree: ShownTree, step: ScheduledStep) -> Text:
 
 
 def _seen(duration: Duration | None) -> Text:
-    if duration is None:
-        return Text("?", ASIDE)
-    times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
-    low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
-    return Text(f"{times}, {low if low == high else f'{low} to {high}'} s", ASIDE)
+    return Text("?" if duration is None else seen_words(duration), ASIDE)

@@ -65,15 +65,14 @@ class _Tools:
         avoid: Avoided | None = None, kitchen: AtHand | None = None,
     ) -> dict[str, Any]:  # fmt: skip
         """Plan a dish: its steps in order (units), what the kitchen must have, substitutions and assumptions."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
-        return {name: value for name, value in told.items() if name != "explanations"}
+        return self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
 
     def explain(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
         avoid: Avoided | None = None, kitchen: AtHand | None = None,
     ) -> dict[str, Any]:  # fmt: skip
         """Say why each ingredient of a plan is made as it is: like which food, where it joins, what was passed over."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
+        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen, explain=True)
         return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
 
     def similar(self, names: Names, limit: Most = 5) -> dict[str, Any]:
@@ -102,11 +101,12 @@ class _Tools:
         substitutes: dict[str, str] | None,
         avoid: Sequence[str] | None,
         kitchen: Sequence[str] | None,
+        *,
+        explain: bool = False,
     ) -> JsonObject:
         chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
-        return self._answer(
-            PlanQuestion(dish_type, tuple(ingredients), chosen, tuple(avoid or ()), tuple(kitchen or ()))
-        )
+        wishes = chosen, tuple(avoid or ()), tuple(kitchen or ())
+        return self._answer(PlanQuestion(dish_type, tuple(ingredients), *wishes, explain=explain))
 
     def _answer(self, question: Question) -> JsonObject:
         reply = _explained(lambda: self._service.answer(question))

@@ -123,7 +123,7 @@ def around(request: Request, label: Annotated[str, _LABEL]) -> telling.ObjectTol
 
 @router.post("/plan", response_model=telling.PlanTold)
 async def plan(request: Request, asked: asking.PlanAsked) -> Response:
-    """Plan a dish: the answer is the task tree, with its substitutions, and why it is as it is."""
+    """Plan a dish: the answer is the task tree, with its substitutions and assumptions, and what else is asked."""
     chosen = tuple(Substitute(one.food, one.like) for one in asked.substitutes)
     question = PlanQuestion(
         asked.dish_type,
@@ -131,6 +131,8 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         chosen,
         tuple(asked.avoid),
         tuple(asked.kitchen),
+        explain=asked.explain,
+        hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
     )
     return await _answered(request, question)

@@ -20,6 +20,7 @@ AT_HAND = (
     "What is at hand: “knife”, “oven, preheated”, “chopped onion”, “egg in carton”. Naming utensils says that there "
     "are no others, and so with foods; of a kind that is not named everything is there."
 )
+Pairs = Annotated[int, Field(ge=1, le=4)]
 Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
 
 
@@ -49,8 +50,12 @@ class PlanAsked(Asked):
     substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
     kitchen: Kitchen = []
-    pictures: bool = Field(default=False, description="Also answer the tree and the progress lines as SVG.")
-    picture_width: int = Field(1180, ge=280, le=4000, description="How wide the progress lines are, in pixels.")
+    explain: bool = Field(default=False, description="Also answer why each ingredient is made as it is.")
+    hands: list[Pairs] = Field(
+        [], max_length=4, description="Also answer a schedule for each of these pairs of hands.", examples=[[1, 2]]
+    )
+    pictures: bool = Field(default=False, description="Also answer tree, progress lines and schedules as SVG.")
+    picture_width: int = Field(1180, ge=280, le=4000, description="How wide all but the tree are, in pixels.")
 
 
 class SuggestAsked(Asked):

@@ -15,8 +15,9 @@ from foon_kg.likeness import Substitute
 class PlanQuestion:
     """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``.
 
-    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything. With a ``picture_width`` (pixels
-    of the progress lines) the answer has pictures.
+    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything. The answer says why each ingredient
+    is made as it is where it shall ``explain``, has a schedule for each number of pairs of ``hands``, and pictures
+    where there is a ``picture_width`` (pixels of the progress lines and schedules).
     """
 
     dish_type: str
@@ -24,6 +25,8 @@ class PlanQuestion:
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
     kitchen: tuple[str, ...] = ()
+    explain: bool = False
+    hands: tuple[int, ...] = ()
     picture_width: int | None = None
 
 

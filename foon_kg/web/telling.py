@@ -155,18 +155,55 @@ class ExplanationTold(BaseModel):
     passed_over: list[PassedOverTold]
 
 
+class DurationTold(BaseModel):
+    """Seconds that a motion takes: the median of its sightings, and the quartiles around it."""
+
+    median: float
+    low: float
+    high: float
+    sightings: int
+
+
+class ScheduledTold(BaseModel):
+    """When a unit (its place in the plan, from 0) is done, in seconds from the beginning.
+
+    ``hands`` is which pair of hands does it (from 0), or null where it goes on by itself; ``duration`` is what videos
+    show of its motion, or null where nobody has timed it: then it is given the time of a usual step.
+    """
+
+    unit: int
+    start: float
+    end: float
+    hands: int | None
+    duration: DurationTold | None
+
+
+class ScheduleTold(BaseModel):
+    """Who does what when, for so many pairs of hands. ``alone`` is how long the steps take one after the other.
+
+    ``shortest`` says that no schedule with these durations can be shorter.
+    """
+
+    hands: int
+    length: float
+    alone: float
+    shortest: bool
+    steps: list[ScheduledTold]
+
+
 class Pictures(BaseModel):
-    """SVG texts."""
+    """SVG texts; a schedule for each that was asked."""
 
     tree: str
     progress: str
+    schedules: list[str]
 
 
 class PlanTold(BaseModel):
-    """A plan: what ``foon plan --json`` prints, and how it came about.
+    """A plan: what ``foon plan --json`` prints, and more.
 
     ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null.
+    second in which it is seen, or null. Explanations, schedules and pictures are there where they are asked.
     """
 
     recipe: RecipeTold
@@ -178,7 +215,8 @@ class PlanTold(BaseModel):
     assumptions: list[AssumptionTold]
     progress_lines: list[Line]
     notes: list[str]
-    explanations: list[ExplanationTold]
+    explanations: list[ExplanationTold] | None = None
+    schedules: list[ScheduleTold] | None = None
     shopping: list[Node]
     videos: list[str | None]
     pictures: Pictures | None = None

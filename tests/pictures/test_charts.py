@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 import pytest
 from pictures.demo_plans import demo_foon, demo_plan
 
-pytest.importorskip("altair", reason="the extra “pictures” is not installed")
+pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
 from foon_kg.durations import Duration, Durations
 from foon_kg.kitchen import Kitchen
 from foon_kg.pictures.gantt import schedule_svg
@@ -16,6 +16,7 @@ from foon_kg.planner import Planner
 from foon_kg.schedule import schedule
 from foon_kg.settings import PlanSettings
 from foon_kg.step_changes import step_changes
+from foon_kg.views.schedule import clock
 from foon_kg.views.shown_tree import ShownTree
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -31,10 +32,30 @@ def test_a_chart_has_a_row_a_step_and_says_which_were_never_timed():
     plan = schedule(tree.units, tree.kitchen, Durations({"chop": chop}, chop), Kitchen.default(), 2)
     words = texts(schedule_svg(tree, plan))
     for number, unit in enumerate(tree.units, start=1):
-        assert any(text.split()[:2] == [str(number), unit.motion_node.split()[0]] for text in words)
+        assert any(text.startswith(f"{number} {unit.motion_node} ") for text in words)
     chopped = sum(unit.motion_node == "chop" for unit in tree.units)
     assert words.count("never timed") == len(tree.units) - chopped
-    assert {"pair of hands 1", "pair of hands 2", "by itself"} <= set(words)
+    assert {"pair of hands 1", "pair of hands 2"} <= set(words)
+    by_itself = any(step.hands is None for step in plan.steps)
+    assert ("by itself" in words) == by_itself
+
+
+@pytest.mark.parametrize("width", [280, 326, 640, 1180])
+def test_bars_of_a_chart_stand_where_their_times_are_and_on_the_paper(width):
+    tree = ShownTree.of_result(demo_plan("kohlrabi_salad"))
+    plan = schedule(tree.units, tree.kitchen, Durations.of_units(demo_foon().units), Kitchen.default(), 2)
+    picture = ET.fromstring(schedule_svg(tree, plan, width))
+    assert float(picture.get("width")) == width
+    rows = picture.findall(f"{SVG}g")
+    bars = [row.find(f"{SVG}rect") for row in rows]
+    starts = [float(bar.get("x")) for bar in bars]
+    scale = (max(starts) - min(starts)) / max(step.start for step in plan.steps)
+    for row, bar, step in zip(rows, bars, plan.steps, strict=True):
+        assert float(bar.get("x")) == pytest.approx(min(starts) + scale * step.start, abs=0.2)
+        assert float(bar.get("width")) == pytest.approx(max(scale * (step.end - step.start), 2), abs=0.2)
+        assert float(bar.get("x")) + float(bar.get("width")) <= width
+        told = f"{clock(step.start)} to {clock(step.end)}: step {step.place + 1}"
+        assert row.find(f"{SVG}title").text.startswith(told)
 
 
 def test_the_picture_of_changes_has_both_trees():

@@ -10,7 +10,9 @@ from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
 from foon_kg.batch import Cook, Question, Wishes
+from foon_kg.durations import Durations
 from foon_kg.kitchen import Kitchen
+from foon_kg.schedule import schedule as schedule_of
 from foon_kg.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
@@ -36,15 +38,30 @@ def test_a_plan_is_what_foon_plan_prints(client):
         asked = Question(dish_type=SALAD["dish_type"], texts=tuple(SALAD["ingredients"]))
         printed = Cook(view, Wishes()).answer(asked).outcome.to_json()
     assert {name: told[name] for name in printed} == json.loads(json.dumps(printed))
-    assert [one["want"]["object"] for one in told["explanations"]] == ["kohlrabi", "onion", "olive oil"]
     assert len(told["videos"]) == len(told["units"])
-    assert told.get("pictures") is None
+    assert told.keys().isdisjoint({"explanations", "schedules", "pictures"})
 
 
-def test_pictures_come_where_they_are_asked(client):
-    pictures = client.post("/api/plan", json=SALAD | {"pictures": True}).json()["pictures"]
-    assert pictures["tree"].startswith("<svg")
-    assert pictures["progress"].startswith("<svg")
+def test_reasons_schedules_and_pictures_come_where_they_are_asked(client):
+    plain = client.post("/api/plan", json=SALAD).json()
+    told = client.post("/api/plan", json=SALAD | {"explain": True, "hands": [1, 2], "pictures": True}).json()
+    assert {name: told[name] for name in plain} == plain
+    assert [one["want"]["object"] for one in told["explanations"]] == ["kohlrabi", "onion", "olive oil"]
+    assert [one["hands"] for one in told["schedules"]] == [1, 2]
+    pictures = told["pictures"]
+    assert [text[:4] for text in (pictures["tree"], pictures["progress"], *pictures["schedules"])] == ["<svg"] * 4
+
+
+def test_a_schedule_of_the_api_is_that_of_the_command(client):
+    told = client.post("/api/plan", json=SALAD | {"hands": [2]}).json()
+    (schedule,) = told["schedules"]
+    assert sorted(step["unit"] for step in schedule["steps"]) == list(range(len(told["units"])))
+    assert {step["hands"] for step in schedule["steps"]} <= {0, 1, None}
+    assert schedule["length"] == max(step["end"] for step in schedule["steps"]) <= schedule["alone"]
+    with demo_foon().reading() as view:
+        plan = Cook(view, Wishes()).answer(Question(dish_type="salad", texts=tuple(SALAD["ingredients"]))).outcome
+    expected = schedule_of(plan.units, plan.kitchen, Durations.of_units(demo_foon().units), Kitchen.default(), 2)
+    assert schedule == json.loads(json.dumps(expected.to_json()))
 
 
 def test_another_equivalent_can_be_chosen(client):

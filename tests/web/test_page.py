@@ -171,6 +171,22 @@ def test_what_the_kitchen_lacks_can_be_said_to_be_there(page):
     assert chips(page, "at-hand") == ["kohlrabi", "olive oil", "onion"]
 
 
+def test_the_schedule_is_for_one_pair_of_hands_or_two_and_can_be_read_as_a_table(page):
+    plan(page, "sliced kohlrabi", "chopped onion", "diced tomato")
+    one, two = page.find_elements("css selector", "[aria-label='How many cook'] button")
+    assert (one.get_attribute("aria-pressed"), two.get_attribute("aria-pressed")) == ("true", "false")
+    assert one.text.startswith("one pair of hands, ")
+    two.send_keys(ENTER)
+    assert (one.get_attribute("aria-pressed"), two.get_attribute("aria-pressed")) == ("false", "true")
+    charts = page.find_elements("css selector", "#result [aria-label^='Schedule for']")
+    assert [chart.is_displayed() for chart in charts] == [False, True]
+    shown = page.find_element("css selector", "#result [aria-label='Schedule for 2 pairs of hands'] ~ details")
+    shown.find_element("css selector", "summary").send_keys(ENTER)
+    steps = page.find_elements("css selector", "#result ol li")
+    assert len(shown.find_elements("css selector", "tbody tr")) == len(steps)
+    assert complaints(page) == []
+
+
 def test_going_back_from_an_object_leads_to_the_plan_again(page):
     plan(page, "chopped onion")
     page.find_element("css selector", "#result ol a.link").send_keys(ENTER)

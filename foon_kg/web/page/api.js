@@ -1,5 +1,6 @@
 // The API of this service, as functions. What it refuses is thrown as a Refusal, with what to do about it.
 
+const HANDS = [1, 2]; // for so many pairs a schedule is shown
 const KEPT = "foon-token";
 
 export class Refusal extends Error {
@@ -44,6 +45,6 @@ const post = (path, body) =>
 
 export const summary = () => ask("summary");
 export const complete = (kind, text, signal) => ask(`complete?${query({ kind, text, limit: 12 })}`, { signal });
-export const plan = (question) => post("plan", { ...question, pictures: true, picture_width: matchMedia("(max-width: 700px)").matches ? 326 : 1100 });
+export const plan = (question) => post("plan", { ...question, explain: true, hands: HANDS, pictures: true, picture_width: matchMedia("(max-width: 700px)").matches ? 326 : 1100 });
 export const suggest = (foods, kitchen) => post("suggest", { foods, kitchen });
 export const around = (label) => ask(`object?${query({ label })}`);

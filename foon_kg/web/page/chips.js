@@ -15,7 +15,7 @@ export const focusNear = (chips, place, input) => {
   (left[Math.min(place, left.length - 1)] ?? input).focus();
 };
 
-export const chipField = (input, listbox, chips, kind, { most, say, changed }) => {
+export const chipField = (input, chips, { most, say, changed }) => {
   let words = [];
   const show = () => {
     chips.replaceChildren(...words.map((word) => chip(word, () => remove(word))));
@@ -41,7 +41,7 @@ export const chipField = (input, listbox, chips, kind, { most, say, changed }) =
     say(`${word} is removed.`);
     focusNear(chips, place, input);
   };
-  const typed = combobox(input, listbox, kind, (text) => add(text));
+  const typed = combobox(input, (text) => add(text));
   input.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || event.ctrlKey || event.metaKey || !named(input.value)) return;
     event.preventDefault();

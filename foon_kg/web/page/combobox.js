@@ -1,11 +1,27 @@
-// An input that completes from the graph, after the combobox pattern of the ARIA Authoring Practices.
+// An input that completes from the graph, after the combobox pattern of the ARIA Authoring Practices. What the page
+// says of it: data-completes, the kind of words, and data-known, what the list of them is called.
 
 import { complete } from "./api.js";
 import { element } from "./element.js";
 
 const PAUSE = 90; // milliseconds without a key before the graph is asked
+const TYPED = {
+  type: "text", role: "combobox", "aria-expanded": "false", "aria-autocomplete": "list", autocomplete: "off", autocapitalize: "none",
+  spellcheck: "false", maxlength: "100",
+};
 
-export const combobox = (input, listbox, kind, chosen) => {
+// The list of words below an input, in a box around both.
+const listed = (input) => {
+  const listbox = element("ul", { id: `${input.id}-list`, role: "listbox", "aria-label": input.dataset.known, hidden: true });
+  const box = element("div", { class: "combobox" });
+  input.replaceWith(box);
+  box.append(input, listbox);
+  for (const [name, value] of Object.entries({ ...TYPED, "aria-controls": listbox.id })) input.setAttribute(name, value);
+  return listbox;
+};
+
+export const combobox = (input, chosen) => {
+  const listbox = listed(input);
   let active = -1;
   let asking = null;
   let timer = 0;
@@ -46,7 +62,7 @@ export const combobox = (input, listbox, kind, chosen) => {
     if (!input.value.trim()) return close();
     asking = new AbortController();
     try {
-      const words = await complete(kind, input.value, asking.signal);
+      const words = await complete(input.dataset.completes, input.value, asking.signal);
       if (document.activeElement === input) show(words);
     } catch (error) {
       if (error.name !== "AbortError") close(); // one can type on without completion

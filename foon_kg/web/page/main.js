@@ -12,9 +12,9 @@ import { wishes } from "./wishes.js";
 const at = (id) => document.getElementById(id);
 const [dish, ingredient, result, status] = ["dish", "ingredient", "result", "status"].map(at);
 const say = (text) => { status.textContent = text; };
-const foods = chipField(ingredient, at("ingredient-list"), at("wanted"), "ingredient", { most: 60, say });
+const foods = chipField(ingredient, at("wanted"), { most: 60, say });
 const wished = wishes(say);
-const looked = combobox(at("object"), at("object-list"), "object", (text) => { location.hash = `look=${encodeURIComponent(text)}`; });
+const looked = combobox(at("object"), (text) => { location.hash = `look=${encodeURIComponent(text)}`; });
 let turn = 0;
 
 // Only the answer to the last question is shown, whatever comes late.

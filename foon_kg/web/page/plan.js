@@ -3,6 +3,7 @@
 import { element, heading, list, sentence } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
 import { picture, staged } from "./picture.js";
+import { scheduleView } from "./schedule.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 
@@ -14,7 +15,7 @@ export const planView = (plan, chosen, choose) => {
     element("p", {}, `${sentence(`${plan.recipe.dish_type} with ${wanted}`).slice(0, -1)}, made like the ${plan.reference.goal.label} of `
       + `${plan.reference.units} steps, which takes ${plan.reference.overlap} of these foods or their like`
       + (plan.reference.exact ? "." : " (the best that was found in time).")),
-    ...plan.notes.map((note) => element("p", { class: "notice" }, note)),
+    notes(plan.notes),
     ...substitutions(plan, chosen, choose),
     heading(3, "Task tree"),
     ...staged(plan.pictures.tree, "The task tree, from the kitchen down to the dish"),
@@ -25,11 +26,14 @@ export const planView = (plan, chosen, choose) => {
     heading(3, "Utensils, and what is always there"),
     list(besides(plan).map((node) => nodeWords(node, unseen)), { class: "columns" }),
     assumptions(plan, unseen),
+    ...scheduleView(plan),
     heading(3, "Progress of each ingredient"),
     element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)),
     reasons(plan),
   ];
 };
+
+const notes = (told) => (told.length ? element("div", { class: "notice" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
 
 const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
@@ -38,8 +42,9 @@ const besides = (plan) => {
 
 const step = (unit, address, unseen) => {
   const seen = seenWords(unit.seen_in, address);
-  const origin = { foon: " · from elsewhere in the FOON", substituted: " · something substituted" }[unit.origin];
-  return element("li", {}, ...unitWords(unit, unseen), " ", seen, origin ? element("small", { class: "aside" }, origin) : null);
+  const origin = { foon: "from elsewhere in the FOON", substituted: "something substituted" }[unit.origin];
+  const where = [seen, origin].filter(Boolean).flatMap((one, i) => (i ? [" · ", one] : [one]));
+  return element("li", {}, ...unitWords(unit, unseen), element("div", { class: "where" }, ...where));
 };
 
 const substitutions = (plan, chosen, choose) => {
@@ -93,7 +98,7 @@ const reasons = (plan) => {
 
 export const suggestionsView = (answer, take) => [
   heading(2, "What these foods could make"),
-  ...answer.notes.map((note) => element("p", { class: "notice" }, note)),
+  notes(answer.notes),
   list(answer.suggestions.map((one) => element("li", {},
     element("p", {}, element("strong", {}, one.goal.label), ` (${one.dish_type}), ${one.units} steps, ${Math.round(one.share * 100)} % is there`),
     element("p", { class: "aside" }, `takes ${one.taken.map((t) => (t.own === t.food ? t.food : `${t.own} for ${t.food}`)).join(", ")}`

@@ -9,8 +9,8 @@ const KEPT = "foon-wishes";
 export const wishes = (say) => {
   let chosen = new Map(); // food -> the known one that the person wants it to be handled like
 
-  const kitchen = chipField(at("thing"), at("thing-list"), at("at-hand"), "thing", { most: 200, say, changed: () => told() });
-  const avoided = chipField(at("avoid"), at("avoid-list"), at("avoided"), "avoidable", { most: 20, say, changed: () => told() });
+  const kitchen = chipField(at("thing"), at("at-hand"), { most: 200, say, changed: () => told() });
+  const avoided = chipField(at("avoid"), at("avoided"), { most: 20, say, changed: () => told() });
   at("add-thing").addEventListener("click", () => { kitchen.add(); at("thing").focus(); });
   at("add-avoid").addEventListener("click", () => { avoided.add(); at("avoid").focus(); });
 
@@ -34,7 +34,7 @@ export const wishes = (say) => {
     showChosen();
   };
 
-  const [food, like] = ["food", "like"].map((id) => combobox(at(id), at(`${id}-list`), "food", () => at(id).focus()));
+  const [food, like] = ["food", "like"].map((id) => combobox(at(id), () => at(id).focus()));
   const addChoice = () => {
     const [one, other] = [at("food"), at("like")].map((input) => input.value.trim());
     if (!one || !other) return say("Name both: the food, and the known one to handle it like.");

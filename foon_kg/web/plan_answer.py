@@ -1,0 +1,57 @@
+"""A plan as the API answers it: what ``foon plan --json`` prints, and what else is asked of it."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from foon_kg.batch import Answer
+from foon_kg.durations import Durations
+from foon_kg.explanation import Explanation
+from foon_kg.json_fields import JsonObject
+from foon_kg.kitchen import Kitchen
+from foon_kg.model_json import node_to_json
+from foon_kg.pictures.gantt import schedule_svg
+from foon_kg.pictures.progress import progress_svg
+from foon_kg.pictures.tree import tree_svg
+from foon_kg.result import PlanResult
+from foon_kg.schedule import Schedule, schedule
+from foon_kg.shopping import shopping_list
+from foon_kg.views.shown_tree import ShownTree
+from foon_kg.web.questions import PlanQuestion
+from foon_kg.web.words import seen_at
+
+
+def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations) -> JsonObject:
+    """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked."""
+    plan, kitchen = answer.outcome, Kitchen.default()
+    if not isinstance(plan, PlanResult):
+        raise TypeError("only a plan has steps")
+    told: JsonObject = plan.to_json() | {
+        "notes": list(answer.notes),
+        "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
+        "videos": [seen_at(unit.seen_in) for unit in plan.units],
+    }
+    if question.explain:
+        told["explanations"] = list(map(explanation_to_json, answer.explanations))
+    schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]
+    if schedules:
+        told["schedules"] = [one.to_json() for one in schedules]
+    if question.picture_width is not None:
+        told["pictures"] = pictures_to_json(ShownTree.of_result(plan), schedules, question.picture_width)
+    return told
+
+
+def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:
+    """Answer the pictures of a plan as SVG texts."""
+    return {
+        "tree": tree_svg(shown, Kitchen.default()),
+        "progress": progress_svg(shown, width),
+        "schedules": [schedule_svg(shown, one, width) for one in schedules],
+    }
+
+
+def explanation_to_json(one: Explanation) -> JsonObject:
+    """Answer why one ingredient is made as it is, field by field."""
+    fields: JsonObject = asdict(one)
+    fields["renamed"] = [{"known": known, "now": now} for known, now in one.renamed]
+    return fields
