@@ -17,7 +17,7 @@ from foon_kg.errors import ReadError
 from foon_kg.loaders.json_document import stream_fields
 from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark, UnreadableFile
-from foon_kg.loaders.text_blocks import text_blocks
+from foon_kg.loaders.text_blocks import odd_character, text_blocks
 from foon_kg.loaders.times import is_time
 from foon_kg.model import Timing
 from foon_kg.narration import Narration, Sentence
@@ -108,6 +108,9 @@ def _sentences(line: int, video: str, value: object, journal: Journal) -> list[S
         where = f"video {video}, sentence {number}"
         if not isinstance(text, str) or not any(letter.isalpha() for letter in text):
             journal.reject(line, Problem(NoticeKind.NO_NARRATION, f"{where}: no words in it"))
+            continue
+        if odd := odd_character(text):
+            journal.reject(line, Problem(NoticeKind.NO_NARRATION, f"{where}: {odd} in it"))
             continue
         timing = _timing(segment)
         if timing is None:

@@ -11,12 +11,12 @@ from pathlib import Path
 from foon_kg.errors import ReadError
 from foon_kg.loaders.json_reader import read_json
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
+from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
 
 _ENDINGS = (".txt", ".json")
 _BYTE_ORDER_MARK = "\ufeff"
 _LINE_END = re.compile(rb"\r\n|\r|\n")
-_CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
 
 def read_path(path: Path) -> Iterator[ReadResult]:
@@ -127,7 +127,7 @@ def decode(data: bytes) -> str:
     except UnicodeDecodeError as error:
         line = _LINE_END.subn(b"", data[: error.start])[1] + 1
         raise UnreadableFile(f"byte {error.start} (0x{data[error.start]:02x}) is not UTF-8", line) from error
-    if control := _CONTROL.search(text):
+    if control := CONTROL.search(text):
         before = text[: control.start()].encode()
         line = _LINE_END.subn(b"", before)[1] + 1
         raise UnreadableFile(f"byte {len(before)} is the control character U+{ord(control[0]):04X}", line)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import codecs
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 from foon_kg.loaders.notices import UnreadableFile
+
+CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
 _BLOCK = 1 << 16
 """Bytes read at a time."""
@@ -47,3 +50,11 @@ def half_character(text: str) -> str | None:
     except UnicodeEncodeError as error:
         return f"U+{ord(text[error.start]):04X}"
     return None
+
+
+def odd_character(text: str) -> str | None:
+    """Answer what in ``text`` no table can hold: half of a character, or a control character other than white space."""
+    if half := half_character(text):
+        return f"half of a character ({half})"
+    control = CONTROL.search(text)
+    return f"the control character U+{ord(control[0]):04X}" if control else None

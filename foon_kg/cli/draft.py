@@ -68,10 +68,11 @@ def videos(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Draft the subgraphs of narrated videos: verbs and nouns become units with the states that the FOON gives them.
+    """Draft videos that are told in words.
 
-    Each unit has a confidence and its doubts. Nothing is loaded: look at a draft with foon draft review, change it in
-    any editor, load it with foon draft accept.
+    Verbs and nouns become units with the states that the FOON gives such motions. Each unit has a confidence and its
+    doubts. Nothing is loaded: look at a draft with foon draft review, change it in any editor, load it with foon draft
+    accept.
     """
     from foon_kg.loaders import Severity
     from foon_kg.loaders.narrations import read_narrations
@@ -101,7 +102,11 @@ def text(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Draft the subgraph of a recipe from its instructions, read by spaCy's parser (pip install 'foon-kg[text]')."""
+    """Draft recipes from their instructions.
+
+    They are read by spaCy's parser (pip install 'foon-kg[text]'), and each action becomes units as those of a narrated
+    video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
+    """
     from foon_kg.loaders.narrated import is_video_name
     from foon_kg.model import DISH_TYPES
     from foon_kg.narration import Narration
@@ -125,7 +130,12 @@ def review(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Show drafts beside their doubts, what is missing to execute them, and what they would change in the FOON."""
+    """Show drafts beside their doubts.
+
+    Each row with its line, its confidence, the unit, and what was said. "?" is a doubt; "!" an input that no earlier
+    row makes and no kitchen has. Then what the draft would change in the FOON. Edit the table in any editor: mend a row
+    and empty its doubt, or delete it.
+    """
     from foon_kg.drafting.review import missing
     from foon_kg.drafting.tables import read_draft
     from foon_kg.kitchen import Kitchen
@@ -162,10 +172,10 @@ def accept(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Load reviewed drafts into the graph, all of them or none; their doubts are dropped.
+    """Load reviewed drafts, all of them or none.
 
-    A draft is refused while a row is no unit, or is doubtful and not sure: change the row and empty its doubt, or
-    delete it. It is refused, too, where it would replace a video that has other units.
+    Their doubts are dropped. A draft is refused while a row is no unit, or is doubtful and not sure: change the row and
+    empty its doubt, or delete it. It is refused, too, where it would replace a video that has other units.
     """
     from foon_kg.drafting.tables import read_draft
 

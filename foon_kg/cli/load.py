@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,7 +11,7 @@ import typer
 
 from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
-from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts
+from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts, tell_assumed
 
 if TYPE_CHECKING:
     from foon_kg.graph import LoadReport
@@ -130,7 +131,7 @@ def _bring(
 def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) -> None:
     """Write every notice to ``report``; say the rejected ones, and count the others."""
     from foon_kg.errors import UsageError
-    from foon_kg.loaders import Severity, summary, write_report
+    from foon_kg.loaders import Severity, write_report
 
     notices = [notice for result in results for notice in result.notices]
     if report:
@@ -144,9 +145,7 @@ def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) 
         if notice.severity is Severity.REJECTED:
             say(str(notice))
     assumed = [notice for notice in notices if notice.severity is not Severity.REJECTED]
-    if assumed:
-        where = f"see {report}" if report else "--report FILE lists them"
-        say(f"{len(assumed)} places were read with an assumption ({where}): {'; '.join(summary(assumed))}")
+    tell_assumed(assumed, Counter(notice.kind for notice in assumed), report, say)
 
 
 def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport:

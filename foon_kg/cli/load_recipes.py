@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 import typer
 
 from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
-from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts
+from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts, tell_assumed, where_listed
 
 if TYPE_CHECKING:
     from foon_kg.collected import UnderstoodRecipe
     from foon_kg.graph.recipes import RecipesStored
-    from foon_kg.loaders.notices import Notice
+    from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
 
 EXAMPLES = examples(
@@ -28,7 +28,7 @@ EXAMPLES = examples(
     "foon load recipes recipe1m/ --parse full",
 )
 _SHOWN = 10
-"""So many rejected recipes are told one by one; a report has them all."""
+"""So many recipes are told one by one; a report has them all."""
 
 
 class Parse(StrEnum):
@@ -83,11 +83,12 @@ def recipes(
 class Journal:
     """Counts what is odd about a collection, and writes all of it to ``report`` at once: a million may be odd."""
 
-    def __init__(self, report: TextIO | None) -> None:
+    def __init__(self, stream: TextIO | None, report: Path | None) -> None:
+        self._stream = stream
         self._report = report
-        self._where = f"see {report.name}" if report else "--report FILE lists them"
-        self._shown: list[str] = []
-        self._assumed: Counter[str] = Counter()
+        self._rejected: list[Notice] = []
+        self._assumed: list[Notice] = []
+        self._kinds: Counter[NoticeKind] = Counter()
         self.rejected = 0
         self.left_over = 0
 
@@ -96,12 +97,12 @@ class Journal:
         from foon_kg.loaders import Severity
 
         self._write(notice.to_json())
-        if notice.severity is not Severity.REJECTED:
-            self._assumed[notice.kind] += 1
-            return
-        self.rejected += 1
-        if len(self._shown) < _SHOWN:
-            self._shown.append(str(notice))
+        if notice.severity is Severity.REJECTED:
+            self.rejected += 1
+            self._rejected += [notice] * (len(self._rejected) < _SHOWN)
+        else:
+            self._kinds[notice.kind] += 1
+            self._assumed += [notice] * (len(self._assumed) < _SHOWN)
 
     def note_left_over(self, understood: UnderstoodRecipe) -> None:
         """Take down the lines of a recipe in which no food was found."""
@@ -112,22 +113,20 @@ class Journal:
 
     def tell(self, say: Say) -> None:
         """Say what is odd: the first rejected recipes one by one, the rest in numbers."""
-        for text in self._shown:
-            say(text)
-        if more := self.rejected - len(self._shown):
-            say(f"{more} recipes more were rejected ({self._where})")
-        if self._assumed:
-            kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(self._assumed.items()))
-            say(f"{self._assumed.total()} places were read with an assumption ({self._where}): {kinds}")
+        for notice in self._rejected:
+            say(str(notice))
+        if more := self.rejected - len(self._rejected):
+            say(f"{more} recipes more were rejected ({where_listed(self._report)})")
+        tell_assumed(self._assumed, self._kinds, self._report, say)
 
     def tell_left_over(self, say: Say) -> None:
         """Say how many lines name no food."""
         if self.left_over:
-            say(f"{self.left_over} lines name no food that could be read ({self._where})")
+            say(f"{self.left_over} lines name no food that could be read ({where_listed(self._report)})")
 
     def _write(self, entry: dict[str, object]) -> None:
-        if self._report:
-            self._report.write(json.dumps(entry, ensure_ascii=True) + "\n")
+        if self._stream:
+            self._stream.write(json.dumps(entry, ensure_ascii=True) + "\n")
 
 
 @contextmanager
@@ -140,7 +139,7 @@ def _journal(report: Path | None) -> Iterator[Journal]:
         except OSError as error:
             hint = "Name a file that can be written after --report."
             raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
-        yield Journal(stream)
+        yield Journal(stream, report)
 
 
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import print_json
+from foon_kg.cli.console import Say, print_json
+
+if TYPE_CHECKING:
+    from foon_kg.loaders import Notice, NoticeKind
 
 Report = Annotated[
     Path | None,
@@ -19,6 +22,28 @@ BadTolerance = Annotated[
     typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units or recipes are unusable."),
 ]
 DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
+
+
+_FEW = 10
+
+
+def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], report: Path | None, say: Say) -> None:
+    """Say what was read with an assumption: one by one where that is little, else in ``counts`` by kind.
+
+    ``notices`` are the first ones; there may be more.
+    """
+    count = sum(counts.values())
+    if count <= _FEW:
+        for notice in notices:
+            say(str(notice))
+        return
+    kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items(), key=lambda one: (-one[1], one[0])))
+    say(f"{count} places were read with an assumption ({where_listed(report)}): {kinds}")
+
+
+def where_listed(report: Path | None) -> str:
+    """Answer where to find all that is odd."""
+    return f"see {report}" if report else "--report FILE lists them"
 
 
 def refuse_too_many(rejected: int, tolerance: int, what: str, where: str = "") -> None:

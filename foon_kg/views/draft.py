@@ -22,9 +22,9 @@ def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: boo
     for row in rows:
         lines += _row(row, [one for one in missing if one.line == row.line])
     units = [row for row in draft.rows if row.annotation is not None]
-    sure = sum(not row.doubts or row.confidence >= SURE for row in units)
+    doubtful = sum(bool(row.doubts) and row.confidence < SURE for row in units)
     stuck = len({one.line for one in missing})
-    head = f"{draft.path}: {len(units)} units, {sure} of them sure; {len(draft.rows) - len(units)} rows are no units; "
+    head = f"{draft.path}: {len(units)} units, {doubtful} of them doubtful; {len(draft.rows) - len(units)} rows are no units; "
     return Group(*lines, Text(f"{head}{len(units) - stuck} can be executed as they stand", "bold"))
 
 

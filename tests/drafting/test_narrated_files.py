@@ -105,6 +105,8 @@ def test_both_forms_of_captions_give_sentences_with_times(captions):
         ({"sentences": "Chop.", "timestamps": []}, NoticeKind.BAD_FIELD, 0),
         ({"sentences": [7, "Chop."], "timestamps": [[0, 1], [1, 2]]}, NoticeKind.NO_NARRATION, 1),
         ({"sentences": ["  ", "Chop."], "timestamps": [[0, 1], [1, 2]]}, NoticeKind.NO_NARRATION, 1),
+        ({"sentences": ["Chop \ud83d", "Chop."], "timestamps": [[0, 1], [1, 2]]}, NoticeKind.NO_NARRATION, 1),
+        ({"sentences": ["Chop.\0", "Chop."], "timestamps": [[0, 1], [1, 2]]}, NoticeKind.NO_NARRATION, 1),
         ({"sentences": ["Chop."], "timestamps": []}, NoticeKind.ODD_TIME, 1),
         ({"sentences": ["Chop."], "timestamps": [[4, 2]]}, NoticeKind.ODD_TIME, 1),
         ({"sentences": ["Chop."], "timestamps": [[-4, 2]]}, NoticeKind.ODD_TIME, 1),
