@@ -24,8 +24,12 @@ def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: boo
     units = [row for row in draft.rows if row.annotation is not None]
     doubtful = sum(bool(row.doubts) and row.confidence < SURE for row in units)
     stuck = len({one.line for one in missing})
-    head = f"{draft.path}: {len(units)} units, {doubtful} of them doubtful; {len(draft.rows) - len(units)} rows are no units; "
-    return Group(*lines, Text(f"{head}{len(units) - stuck} can be executed as they stand", "bold"))
+    counts = (
+        f"{len(units)} units, {doubtful} of them doubtful",
+        f"{len(draft.rows) - len(units)} rows are no units",
+        f"{len(units) - stuck} can be executed as they stand",
+    )
+    return Group(*lines, Text(f"{draft.path}: {'; '.join(counts)}", "bold"))
 
 
 def draft_json(draft: DraftFile, missing: Sequence[Missing]) -> dict[str, object]:
