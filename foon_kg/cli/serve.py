@@ -22,7 +22,7 @@ EXAMPLES = examples(
     "foon serve",
     "foon serve --files subgraphs/ --port 8080",
     "foon serve --host 0.0.0.0 --token-file ~/.foon-token",
-    "foon serve --name foon.example.org --token-file ~/.foon-token",
+    "foon serve --name foon.example.org --proxy 127.0.0.1 --token-file token",
 )
 
 
@@ -39,6 +39,14 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
         list[str] | None,
         typer.Option("--name", metavar="NAME", help="Also answer under this name: a proxy serves it so. Repeatable."),
     ] = None,
+    proxies: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--proxy",
+            metavar="ADDRESS",
+            help="Believe this proxy (an address or a network) who asks through it. Repeatable.",
+        ),
+    ] = None,
     files: Files = None,
     jobs: Annotated[
         int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
@@ -51,17 +59,20 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
-    somebody changes is read anew. A proxy that serves it under a name of its own is told with --name; it is the one
-    that asks, so that all who come through it share one rate, and it has to bring TLS.
+    somebody changes is read anew. A proxy that serves it under a name of its own is told with --name, and has to bring
+    TLS. All who come through it share one rate, unless --proxy says that what it writes into X-Forwarded-For is to be
+    believed.
     """
     from foon_kg.batch import cores
     from foon_kg.web.api import web_app
+    from foon_kg.web.callers import Callers, proxy_network
     from foon_kg.web.limits import Limits
     from foon_kg.web.security import is_loopback, own_names, public_name, token_from
     from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
     public = [public_name(name) for name in names or ()]
+    callers = Callers(tuple(map(proxy_network, proxies or ())))
     if token_file is None and (public or not is_loopback(host)):
         raise UsageError(
             f"anybody could reach {public[0] if public else host}, and there is no token",
@@ -74,7 +85,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
-    app = web_app(service, names=own_names(host), public=public, token=token, limits=limits)
+    app = web_app(service, names=own_names(host), public=public, token=token, limits=limits, callers=callers)
     _run(app, listener, limits.connections)
 
 

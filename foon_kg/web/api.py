@@ -21,6 +21,7 @@ from foon_kg.errors import FoonError
 from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
 from foon_kg.web import asking, telling
+from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
@@ -58,16 +59,18 @@ def web_app(
     public: Collection[str] = (),
     token: str | None = None,
     limits: Limits | None = None,
+    callers: Callers | None = None,
 ) -> FastAPI:
     """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
-    Under the ``public`` names a proxy serves it. With a ``token`` everything below ``/api`` asks for it.
+    Under the ``public`` names a proxy serves it; ``callers`` knows which proxies are believed to say who asks. With a
+    ``token`` everything below ``/api`` asks for it.
     """
     limits = limits or Limits()
     middleware = [
         Middleware(SecurityHeaders),
         Middleware(KnownHosts, names=names, public=public),
-        Middleware(RateLimit, limits=limits),
+        Middleware(RateLimit, limits=limits, callers=callers or Callers()),
         *([Middleware(TokenRequired, token=token)] if token else []),
         Middleware(BodyLimit, limits=limits),
     ]

@@ -13,6 +13,7 @@ from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from foon_kg.errors import FoonError
+from foon_kg.web.callers import Callers
 from foon_kg.web.questions import Reply
 
 _NO_JSON = FoonError(
@@ -20,15 +21,15 @@ _NO_JSON = FoonError(
 )
 _SLOW = FoonError("the body did not come in time", hint="Send it faster.", code="slow")
 
-MOST_ADDRESSES = 4096
-"""Of so many addresses it is remembered how often they asked."""
+MOST_CALLERS = 4096
+"""Of so many callers it is remembered how often they asked."""
 
 
 @dataclass(frozen=True)
 class Limits:
     """What the service puts up with.
 
-    ``body`` in bytes; ``seconds`` for a question, and for sending it; of one address ``per_second`` requests, and
+    ``body`` in bytes; ``seconds`` for a question, and for sending it; of one caller ``per_second`` requests, and
     ``burst`` at once; ``waiting`` plans that are under way or wait; ``connections`` open at once.
     """
 
@@ -52,30 +53,31 @@ async def refuse(
 
 
 class RateLimit:
-    """Refuses (429) an address that asks too often: a bucket of ``burst`` tokens that fills at ``per_second``."""
+    """Refuses (429) a caller who asks too often: a bucket of ``burst`` tokens that fills at ``per_second``."""
 
-    def __init__(self, app: ASGIApp, limits: Limits) -> None:
+    def __init__(self, app: ASGIApp, limits: Limits, callers: Callers) -> None:
         self.app = app
         self.limits = limits
+        self.callers = callers
         self._left: OrderedDict[str, tuple[float, float]] = OrderedDict()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on, or refuse it."""
         if scope["type"] == "http":
-            wait = self._wait((scope.get("client") or ("",))[0])
+            wait = self._wait(self.callers.of(scope))
             if wait > 0:
                 seconds = str(math.ceil(wait))
                 error = FoonError("this address asks too often", hint=f"Ask again in {seconds} s.", code="rate")
                 return await refuse(scope, send, 429, error, {"retry-after": seconds})
         return await self.app(scope, receive, send)
 
-    def _wait(self, address: str) -> float:
-        """Take one token of ``address``; answer how many seconds are missing to the next where there is none."""
+    def _wait(self, caller: str) -> float:
+        """Take one token of ``caller``; answer how many seconds are missing to the next where there is none."""
         now = time.monotonic()
-        left, then = self._left.pop(address, (float(self.limits.burst), now))
+        left, then = self._left.pop(caller, (float(self.limits.burst), now))
         left = min(self.limits.burst, left + (now - then) * self.limits.per_second)
-        self._left[address] = (max(left - 1, 0) if left >= 1 else left, now)
-        while len(self._left) > MOST_ADDRESSES:
+        self._left[caller] = (max(left - 1, 0) if left >= 1 else left, now)
+        while len(self._left) > MOST_CALLERS:
             self._left.popitem(last=False)
         return 0.0 if left >= 1 else (1 - left) / self.limits.per_second
 

@@ -20,9 +20,9 @@ NAMES = frozenset({"localhost", "127.0.0.1"})
 SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion", "olive oil"]}
 
 
-def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=()):
+def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None):
     service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most)
-    return web_app(service, names=NAMES, public=public, token=token, limits=limits)
+    return web_app(service, names=NAMES, public=public, token=token, limits=limits, callers=callers)
 
 
 @contextlib.contextmanager
