@@ -8,7 +8,7 @@ CALL () {
   UNION ALL
   MATCH (s:State) WHERE NOT EXISTS { (s)--() } DELETE s
   UNION ALL
-  MATCH (v:Verb) WHERE NOT EXISTS { (v)--() } DELETE v
+  MATCH (v:Verb) WHERE v.units = 0 AND NOT EXISTS { (v)--() } DELETE v
   UNION ALL
   MATCH (d:DishType) WHERE NOT EXISTS { (d)--() } DELETE d
 }

@@ -1,7 +1,7 @@
 // What of the vocabulary matters to who asks for some foods: the foods that are called like one of them, that are named
 // after one of them with more words, or that are nearest to one of them in the vector index, each state with its foods
 // and their counts side by side; of the nearest how many they are, and the cosine of the furthest; all states, all verbs
-// that make them, and the dish types. Where not all foods are placed, there are some of which nothing is known. Among the
+// that make them, how many units each verb has and how many of them take several foods, and the dish types. Where not all foods are placed, there are some of which nothing is known. Among the
 // names are also those of mere ingredients of a dish. No row where the points were made of other word lists.
 // param: words STRING
 // param: called LIST<STRING>
@@ -13,6 +13,7 @@
 // column: foods
 // column: states
 // column: motions
+// column: verbs
 // column: dish_types
 // mode: read
 // scans: states, verbs and dish types are few, and all are asked for
@@ -54,4 +55,5 @@ RETURN
   } AS foods,
   COLLECT { MATCH (s:State) WHERE EXISTS { (s)<-[:SEEN_AS]-() } RETURN s.name } AS states,
   COLLECT { MATCH (s:State)-[r:MADE_BY]->(v:Verb) RETURN [s.name, v.name, r.count] } AS motions,
+  COLLECT { MATCH (v:Verb) WHERE v.units > 0 RETURN [v.name, v.units, v.several] } AS verbs,
   COLLECT { MATCH (d:DishType) WHERE EXISTS { (d)<-[:IS_A]-() } RETURN d.name } AS dish_types

@@ -226,8 +226,9 @@ class Integration:
         """Answer the places where ``want`` may join, best first.
 
         Never into what only measures another food, if it can be helped. Best is where a food like it joins in the
-        reference; then the place that a dropped food left open, so that the way of the reference is kept; then a unit
-        that happens anyway; then the latest. After the last unit that mixes or heats nothing joins (sense, S2).
+        reference; then the place that a dropped food left open, so that the way of the reference is kept; then a motion
+        whose units mostly take several foods; then a unit that happens anyway; then the latest. After the last unit
+        that mixes or heats nothing joins (sense, S2).
         """
         slots = self._reading.slots
         if not self.joins_alike:
@@ -241,6 +242,7 @@ class Integration:
                 place in slots.measuring,
                 -self._likeness(want, place),
                 place not in party.left_open,
+                -self._gathers(place),
                 place not in (party.alive or ()),
                 -place,
             ),
@@ -250,6 +252,10 @@ class Integration:
         """Say how much the foods that join at ``place`` in the reference are like ``want`` (0..1, in tenths)."""
         here = self._reading.slots.joined_by.get(place, ())
         return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
+
+    def _gathers(self, place: int) -> float:
+        """Say how often units with the motion at ``place`` take several foods in the FOON (0..1, in tenths)."""
+        return round(self.equivalents.vocabulary.gathers(self.script[place].unit.motion), 1)
 
     def _arrives(self, addition: Addition, party: _Party) -> bool:
         replayed = self._replay_with(party.casting, [*party.additions, addition])

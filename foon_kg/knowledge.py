@@ -36,12 +36,22 @@ class MadeBy:
     count: int
 
 
+@dataclass(frozen=True, order=True)
+class Gathering:
+    """How many units have this ``motion``, and how many of them take ``several`` foods."""
+
+    motion: str
+    units: int
+    several: int
+
+
 @dataclass(frozen=True)
 class Vocabulary:
     """The words that a FOON knows. Every table is sorted, so that two graphs with the same content answer alike.
 
     ``foods``: labels (utensils apart) with their states. ``motions``: which motion makes which state.
-    ``dish_types``: the classes that have at least one goal node. Where ``foods`` are only those that matter to a
+    ``dish_types``: the classes that have at least one goal node. ``gatherings``: how often the units of each motion
+    take several foods. Where ``foods`` are only those that matter to a
     question (:meth:`KnowledgeView.words_for`), ``other_states`` are the states of all others.
     """
 
@@ -49,6 +59,7 @@ class Vocabulary:
     motions: tuple[MadeBy, ...]
     dish_types: tuple[str, ...]
     other_states: tuple[str, ...] = ()
+    gatherings: tuple[Gathering, ...] = ()
 
     @property
     def labels(self) -> list[str]:
@@ -62,6 +73,15 @@ class Vocabulary:
         for row in self.foods:
             rows.setdefault(row.label, []).append(row)
         return {label: tuple(found) for label, found in rows.items()}
+
+    def gathers(self, motion: str) -> float:
+        """Answer how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet."""
+        row = self._gathering_of.get(motion)
+        return 0.5 if row is None else (row.several + 1) / (row.units + 2)  # the rule of succession
+
+    @cached_property
+    def _gathering_of(self) -> Mapping[str, Gathering]:
+        return {row.motion: row for row in self.gatherings}
 
 
 @dataclass(frozen=True, order=True)

@@ -112,7 +112,12 @@ class Snapshot:
         counts = WordCounts(self.kitchen.is_utensil)
         counts.count(known.unit for known in self.units)
         dish_types = {goal.dish_type for goal in self._goals}
-        return Vocabulary(tuple(counts.seen_as()), tuple(counts.made_by()), tuple(sorted(dish_types)))
+        return Vocabulary(
+            tuple(counts.seen_as()),
+            tuple(counts.made_by()),
+            tuple(sorted(dish_types)),
+            gatherings=tuple(counts.gatherings()),
+        )
 
     @cached_property
     def _known_foods(self) -> frozenset[str]:

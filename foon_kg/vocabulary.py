@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
-from foon_kg.knowledge import MadeBy, SeenAs
+from foon_kg.knowledge import Gathering, MadeBy, SeenAs
 from foon_kg.model import FunctionalUnit, ObjectNode
 
 NO_STATE = ""
@@ -31,6 +31,12 @@ def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> set[
     return {state for _, state in after - before if state != NO_STATE}
 
 
+def takes_several(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> bool:
+    """Say whether ``unit`` takes more than one food, be they in a vessel."""
+    names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients) if not is_utensil(name)}
+    return len(names) > 1
+
+
 @dataclass
 class WordCounts:
     """The counts of the vocabulary, growing or shrinking by one distinct unit at a time."""
@@ -39,6 +45,8 @@ class WordCounts:
     made: Counter[FoodState] = field(default_factory=Counter)
     used: Counter[FoodState] = field(default_factory=Counter)
     motions: Counter[tuple[str, str]] = field(default_factory=Counter)
+    units: Counter[str] = field(default_factory=Counter)
+    several: Counter[str] = field(default_factory=Counter)
 
     def count(self, units: Iterable[FunctionalUnit], weight: int = 1) -> None:
         """Add what each of ``units`` teaches ``weight`` times; -1 takes it away."""
@@ -49,6 +57,8 @@ class WordCounts:
                 self.used[pair] += weight
             for state in states_made(unit, self.is_utensil):
                 self.motions[state, unit.motion] += weight
+            self.units[unit.motion] += weight
+            self.several[unit.motion] += weight * takes_several(unit, self.is_utensil)
 
     def seen_as(self) -> Iterator[SeenAs]:
         """Answer the rows about foods that differ from nothing, sorted."""
@@ -61,3 +71,9 @@ class WordCounts:
         for state, motion in sorted(self.motions):
             if self.motions[state, motion]:
                 yield MadeBy(state, motion, self.motions[state, motion])
+
+    def gatherings(self) -> Iterator[Gathering]:
+        """Answer the rows about motions and how many foods they take that differ from nothing, sorted."""
+        for motion in sorted(self.units):
+            if self.units[motion] or self.several[motion]:
+                yield Gathering(motion, self.units[motion], self.several[motion])

@@ -32,7 +32,7 @@ _NODES = {
     "DishType": ("name",),
     "Ingredient": ("name", "canonical", "singular", "vector:double[]"),
     "State": ("name",),
-    "Verb": ("name",),
+    "Verb": ("name", "units:long", "several:long"),
 }  # fmt: skip
 _SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
 _EDGES: dict[str, tuple[str, str, tuple[str, ...]]] = {

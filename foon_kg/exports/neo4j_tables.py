@@ -44,7 +44,7 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
             for food, point in zip(foods, indexed_points(foods), strict=True)
         ],
         "State": _names(states),
-        "Verb": _names(row.motion for row in counts.made_by()),
+        "Verb": [(row.motion, row.units, row.several) for row in counts.gatherings()],
     }
 
 

@@ -45,7 +45,7 @@ from foon_kg.graph.statements import (
 )
 from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
 from foon_kg.kitchen import Kitchen, singular
-from foon_kg.knowledge import LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
+from foon_kg.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.motion_costs import MotionCosts
 from foon_kg.server.settings import ConnectionSettings
@@ -81,7 +81,9 @@ class GraphView:
     def _read_vocabulary(self) -> Vocabulary:
         (row,) = self._ask_once(VOCABULARY)
         motions = (MadeBy(*motion) for motion in sorted(row.motions))
-        return Vocabulary(tuple(sorted(seen_as(row.foods))), tuple(motions), tuple(sorted(row.dish_types)))
+        gatherings = tuple(Gathering(*verb) for verb in sorted(row.verbs))
+        foods, dish_types = sorted(seen_as(row.foods)), sorted(row.dish_types)
+        return Vocabulary(tuple(foods), tuple(motions), tuple(dish_types), gatherings=gatherings)
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
         """Answer what of the vocabulary matters to a recipe that asks for ``foods``."""

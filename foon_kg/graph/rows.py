@@ -123,6 +123,7 @@ class VocabularyRow:
 
     foods: list[StateRow]
     motions: list[tuple[str, str, int]]
+    verbs: list[tuple[str, int, int]]
     dish_types: list[str]
 
 
@@ -139,6 +140,7 @@ class WordsForRow:
     foods: list[StateRow]
     states: list[str]
     motions: list[tuple[str, str, int]]
+    verbs: list[tuple[str, int, int]]
     dish_types: list[str]
 
 

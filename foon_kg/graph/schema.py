@@ -25,6 +25,9 @@ _SCHEMA_CONFLICT = "Neo.ClientError.Schema."
 
 _TRIES = 5
 
+_COUNTED = "foods in states, states by verbs, verbs by foods"
+"""What the tables of words have. A graph with other tables is written anew, as for another kitchen."""
+
 
 def schema_version() -> int:
     """Answer the version of the schema that this program writes: the number of steps that lead to it."""
@@ -32,8 +35,8 @@ def schema_version() -> int:
 
 
 def kitchen_key(kitchen: Kitchen) -> str:
-    """Answer a hash of everything that decides what is at hand and what is a utensil."""
-    return content_key(*(_sorted(getattr(kitchen, field.name)) for field in dataclasses.fields(kitchen)))
+    """Answer a hash of everything that decides what is at hand and what is a utensil, and of what is counted."""
+    return content_key(_COUNTED, *(_sorted(getattr(kitchen, field.name)) for field in dataclasses.fields(kitchen)))
 
 
 def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
@@ -48,7 +51,7 @@ def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
         )
     if state.kitchen != kitchen_key(kitchen):
         raise SchemaError(
-            "the graph was written with another kitchen: other utensils or start states",
+            "the graph was written with another kitchen: other utensils or start states, or by an earlier foon-kg",
             hint="Load any FOON, even one that is there already: foon load foon PATH works the kitchen in anew.",
         )
 

@@ -15,7 +15,7 @@ from typing import Any
 from foon_kg.graph.equivalents import FIRST, MORE
 from foon_kg.graph.rows import StateRow, WordsForRow
 from foon_kg.kitchen import words
-from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
+from foon_kg.knowledge import Gathering, MadeBy, SeenAs, Vocabulary
 from foon_kg.names import canonical
 from foon_kg.similarity import Confidences, food_similarity
 from foon_kg.similarity.points import question, word_lists_key
@@ -107,6 +107,7 @@ class _Found:
             tuple(motions),
             tuple(sorted(self.row.dish_types)),
             tuple(sorted(self.row.states)),
+            tuple(Gathering(*verb) for verb in sorted(self.row.verbs)),
         )
 
     def pairs(self) -> Iterator[tuple[int, str, float]]:

@@ -73,9 +73,11 @@ class Writer:
             self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in gone])
         foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
         motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
-        if foods or motions:
+        verbs = [{"motion": r.motion, "units": r.units, "several": r.several} for r in self._counts.gatherings()]
+        if foods or motions or verbs:
             self._ask(cypher.COUNT_FOODS, rows=foods)
             self._ask(cypher.COUNT_MOTIONS, rows=motions)
+            self._ask(cypher.COUNT_VERBS, rows=verbs)
         if self._doubtful:
             self._ask(cypher.SWEEP_WORDS)
         self._write_vectors()

@@ -16,7 +16,7 @@ from kitchen_stories import node, unit
 
 from foon_kg.graph import Connection, Neo4jGraph, load, remove
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, SeenAs
+from foon_kg.knowledge import Gathering, MadeBy, SeenAs
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph
 from foon_kg.snapshot import Snapshot
 
@@ -156,6 +156,36 @@ def test_the_vocabulary_counts_each_distinct_unit_once(subgraphs):
         motions.update({(s, u.motion) for _, s in after - before if s})
     assert words.foods == tuple(SeenAs(*pair, made[pair], used[pair]) for pair in sorted({*made, *used}))
     assert words.motions == tuple(MadeBy(*pair, motions[pair]) for pair in sorted(motions))
+
+
+@for_every_foon
+@given(foons())
+def test_the_vocabulary_says_how_often_the_units_of_a_motion_take_several_foods(subgraphs):
+    with Snapshot.of(subgraphs, KITCHEN).reading() as view:
+        words = view.vocabulary()
+    units, several = Counter(), Counter()
+    for u in distinct_units(subgraphs).values():
+        taken = {n.label for n in u.input_nodes if food(n)}
+        taken |= {name for n in u.input_nodes for name in n.ingredients if not KITCHEN.is_utensil(name)}
+        units[u.motion] += 1
+        several[u.motion] += len(taken) >= 2
+    assert words.gatherings == tuple(Gathering(m, units[m], several[m]) for m in sorted(units))
+    for motion in units:
+        assert words.gathers(motion) == (several[motion] + 1) / (units[motion] + 2)
+    assert words.gathers("levitate") == 0.5
+
+
+def test_verbs_are_counted_also_where_they_make_no_state_and_are_forgotten_with_their_last_unit(keeper):
+    both = story(
+        "a", unit("salt; bowl{onion} > pour > bowl{onion,salt}"), unit("bowl{onion,salt} > lift > bowl{onion}")
+    )
+    one = story("b", unit("tap(off) > turn on > tap(on)"))
+    with keeper.keep([both, one]).reading() as view:
+        assert view.vocabulary().gatherings == (
+            Gathering("lift", 1, 1), Gathering("pour", 1, 1), Gathering("turn on", 1, 0)
+        )  # fmt: skip
+    with keeper.keep([one]).reading() as view:
+        assert view.vocabulary().gatherings == (Gathering("turn on", 1, 0),)
 
 
 @pytest.mark.neo4j
