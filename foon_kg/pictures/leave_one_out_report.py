@@ -24,6 +24,7 @@ from foon_kg.pictures.report import (
     table,
     tree_picture,
     unfolded,
+    without_tree_section,
     words,
 )
 from foon_kg.result import PlanResult
@@ -154,7 +155,4 @@ def _trees(
 
 def _without_tree(every: VideosTogether) -> str:
     failed = [video for video in every.videos if OURS in video.failed]
-    if not failed:
-        return ""
-    rows = [(words(v.recipe.id or ""), words(v.recipe.dish_type), words(v.failed[OURS])) for v in failed]
-    return section("without-tree", "Without a tree, counted as 0", table(("video", "dish", "why"), rows, "words"))
+    return without_tree_section("video", [(v.recipe.id or "", v.recipe.dish_type, v.failed[OURS]) for v in failed])

@@ -21,6 +21,7 @@ from foon_kg.pictures.report import (
     table,
     tree_picture,
     unfolded,
+    without_tree_section,
     words,
 )
 from foon_kg.validation import CONTRACT, SENSE
@@ -161,8 +162,5 @@ def _trees(recipes: Sequence[RecipeFigures]) -> Iterator[str]:
 
 
 def _without_tree(every: DishFigures) -> str:
-    failed = every.without_tree
-    if not failed:
-        return ""
-    rows = [(words(recipe.name), words(recipe.recipe.dish_type), words(recipe.error)) for recipe in failed]
-    return section("without-tree", "Without a tree, counted as 0", table(("recipe", "dish", "why"), rows, "words"))
+    rows = [(recipe.name, recipe.recipe.dish_type, recipe.error) for recipe in every.without_tree]
+    return without_tree_section("recipe", rows)

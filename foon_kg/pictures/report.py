@@ -109,6 +109,14 @@ def left_out_section(left_out: Sequence[LeftOut]) -> str:
     return section("left-out", f"Left out: fewer than {FEWEST_GOALS} goals", table(("", "goals", "asked"), rows))
 
 
+def without_tree_section(asked: str, failed: Sequence[tuple[str, str, str]]) -> str:
+    """Answer for each that has no tree its name, its dish and why; nothing where there are none."""
+    if not failed:
+        return ""
+    rows = [tuple(map(words, one)) for one in failed]
+    return section("without-tree", "Without a tree, counted as 0", table((asked, "dish", "why"), rows, "words"))
+
+
 def words(text: str) -> str:
     """Answer text as HTML."""
     return escape(writable(text))

@@ -1,6 +1,6 @@
 // What the FOON has around one object.
 
-import { element, heading, list } from "./element.js";
+import { counted, element, heading, list } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
 
 const FIRST = 12; // the others are unfolded
@@ -19,7 +19,7 @@ const units = (title, told) => {
 
 export const aroundView = (found) => [
   heading(2, `${found.label}${found.utensil ? " (a utensil)" : ""}`),
-  element("p", { class: "aside" }, `In ${found.videos.length} videos: ${found.videos.slice(0, 12).join(", ")}${found.videos.length > 12 ? ", …" : ""}`),
+  element("p", { class: "aside" }, `In ${counted(found.videos.length, "video")}: ${found.videos.slice(0, 12).join(", ")}${found.videos.length > 12 ? ", …" : ""}`),
   element("details", { open: found.nodes.length <= 12 }, element("summary", {}, found.nodes.length === 1 ? "It is seen in one way" : `It is seen in ${found.nodes.length} ways`),
     list(found.nodes.map((node) => [...nodeWords(node), node.ingredients.length ? element("span", { class: "aside" }, ` with ${node.ingredients.join(", ")}`) : ""]))),
   ...units("Steps that make it", found.made_by),

@@ -1,4 +1,4 @@
-// A field that gathers words as chips: typed, completed or pasted (a line each); × takes one away.
+// A field that gathers words as chips: typed and added, completed or pasted (a line each); × takes one away.
 
 import { combobox } from "./combobox.js";
 import { element } from "./element.js";
@@ -42,6 +42,9 @@ export const chipField = (input, chips, { most, say, changed }) => {
     focusNear(chips, place, input);
   };
   const typed = combobox(input, (text) => add(text));
+  const click = () => { add(); input.focus(); };
+  const name = `Add to ${chips.getAttribute("aria-label").toLowerCase()}`;
+  input.closest(".row").append(element("button", { type: "button", "aria-label": name, onclick: click }, "Add"));
   input.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || event.ctrlKey || event.metaKey || !named(input.value)) return;
     event.preventDefault();

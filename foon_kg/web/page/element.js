@@ -14,6 +14,8 @@ export const heading = (level, text) => element(`h${level}`, {}, text);
 export const list = (items, attributes = {}, name = "ul") =>
   element(name, attributes, ...items.map((item) => (item instanceof HTMLLIElement ? item : element("li", {}, ...[item].flat()))));
 
+export const counted = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
+
 export const errorNotice = (error, ...remedies) =>
   element("div", { class: "notice error", role: "alert" },
     element("p", {}, element("strong", {}, sentence(error.message))),

@@ -5,7 +5,7 @@ import * as api from "./api.js";
 import { aroundView } from "./around.js";
 import { chipField } from "./chips.js";
 import { combobox } from "./combobox.js";
-import { element, errorNotice } from "./element.js";
+import { counted, element, errorNotice } from "./element.js";
 import { planView, suggestionsView } from "./plan.js";
 import { wishes } from "./wishes.js";
 
@@ -113,7 +113,7 @@ const begin = async () => {
   try {
     const told = await api.summary();
     at("token").hidden = true;
-    at("summary").textContent = `${told.units} steps of ${told.videos} videos, ${told.foods} foods`;
+    at("summary").textContent = `${counted(told.units, "step")} of ${counted(told.videos, "video")}, ${counted(told.foods, "food")}`;
     dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)));
     if (!told.units) result.replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
     follow();
@@ -131,7 +131,6 @@ at("ask").addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || foods.words().length) plan();
   } else if (event.target.matches("input")) event.preventDefault(); // an empty field asks nothing
 });
-at("add").addEventListener("click", () => { foods.add(); ingredient.focus(); });
 at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan(); });
 at("suggest").addEventListener("click", suggest);
 at("clear").addEventListener("click", () => {

@@ -1,6 +1,6 @@
 // A plan: the tree, its steps with their videos, what stands for what (and what could), progress lines, reasons.
 
-import { element, heading, list, sentence } from "./element.js";
+import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords, seenWords, unitWords } from "./nodes.js";
 import { picture, staged } from "./picture.js";
 import { scheduleView } from "./schedule.js";
@@ -11,9 +11,9 @@ export const planView = (plan, chosen, choose) => {
   const unseen = new Map(plan.substitutions.filter((one) => one.kind === "object").map((one) => [one.object, one]));
   const wanted = plan.recipe.ingredients.map((one) => `${one.state} ${one.object}`.trim()).join(", ");
   return [
-    heading(2, `${plan.goal.label}: ${plan.units.length} steps`),
+    heading(2, `${plan.goal.label}: ${counted(plan.units.length, "step")}`),
     element("p", {}, `${sentence(`${plan.recipe.dish_type} with ${wanted}`).slice(0, -1)}, made like the ${plan.reference.goal.label} of `
-      + `${plan.reference.units} steps, which takes ${plan.reference.overlap} of these foods or their like`
+      + `${counted(plan.reference.units, "step")}, which takes ${plan.reference.overlap} of these foods or their like`
       + (plan.reference.exact ? "." : " (the best that was found in time).")),
     notes(plan.notes),
     ...substitutions(plan, chosen, choose),
@@ -100,7 +100,7 @@ export const suggestionsView = (answer, take) => [
   heading(2, "What these foods could make"),
   notes(answer.notes),
   list(answer.suggestions.map((one) => element("li", {},
-    element("p", {}, element("strong", {}, one.goal.label), ` (${one.dish_type}), ${one.units} steps, ${Math.round(one.share * 100)} % is there`),
+    element("p", {}, element("strong", {}, one.goal.label), ` (${one.dish_type}), ${counted(one.units, "step")}, ${Math.round(one.share * 100)} % is there`),
     element("p", { class: "aside" }, `takes ${one.taken.map((t) => (t.own === t.food ? t.food : `${t.own} for ${t.food}`)).join(", ")}`
       + (one.missing.length ? `; missing: ${one.missing.join(", ")}` : "; nothing is missing")),
     element("button", { type: "button", class: "small", onclick: () => take(one.dish_type) }, `Plan it as ${one.dish_type}`))), { class: "plain" }),

@@ -11,8 +11,6 @@ export const wishes = (say) => {
 
   const kitchen = chipField(at("thing"), at("at-hand"), { most: 200, say, changed: () => told() });
   const avoided = chipField(at("avoid"), at("avoided"), { most: 20, say, changed: () => told() });
-  at("add-thing").addEventListener("click", () => { kitchen.add(); at("thing").focus(); });
-  at("add-avoid").addEventListener("click", () => { avoided.add(); at("avoid").focus(); });
 
   const told = () => {
     const [things, foods] = [kitchen?.words() ?? [], avoided?.words() ?? []];
