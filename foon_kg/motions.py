@@ -28,6 +28,12 @@ HEATS = _all(
 )
 """Words of motions that cook what they act on."""
 
+MOIST = _all("blanch boil poach simmer steam")
+"""Words of motions that cook in water or its steam."""
+
+DRY = _all("bake barbecue broil brown fry grill roast saute sauté sear toast")
+"""Words of motions that cook in hot air or fat."""
+
 TRANSFERS = _all(
     "add drip drizzle drop dump empty fill garnish insert move pick place pour put scoop scrape spoon "
     "sprinkle squeeze transfer "
@@ -39,6 +45,10 @@ OPENS = _all(
     "shave shred slice slit split trim "
 )
 """Words of motions that open a whole food: crack, peel or cut it."""
+
+
+PEELS = _all("crack hull peel shell skin")
+"""Words of motions that take off what nobody eats."""
 
 
 @cache
@@ -75,3 +85,22 @@ def transfers(motion: str) -> bool:
 def opens(motion: str) -> bool:
     """Say whether the motion opens a whole food: cracks, peels or cuts it."""
     return bool(words(motion) & OPENS)
+
+
+@cache
+def peels(motion: str) -> bool:
+    """Say whether the motion takes off what nobody eats: a skin, a shell."""
+    own = words(motion)
+    return bool(own & PEELS) or own >= {"off", "skin"}
+
+
+@cache
+def may_stand_for(motion: str, other: str) -> bool:
+    """Say whether ``motion`` can be done with what is there for ``other``.
+
+    Nobody bakes in the water in which something boils, and nothing is blended with a knife on a board.
+    """
+    own, theirs = words(motion), words(other)
+    if (own & DRY and theirs & MOIST) or (own & MOIST and theirs & DRY):
+        return False
+    return not opens(other) or opens(motion) or not mixes(motion)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
+from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
@@ -62,7 +63,8 @@ class Preparations:
             makes = [partial(self._processed, want, stand) for stand in (self.leaves_stand, self._leaves_given)]
             ways = Ways.among(self.equivalents.candidates(want), makes)
         elif is_whole(want.state):
-            ways = Ways.known(sorted((*self._opened(want), *self._parts(want)), key=lambda made: made.rank))
+            opened = (*self._opened(want), *self._parts(want))
+            ways = Ways.known(sorted(opened, key=lambda made: (made.stale > 0, made.roughness, made.rank)))
         else:
             ways = Ways.known(())
         if not isinstance(self.kitchen, StockedKitchen):
@@ -116,7 +118,23 @@ class Preparations:
             return
         cast = self.equivalents.recast(want, [candidate.state], line.made_by)
         if cast is not None and stands(line, cast[0]):
-            yield from self._executed(want, want.state, candidate, script, cast[0])
+            peeled = self._peeled(candidate, script)
+            made = [*self._executed(want, want.state, candidate, peeled, cast[0])] if peeled else ()
+            yield from made or self._executed(want, want.state, candidate, script, cast[0])
+
+    def _peeled(self, candidate: Candidate, script: Sequence[KnownUnit]) -> Sequence[KnownUnit] | None:
+        """Answer the units that also peel what ``script`` cooks in its shell or skin, where FOON does so: an egg."""
+        label, state = candidate.label, candidate.state
+        if not motions.heats(script[-1].unit.motion) or any(opens_food(label, known) for known in script):
+            return None
+        for other in self.equivalents.states_known(label):
+            if any(motions.peels(motion) for motion, _ in self.equivalents.motions_like(other)):
+                longer = self.derive(Candidate(label, other, 1.0, 1.0))
+                if longer and motions.peels(longer[-1].unit.motion) and opens_food(label, longer[-1]):
+                    there = longer[-1].unit.input_nodes
+                    if any(node.label == label and state in node.states for node in there):
+                        return longer
+        return None
 
     def _opened(self, want: RequiredIngredient) -> Iterator[Preparation]:
         for state in self.equivalents.states_known(want.object):

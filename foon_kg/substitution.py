@@ -11,8 +11,9 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from foon_kg import motions
 from foon_kg.kitchen import Kitchen, words
-from foon_kg.knowledge import SeenAs, Vocabulary
+from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
 from foon_kg.recent import Recent
 from foon_kg.script import Recast
@@ -28,6 +29,7 @@ MOST_FOODS = 1024
 """Of so many foods it is kept what may stand for them."""
 
 Rows = Recent[str, tuple[tuple[str, float], ...]]
+Named = Recent[str, MadeBy | None]
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,7 @@ class Equivalents:
     own_confidence: Callable[[str, str], float] | None = None
     choose_motions: bool = True
     _fair: Rows = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
-    _motion_named: Recent[str, str] = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
+    _motion_named: Named = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
     _labels_like: Rows = field(default_factory=lambda: Recent(MOST_FOODS), repr=False, compare=False)
 
     def state_confidence(self, food: str, required: str, known: str) -> float:
@@ -133,15 +135,19 @@ class Equivalents:
     def _motion_for(self, state: str, motion: str) -> dict[str, str]:
         """Answer the motion that stands for ``motion`` when ``state`` is made; nothing where FOON makes it so too.
 
-        It is the one named after the state (minced, mince) before the commonest, and none that only moves food.
+        It is the one named after the state (minced, mince) before the commonest, and none that only moves food or
+        needs other things than are there for ``motion``.
         """
         known = self._motions.get(state, ())
         if not self.choose_motions or not known or motion in {name for name, _ in known}:
             return {}
         if state not in self._motion_named:
-            made = motion_for(state, self.vocabulary)
-            self._motion_named[state] = made.motion if made is not None and made.count else known[0][0]
-        return {motion: self._motion_named[state]}
+            self._motion_named[state] = motion_for(state, self.vocabulary)
+        named = self._motion_named[state]
+        if named is not None and named.motion == motion:
+            return {}  # to boil makes boiled, whether or not FOON has ever called it so
+        chosen = named.motion if named is not None and named.count else known[0][0]
+        return {motion: chosen} if motions.may_stand_for(chosen, motion) else {}
 
     @cached_property
     def _motions(self) -> dict[str, tuple[tuple[str, int], ...]]:

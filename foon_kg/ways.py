@@ -13,9 +13,13 @@ from itertools import groupby
 from typing import Self, overload
 
 from foon_kg import motions
+from foon_kg.kitchen import words
 from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.script import Casting, Step
 from foon_kg.substitution import Candidate
+
+_SPOILT = frozenset({"cored", "grated", "juiced", "remains", "slit", "slits", "squeezed", "zested"})
+"""Words of states in which an opened food is as good as whole still, or in which little of it is left."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +57,13 @@ class Preparation:
     def is_cooked(self) -> bool:
         """Whether a food that is sold raw was heated: an egg that was boiled before it was peeled."""
         return any(motions.heats(step.motion) for step in self.steps)
+
+    @cached_property
+    def roughness(self) -> int:
+        """How far from how a cook opens a food: 0 where it was peeled, 1 where it was cut, 2 where it is spoilt."""
+        if any(not _SPOILT.isdisjoint(words(state)) for state in self.node.states):
+            return 2
+        return 0 if any(motions.peels(step.motion) for step in self.steps) else 1
 
     def clashes(self, other: Preparation) -> bool:
         """Say whether a step of each uses up the same food, and they are not the same step."""

@@ -1,0 +1,56 @@
+"""Foods that are opened as a cook would do it: peeled before cut, cut before grated, and never only slit."""
+
+from __future__ import annotations
+
+import pytest
+from kitchen_stories import node, subgraph, unit
+from planner.dishes import KITCHEN, SETTINGS
+
+from foon_kg.model import Annotation, Recipe, RequiredIngredient, Subgraph
+from foon_kg.planner import plan
+from foon_kg.snapshot import Snapshot
+
+DISH = (
+    "bowl(empty); salt(granulated) > sprinkle > bowl{salt}",
+    "bowl{salt}; spoon > mix* > bowl{salad}; salad(mixed){salt}@bowl",
+)
+ON_THE_BOARD = "cutting board(empty); avocado(whole) > pick-and-place > avocado(whole)@on cutting_board"
+SLIT = "avocado(whole)@on cutting_board; knife > cut > avocado(slit)@on cutting_board"
+HALVED = "avocado(slit)@on cutting_board > pull apart > avocado(halved)@on cutting_board"
+PEELED = "avocado(halved)@on cutting_board > peel > avocado(halved,peeled)@on cutting_board"
+GRATED = "avocado(whole)@on cutting_board; grater > grate > avocado(grated)@on cutting_board"
+BOILED = (
+    "stove(off) > turn on > stove(on)",
+    "pot(empty); stove(on); water(liquid) > heat > pot(hot){water}; water(hot)@pot",
+    "pot(hot){water}; water(hot)@pot; egg(whole) > place > pot(hot){egg,water}; egg(whole)@pot",
+    "pot(hot){egg,water}; egg(whole)@pot; stove(on) > boil > egg(hardboiled,whole)@pot",
+)
+SHELLED = "egg(hardboiled,whole)@pot > peel > egg(hardboiled,peeled,whole)@pot"
+
+
+def put_in(food, state, *lines):
+    """The node of ``food`` that joins a salad of salt where the FOON also knows ``lines``."""
+    known = Subgraph("known", tuple(Annotation(unit(line)) for line in lines))
+    snapshot = Snapshot.of([subgraph("salad", "salad", *DISH), known], KITCHEN)
+    recipe = Recipe("salad", (RequiredIngredient("salt", "granulated"), RequiredIngredient(food, state)))
+    mix = plan(snapshot, recipe, SETTINGS).units
+    into = next(u for u in mix if any("salt" in n.ingredients and food in n.ingredients for n in u.output_nodes))
+    return next(n for n in into.input_nodes if n.label == food)
+
+
+@pytest.mark.parametrize(
+    ("known", "joins"),
+    [
+        ((SLIT,), "avocado(slit)@on cutting_board"),
+        ((SLIT, HALVED), "avocado(halved)@on cutting_board"),
+        ((SLIT, HALVED, PEELED), "avocado(halved,peeled)@on cutting_board"),
+        ((SLIT, HALVED, GRATED), "avocado(halved)@on cutting_board"),
+    ],
+)
+def test_a_whole_food_is_opened_as_far_as_it_is_fit_to_eat(known, joins):
+    assert put_in("avocado", "whole", ON_THE_BOARD, *known) == node(joins)
+
+
+def test_an_egg_that_is_boiled_in_its_shell_is_peeled_where_the_foon_peels_one():
+    assert put_in("egg", "hardboiled", *BOILED) == node("egg(hardboiled,whole)@pot")
+    assert put_in("egg", "hardboiled", *BOILED, SHELLED) == node("egg(hardboiled,peeled,whole)@pot")
