@@ -60,7 +60,8 @@ class TooLongError(FoonError):
     code = "timeout"
 
     def __init__(self, seconds: float) -> None:
-        super().__init__(f"no answer within {seconds:g} seconds", hint="Choose a dish type, name fewer things, or ask again later.")
+        hint = "Choose a dish type, name fewer things, or ask again later."
+        super().__init__(f"no answer within {seconds:g} seconds", hint=hint)
 
 
 class InternalError(FoonError):

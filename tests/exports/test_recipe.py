@@ -127,6 +127,7 @@ def test_what_was_substituted_and_assumed_is_told():
             substitutions=(
                 Substitution("object", "onion", "onion", "leek", 0.875),
                 Substitution("state", "tomato", "diced", "chopped", 0.9),
+                Substitution("motion", "egg", "cook", "boil", 1.0),
             ),
             assumptions=(Assumption(node("onion(whole)"), "nothing makes it"),),
         )
@@ -134,6 +135,7 @@ def test_what_was_substituted_and_assumed_is_told():
     assert text.split("## Notes\n\n")[1].splitlines() == [
         "- onion is handled like leek (confidence 0.88)",
         "- tomato is diced where the video has chopped (confidence 0.90)",
+        "- cook the egg where the video has boil (confidence 1.00)",
         "- onion (whole): nothing makes it",
     ]
 
