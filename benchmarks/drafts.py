@@ -190,7 +190,7 @@ def main():
     for video in videos[:: asked.every]:
         rest = Snapshot.of([other for other in videos if other.name != video.name], KITCHEN)
         precedents = FoonPrecedents(rest.units, KITCHEN)
-        told = (as_rows(video), with_actions(as_text(video), precedents.verbs))
+        told = (as_rows(video), with_actions(as_text(video), precedents.verbs, precedents.names))
         for score, narration in zip(scores, told, strict=True):
             drafted = draft(narration, precedents)
             score.add(video, drafted)

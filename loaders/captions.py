@@ -68,12 +68,8 @@ def read_captions(path: Path) -> NarratedFile:
     journal, file = Journal(str(path)), str(path)
     try:
         videos = sum(1 for _ in _narrations(path, journal))
-    except UnreadableFile as unreadable:
-        journal.reject_file(unreadable.line, unreadable.problem)
-        return NarratedFile(file, (), journal.notices())
-    except OSError as error:
-        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
-        journal.reject_file(None, problem)
+    except (UnreadableFile, OSError) as error:
+        journal.reject_unread(error)
         return NarratedFile(file, (), journal.notices())
     if not videos and not journal.notices():
         journal.reject_file(None, Problem(NoticeKind.NO_UNITS, "no sentence in it"))

@@ -55,12 +55,8 @@ def _read(path: Path) -> NarratedFile:
     journal, file = Journal(str(path)), str(path)
     try:
         text = decode(path.read_bytes())
-    except UnreadableFile as unreadable:
-        journal.reject_file(unreadable.line, unreadable.problem)
-        return NarratedFile(file, (), journal.notices())
-    except OSError as error:
-        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
-        journal.reject_file(None, problem)
+    except (UnreadableFile, OSError) as error:
+        journal.reject_unread(error)
         return NarratedFile(file, (), journal.notices())
     if path.suffix.lower() == ".csv" and is_epic_kitchens(text):
         return read_epic_kitchens(text, file)

@@ -158,6 +158,12 @@ class Journal:
         self._add_rejected(line, problem, "file rejected")
         return self._ended(None)
 
+    def reject_unread(self, error: UnreadableFile | OSError) -> ReadResult:
+        """Answer the result of a file that cannot be opened, or whose content is not what it should be."""
+        if isinstance(error, UnreadableFile):
+            return self.reject_file(error.line, error.problem)
+        return self.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}"))
+
     def result(self, name: str, annotations: Sequence[Annotation], sources: Sequence[str]) -> ReadResult:
         """Answer what was read. A file without any unit is rejected: it is hardly a FOON."""
         if annotations:

@@ -94,11 +94,8 @@ def _read_file(path: Path, reader: TextReader) -> ReadResult:
     try:
         text = decode(path.read_bytes())
         name = _video_name(path)
-    except UnreadableFile as unreadable:
-        return Journal(_printable(path)).reject_file(unreadable.line, unreadable.problem)
-    except OSError as error:
-        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
-        return Journal(_printable(path)).reject_file(None, problem)
+    except (UnreadableFile, OSError) as error:
+        return Journal(_printable(path)).reject_unread(error)
     is_json = path.suffix.lower() == ".json"
     bare = text.removeprefix(_BYTE_ORDER_MARK)
     result = read_json(bare, name, str(path)) if is_json else reader.read(bare, name, str(path))

@@ -72,11 +72,8 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
     """
     try:
         return read_video_text(decode(path.read_bytes()), path.stem, str(path))
-    except UnreadableFile as unreadable:
-        return (Journal(str(path)).reject_file(unreadable.line, unreadable.problem),)
-    except OSError as error:
-        problem = Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}")
-        return (Journal(str(path)).reject_file(None, problem),)
+    except (UnreadableFile, OSError) as error:
+        return (Journal(str(path)).reject_unread(error),)
 
 
 def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, ...]:

@@ -241,7 +241,7 @@ def _drafts(
     foon = whole_foon(files, say)
     precedents = FoonPrecedents(foon.units, foon.kitchen)
     for narration in narrations:
-        told = with_actions(narration, precedents.verbs) if narration.sentences else narration
+        told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
         yield drafted(told, precedents, dish_type=dish)
 
 

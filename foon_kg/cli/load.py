@@ -32,10 +32,6 @@ def load() -> None:
     """Load FOONs and collections of recipes into Neo4j."""
 
 
-app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
-app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
-
-
 @app.command(
     epilog=examples(
         "foon load foon subgraphs/",
@@ -90,6 +86,10 @@ def videos(
     _refuse_drafts(paths)
     results = list(read_videos(paths))
     _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+
+
+app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
+app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 
 def _refuse_drafts(paths: Sequence[Path]) -> None:

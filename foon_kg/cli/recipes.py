@@ -48,8 +48,8 @@ def recipes(
 
     if [bool(sample), bool(unseen), recipe_id is not None].count(True) > 1:
         raise UsageError("--sample, --unseen and --id exclude each other", hint="Ask for one of them.")
-    if dish is not None and not sample:
-        raise UsageError("--dish says from what to draw", hint="Add --sample N.")
+    if (dish is not None or partition) and not sample:
+        raise UsageError("--dish and --partition say from what to draw", hint="Add --sample N.")
     with Connection(connection_settings(sayer(quiet=quiet))) as connection:
         if sample:
             ids = _drawn(connection, dish, partition, sample, seed)
@@ -71,7 +71,9 @@ def _drawn(connection: Connection, dish: str | None, partition: str, count: int,
         raise UsageError(f"there is no dish type {dish}", hint=f"One of: {', '.join(DISH_TYPES)}.")
     ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in recipe_ids(connection, name, partition)})
     if not ids:
-        raise UsageError(f"the graph has no recipe of {dish or 'any dish type'}", hint="foon load recipes PATH")
+        part = f" in the part “{partition}”" if partition else ""
+        hint = "foon recipes counts what there is; foon load recipes PATH loads more."
+        raise UsageError(f"the graph has no recipe of {dish or 'any dish type'}{part}", hint=hint)
     return sorted(random.Random(seed).sample(ids, min(count, len(ids))))  # noqa: S311 - a draw, no secret
 
 
@@ -120,9 +122,15 @@ def _show_counts(count: RecipeCountRow, rows: list[RecipeClassRow], *, as_json: 
     title = f"{count.recipes:,} recipes, {count.sure:,} of them with a sure dish type; they name {count.foods:,} foods"
     return _print_table(
         title,
-        ("dish type", "recipes", "ingredients a recipe", "unseen a recipe"),
+        ("dish type", "recipes", "ingredients a recipe", "unseen a recipe", "share"),
         [
-            (r.dish_type, f"{r.recipes:,}", f"{r.ingredients / r.recipes:.1f}", f"{r.unseen / r.recipes:.1f}")
+            (
+                r.dish_type,
+                f"{r.recipes:,}",
+                f"{r.ingredients / r.recipes:.1f}",
+                f"{r.unseen / r.recipes:.1f}",
+                f"{r.unseen / r.ingredients:.0%}" if r.ingredients else "",
+            )
             for r in rows
         ],
     )

@@ -70,6 +70,10 @@ class Precedents:
         kept = {state for state in {*before} - {*gone} - lost if state_class(state)[0] not in classes}
         return tuple(sorted({*come} | kept)), share
 
+    def keeps(self, before: States) -> bool:
+        """Whether there are rows that begin so: what they say counts, even that the states stay as they are."""
+        return any(set(row.before) == set(before) for row in self.rows)
+
     def place_before(self) -> tuple[Place, float]:
         """Answer the commonest place before."""
         return _commonest((row.place_before, row.weight) for row in self.rows)
@@ -123,6 +127,11 @@ class FoonPrecedents:
         for node, count in self._nodes.items():
             counts[canonical(node.label)][node.label] += count
         return {name: _commonest(found.items())[0] for name, found in counts.items()}
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the FOON calls its objects."""
+        return tuple(sorted({node.label for node in self._nodes}))
 
     def motion(self, candidates: Sequence[str], label: str) -> str:
         """Answer which of ``candidates`` (not empty) the FOON does most often with ``label``, else the first."""

@@ -57,3 +57,42 @@ def test_places_instruments_results_and_products():
 def test_a_clause_longer_than_any_is_kept_as_one_without_a_verb():
     (action,) = actions("chop " + "onion " * 1000)
     assert action.verb == ""
+
+
+NAMES = ("egg white and yolk", "macaroni and cheese", "mixing bowl", "vanilla extract", "whipped cream")
+
+
+def named(text, *motions):
+    verbs = Verbs((*VERBS.motions, *motions))
+    read = with_actions(Narration("x", sentences=(Sentence(text),)), verbs, NAMES).actions
+    return [(action.verb, *(one.name for one in action.objects)) for action in read]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Stir the egg white and yolk in the bowl.", [("stir", "egg white and yolk")]),
+        ("Pour the vanilla extract from the bottle into the spoon.", [("pour", "vanilla extract")]),
+        ("Pour the whipped cream into the mixing bowl.", [("pour", "whipped cream")]),
+        ("Scoop and pour the macaroni and cheese onto the plate.", [("scoop and pour", "macaroni and cheese")]),
+        ("Stir the egg whites and the yolk.", [("stir", "egg whites", "yolk")]),
+    ],
+)
+def test_a_name_of_the_foon_is_one_thing_whatever_words_are_in_it(text, expected):
+    assert named(text) == expected
+
+
+def test_a_place_of_several_words_is_told_as_it_is_written():
+    text = "Pour the milk into the mixing bowl."
+    (pour,) = with_actions(Narration("x", sentences=(Sentence(text),)), VERBS, NAMES).actions
+    assert (pour.places, pour.said) == ((Place("into", "mixing bowl"),), text)
+
+
+def test_a_motion_of_several_words_at_the_beginning_is_one_verb():
+    assert named("Cut open the bacon in the packet with the scissors.", "cut", "cut open") == [("cut open", "bacon")]
+    assert named("Cut the bacon in the packet with the scissors.", "cut", "cut open") == [("cut", "bacon")]
+
+
+@pytest.mark.parametrize("verb", ["mince", "skim", "broil"])
+def test_a_verb_that_the_parser_takes_for_a_noun_is_read_all_the_same(verb):
+    assert named(f"{verb.title()} the broccoli on the cutting board with the knife.", verb) == [(verb, "broccoli")]

@@ -257,7 +257,14 @@ def test_what_is_to_be_planned_must_be_said_once_and_be_there(environment, conne
 
 
 @pytest.mark.parametrize(
-    "words", [["--sample", "1", "--unseen", "1"], ["--dish", "salad"], ["--sample", "1", "--dish", "gruel"]]
+    "words",
+    [
+        ["--sample", "1", "--unseen", "1"],
+        ["--dish", "salad"],
+        ["--partition", "val"],
+        ["--sample", "1", "--dish", "gruel"],
+        ["--sample", "1", "--partition", "val"],
+    ],
 )
 def test_wrong_usage_of_recipes_is_said(environment, words):
     assert foon("recipes", *words).exit_code == 2
