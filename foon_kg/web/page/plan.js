@@ -59,7 +59,7 @@ const food = (one, chosen, choose) => {
     element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "");
   const others = one.alternatives.map((other) =>
     element("button", { type: "button", class: "small", "data-like": other.name, onclick: () => choose(one.object, other.name),
-      "aria-label": `Handle ${one.object} like ${other.name} instead` }, other.name, " ", sure(other.confidence)));
+      "aria-label": `${other.name} ${other.confidence.toFixed(2)}: handle ${one.object} like it instead` }, other.name, " ", sure(other.confidence)));
   const back = own ? [element("button", { type: "button", class: "small quiet", onclick: () => choose(one.object, null) }, "undo my choice")] : [];
   if (!others.length && !back.length) return said;
   return [said, element("div", { class: "choices", role: "group", "aria-label": `Instead of ${one.equivalent} for ${one.object}` },
