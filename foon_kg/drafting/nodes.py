@@ -11,6 +11,7 @@ from foon_kg.drafting.scene import Scene, emptied, filled
 from foon_kg.model import ObjectNode
 from foon_kg.names import canonical
 from foon_kg.narration import Mention, NarratedAction
+from foon_kg.states import state_in
 
 
 @dataclass(frozen=True)
@@ -91,6 +92,8 @@ class NodeDrafter:
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if action.results:
             return (*action.results, *(state for state in states if state in before.states))
+        if set(states) == set(before.states) and not like.keeps(before.states) and (told := done(action.verb)):
+            states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
 
@@ -159,6 +162,13 @@ class NodeDrafter:
     def in_utensil(self, node: ObjectNode) -> bool:
         """Say whether a node is in or on a utensil."""
         return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
+
+
+def done(verb: str) -> str | None:
+    """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
+    word = verb.split(" ", maxsplit=1)[0]
+    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", word)
+    return next((state for form in forms if (state := state_in(form))), None)
 
 
 def listed(states: Sequence[str]) -> str:

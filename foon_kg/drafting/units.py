@@ -42,7 +42,8 @@ class UnitDrafter:
         merged = action.product is not None and len(action.objects) > 1
         if merged or (motions.mixes(motion) and self.precedents.merges(motion) and self._mixed_with(action)):
             return self._mixed(action, motion, evidence)
-        if len(action.objects) > 1 and (motions.mixes(motion) or motions.heats(motion)):
+        together = motions.mixes(motion) or motions.heats(motion) or self._lie_together(action, motion)
+        if len(action.objects) > 1 and together:
             return (self._changed_together(action, motion, evidence),)
         found: list[DraftUnit] = []
         brought = motions.transfers(motion)
@@ -148,6 +149,12 @@ class UnitDrafter:
         quiet = NarratedAction(motion, said=action.said, timing=Timing(assumed=True))
         self.scene.focus = at
         return [self._unit(quiet, motion, [into, *left, known], [filled(into, [food]), after, *gone], evidence)]
+
+    def _lie_together(self, action: NarratedAction, motion: str) -> bool:
+        """Whether all objects are in one vessel already and stay there: what is done is done to them at once."""
+        foods = [self.scene.foods.get(one.name) for one in action.objects]
+        at = {food.container if food is not None else None for food in foods}
+        return len(at) == 1 and None not in at and not motions.transfers(motion)
 
     def _mixed_with(self, action: NarratedAction) -> bool:
         """Whether several foods are mixed, rather than one stirred."""

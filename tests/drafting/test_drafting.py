@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from foon_kg.drafting import draft
 from foon_kg.drafting.calibration import ACTIONS, probability
 from foon_kg.drafting.drafting import plain_name
+from foon_kg.drafting.nodes import done
 from foon_kg.drafting.tables import read_draft, write_draft
 from foon_kg.drafting.verbs import Verbs
 from foon_kg.model import ObjectNode
@@ -180,3 +181,22 @@ def test_a_confidence_grows_with_what_speaks_for_it_and_is_less_for_what_was_par
     assert parsed[-1] < told[-1]
     odds = exp(ACTIONS[1]) * 0.5 ** ACTIONS[0]
     assert told[50] == pytest.approx(odds / (1 + odds))
+
+
+def test_what_a_verb_does_to_a_food_is_its_state_where_the_foon_does_not_say():
+    (row,) = drafted(action("sprinkle", "salt", to="pot"), action("peel", "onion"), action("peel", "onion")).units[2:]
+    assert row.annotation.unit.output_nodes[0].states == ("peeled",), "what is peeled can become no more so"
+    (cook,) = drafted(NarratedAction("cook", (Mention("potato", ("cooked",)),))).units
+    assert "cooked" in cook.annotation.unit.output_nodes[0].states
+    assert done("coat") == "coated"
+    assert done("flip") == "flipped"
+    assert done("slice") == "sliced"
+    assert done("pour") is None
+
+
+def test_foods_that_lie_in_one_vessel_are_changed_by_one_unit():
+    brought = (action("pour", "onion", to="pot"), action("pour", "potato", to="pot"))
+    (_, _, peel) = units(*brought, action("peel", "onion", "potato"))
+    assert {node.label for node in peel.output_nodes if "peeled" in node.states} == {"onion", "potato"}
+    apart = units(brought[0], action("peel", "onion", "potato"))
+    assert [unit.motion for unit in apart] == ["pour", "peel", "peel"]
