@@ -24,6 +24,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
 from foon_kg.planner import Planner
+from foon_kg.processes import collect_seldom
 from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
@@ -75,6 +76,7 @@ def asked(snapshot: Snapshot, paths: list[Path]) -> list[Recipe]:
 
 
 def plan_all(snapshot: Snapshot, recipes: list[Recipe], settings: PlanSettings) -> list[Planned]:
+    collect_seldom()  # as every process that plans many recipes does
     started = time.perf_counter()
     planner = Planner(snapshot, settings, snapshot.units)
     foon = KnownFoon.of(snapshot.units, snapshot.goals())

@@ -29,9 +29,8 @@ class Attempt:
         is how much confidence is lost by substitutions, all in all.
         """
         doubt = sum(1 - substitution.confidence for substitution in self.result.substitutions)
-        overlap = self.result.reference.overlap
-        unasked = len(self.result.reference.goal.ingredients) - overlap
-        return -overlap, unasked, len(self.result.units), round(doubt, 2)
+        reference = self.result.reference
+        return *prospect(reference.overlap, reference.goal), len(self.result.units), round(doubt, 2)
 
     def kept(self, videos: Sequence[str]) -> float:
         """Answer the share of the goal's video that is in the tree (sense, S8); of several ``videos`` the greatest."""
@@ -41,3 +40,8 @@ class Attempt:
                 if sighting.video in places:
                     places[sighting.video].add(sighting.position)
         return max((len(found) / (max(found) + 1) for found in places.values() if found), default=0.0)
+
+
+def prospect(overlap: int, goal: ObjectNode) -> tuple[float, float]:
+    """Answer how :attr:`Attempt.worth` begins for every tree of ``goal``, whose reference has so much overlap."""
+    return -overlap, len(goal.ingredients) - overlap

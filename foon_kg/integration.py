@@ -10,8 +10,10 @@ for the next one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import takewhile
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine
@@ -93,7 +95,7 @@ class Integration:
         casting = self._casting(played)
         casting, played = self._keep_what_arrives(casting, played)
         party = _Party(casting, lines)
-        missing = [want for want in self.wants if want not in played and not self._add(want, party)]
+        missing = self._add_all([want for want in self.wants if want not in played], party)
         additions = party.additions
         casting = self._carry(casting, additions)
         return self._finish(casting, played, additions, missing)
@@ -186,20 +188,60 @@ class Integration:
 
     # ---- foods that join
 
+    def _add_all(self, wants: Sequence[RequiredIngredient], party: _Party) -> list[RequiredIngredient]:
+        """Let ``wants`` join one after the other; answer those that nothing brings into the goal.
+
+        Mostly the first choice of each is right: as many as can be are tried in one replay, and only those up to the
+        first that does not arrive, then that one by itself.
+        """
+        missing = []
+        waiting, at_once = list(wants), len(wants)
+        while waiting:
+            chosen = self._first_choices(waiting[:at_once], party) if at_once > 1 else []
+            arrived = self._arriving(chosen, party) if len(chosen) > 1 else 0
+            if arrived == len(chosen) > 1:
+                for addition in chosen:
+                    party.let_in(addition)
+                waiting, at_once = waiting[arrived:], len(waiting)
+            elif arrived > 1:
+                at_once = arrived
+            else:
+                want = waiting.pop(0)
+                if not self._add(want, party):
+                    missing.append(want)
+                at_once = len(waiting)
+        return missing
+
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
         for addition in self._choices(want, party):
-            if self._arrives(addition, party):
+            if self._arriving([addition], party):
                 party.let_in(addition)
                 return True
             party.closed.add(addition.place)
         return False
 
+    def _first_choices(self, wants: Iterable[RequiredIngredient], party: _Party) -> list[Addition]:
+        """Answer the first choice of each of ``wants`` where all before it arrive, up to one that must be seen first."""
+        chosen: list[Addition] = []
+        trial = party.copy()
+        for want in wants:
+            addition = next(self._choices(want, trial), None)
+            if addition is None:
+                break
+            chosen.append(addition)
+            trial.let_in(addition)
+            if trial.alive is None:
+                break
+        party.alive = party.alive or trial.alive
+        return chosen
+
     def _choices(self, want: RequiredIngredient, party: _Party) -> Iterator[Addition]:
         """Answer how and where ``want`` may join, best first."""
+        places = self._slots(want, party)
         for only_suitable in (True, False):
             for node, preparation in self.preparations.forms(want):
-                for place in self._slots(want, party):
+                for place in places:
                     addition = Addition(want, place, node, preparation)
                     if place in party.closed or (want, place) in self.refused:
                         continue
@@ -236,11 +278,12 @@ class Integration:
         if party.alive is None:
             steps, _ = self._executed(self._replay_with(party.casting, party.additions))
             party.alive = frozenset(step.place for step in steps)
+        likeness = self._likeness(want)
         return sorted(
             slots.open,
             key=lambda place: (
                 place in slots.measuring,
-                -self._likeness(want, place),
+                -likeness[place],
                 place not in party.left_open,
                 -self._gathers(place),
                 place not in (party.alive or ()),
@@ -248,23 +291,32 @@ class Integration:
             ),
         )
 
-    def _likeness(self, want: RequiredIngredient, place: int) -> float:
-        """Say how much the foods that join at ``place`` in the reference are like ``want`` (0..1, in tenths)."""
-        here = self._reading.slots.joined_by.get(place, ())
-        return round(max((self.equivalents.name_confidence(want.object, label) for label in here), default=0.0), 1)
+    def _likeness(self, want: RequiredIngredient) -> Mapping[int, float]:
+        """Say how much the foods that join at each place in the reference are like ``want`` (0..1, in tenths)."""
+        reading = self._reading
+        if want.object not in reading.likeness:
+            like = partial(self.equivalents.name_confidence, want.object)
+            joined = reading.slots.joined_by
+            reading.likeness[want.object] = {
+                place: round(max(map(like, joined.get(place, ())), default=0.0), 1) for place in reading.slots.open
+            }
+        return reading.likeness[want.object]
 
     def _gathers(self, place: int) -> float:
         """Say how often units with the motion at ``place`` take several foods in the FOON (0..1, in tenths)."""
         return round(self.equivalents.vocabulary.gathers(self.script[place].unit.motion), 1)
 
-    def _arrives(self, addition: Addition, party: _Party) -> bool:
-        replayed = self._replay_with(party.casting, [*party.additions, addition])
+    def _arriving(self, joining: Sequence[Addition], party: _Party) -> int:
+        """Answer how many of ``joining``, from the first on, get into the goal beside those who joined before."""
+        replayed = self._replay_with(party.casting, [*party.additions, *joining])
         item = replayed.items.get(self.goal)
         arrived = {now for _, now in item.atoms} if item is not None else set[str]()
-        if not arrived.issuperset(a.want.object for a in (*party.additions, addition)):
-            return False
+        if not arrived.issuperset(addition.want.object for addition in party.additions):
+            return 0
         steps, _ = self._executed(replayed)
-        return any(addition.node in step.added for step in steps)
+        added = {node for step in steps for node in step.added}
+        there = (addition.want.object in arrived and addition.node in added for addition in joining)
+        return sum(takewhile(bool, there))
 
     def _replay_with(self, casting: Casting, additions: Sequence[Addition]) -> Replayed:
         joined: dict[int, list[Item]] = {}
@@ -367,6 +419,12 @@ class _Party:
         self.alive: frozenset[int] | None = None
         self.closed: set[int] = set()
         """Places from which nothing gets into the goal, as things stand."""
+
+    def copy(self) -> _Party:
+        """Answer a party of the same guests, to which others may come."""
+        other = copy(self)
+        other.additions, other.left_open, other.closed = [*self.additions], {*self.left_open}, {*self.closed}
+        return other
 
     def let_in(self, addition: Addition) -> None:
         """Let a food join; what happens in the tree, and so which places lead to the goal, is to be seen anew."""

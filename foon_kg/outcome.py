@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
+from typing import Self
 
 from foon_kg.integration import FinalTree
 from foon_kg.kitchen import Kitchen
@@ -28,8 +29,9 @@ def plan_result(
 ) -> PlanResult:
     """Answer the plan result for ``tree``, which was made from the reference tree ``script``."""
     keys = {known.unit.key for known in script}
-    substitutions = (*_substitutions(tree, equivalents), *_utensils_otherwise(tree, equivalents, kitchen))
-    units = tuple(_planned(step, casting, keys, substitutions) for step, casting in tree.steps)
+    changes = [_Change.of(step, casting) for step, casting in tree.steps]
+    substitutions = (*_substitutions(changes, equivalents), *_utensils_otherwise(changes, equivalents, kitchen))
+    units = tuple(_planned(change, keys, substitutions) for change in changes)
     leaves = tuple(_leaves(units))
     return PlanResult(
         recipe=recipe,
@@ -49,28 +51,43 @@ def with_progress(result: PlanResult, kitchen: Kitchen) -> PlanResult:
     return replace(result, progress_lines=lines)
 
 
-def _planned(step: Step, casting: Casting, reference: set[str], substitutions: Sequence[Substitution]) -> PlannedUnit:
+@dataclass(frozen=True)
+class _Change:
+    """A step with how it differs from its unit in FOON: see :func:`_renamings` and :func:`_same_things`."""
+
+    step: Step
+    casting: Casting
+    renamings: tuple[tuple[str, str, str, str], ...]
+    same_things: tuple[tuple[ObjectNode, ObjectNode], ...]
+
+    @classmethod
+    def of(cls, step: Step, casting: Casting) -> Self:
+        return cls(step, casting, tuple(_renamings(step, casting)), tuple(_same_things(step)))
+
+
+def _planned(change: _Change, reference: set[str], substitutions: Sequence[Substitution]) -> PlannedUnit:
+    step = change.step
     unit = step.known.unit
     return PlannedUnit(
         step.input_nodes,
         step.motion,
         step.output_nodes,
-        _origin(step, casting, substitutions, in_reference=unit.key in reference),
+        _origin(change, substitutions, in_reference=unit.key in reference),
         step.known.seen_in,
         unit.accepts_any,
         step.moving,
     )
 
 
-def _origin(step: Step, casting: Casting, substitutions: Sequence[Substitution], *, in_reference: bool) -> Origin:
-    if any(True for _ in _renamings(step, casting)) or _shows_any(step, substitutions):
+def _origin(change: _Change, substitutions: Sequence[Substitution], *, in_reference: bool) -> Origin:
+    if change.renamings or _shows_any(change, substitutions):
         return "substituted"
     return "reference" if in_reference else "foon"
 
 
-def _shows_any(step: Step, substitutions: Sequence[Substitution]) -> bool:
+def _shows_any(change: _Change, substitutions: Sequence[Substitution]) -> bool:
     """Say whether a substitution is to be seen in a step, be it that the food itself joined before as another's."""
-    return any(_shows(now, before, other) for now, before in _same_things(step) for other in substitutions)
+    return any(_shows(now, before, other) for now, before in change.same_things for other in substitutions)
 
 
 def _shows(now: ObjectNode, before: ObjectNode, other: Substitution) -> bool:
@@ -106,14 +123,16 @@ def _other_states(now: ObjectNode, before: ObjectNode) -> tuple[set[str], set[st
     return extra, lost
 
 
-def _utensils_otherwise(tree: FinalTree, equivalents: Equivalents, kitchen: Kitchen) -> Iterator[Substitution]:
+def _utensils_otherwise(
+    changes: Iterable[_Change], equivalents: Equivalents, kitchen: Kitchen
+) -> Iterator[Substitution]:
     """Answer the utensils that are in another state than in FOON, for what brought them there was left out.
 
     A board that nobody floured is an empty one; a pan into which no oil was poured is still the heated one.
     """
     found: dict[tuple[str, str, str], None] = {}  # a set that keeps its order
-    for step, _ in tree.steps:
-        for now, before in _same_things(step):
+    for change in changes:
+        for now, before in change.same_things:
             extra, lost = _other_states(now, before)
             if kitchen.is_utensil(now.label) and extra and len(lost) <= 1:
                 gone = lost or set(before.states) - set(now.states)
@@ -162,8 +181,8 @@ def _state_renamings(step: Step, label: str, recast: Recast) -> Iterator[tuple[s
                 yield "state", recast.label, required, known
 
 
-def _substitutions(tree: FinalTree, equivalents: Equivalents) -> Iterator[Substitution]:
-    seen = dict.fromkeys(renaming for step, casting in tree.steps for renaming in _renamings(step, casting))
+def _substitutions(changes: Sequence[_Change], equivalents: Equivalents) -> Iterator[Substitution]:
+    seen = dict.fromkeys(renaming for change in changes for renaming in change.renamings)
     for kind, food, required, known in seen:
         if kind == "object":
             options = equivalents.labels_like(food)
@@ -174,7 +193,7 @@ def _substitutions(tree: FinalTree, equivalents: Equivalents) -> Iterator[Substi
             sure = equivalents.state_confidence(food, required, known)
             yield Substitution("state", food, required, known, round(sure, 4), _others(options, known))
         else:
-            made = next(s for _, c in tree.steps for s in _states_made_by(c, food, known, required))
+            made = next(s for c in changes for s in _states_made_by(c.casting, food, known, required))
             options = equivalents.motions_like(made)
             yield Substitution(
                 "motion", food, required, known, _confidence(options, required), _others(options, required)

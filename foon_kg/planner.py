@@ -11,8 +11,9 @@ import difflib
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
+from itertools import islice
 
-from foon_kg.attempt import Attempt
+from foon_kg.attempt import Attempt, prospect
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
@@ -173,19 +174,19 @@ class _Question:
         return with_progress(best.result, self.kitchen), explanations(best.tree, best.integration)
 
     def _best(self) -> Attempt:
-        """Try the goals, likeliest first, until one gives a tree without a fault; of near ties all (docs/ties.md)."""
+        """Try the goals, likeliest first, until one gives a tree without a fault; of near ties the best (docs/ties.md)."""
         found: list[tuple[tuple[float, ...], Attempt]] = []
-        trouble: NoTreeError | None = None
-        for place, (ranked, workshop) in enumerate(self._goals_to_try()):
+        troubles: list[tuple[int, NoTreeError]] = []
+        for place, prospect, ranked, workshop in self._by_prospect():
+            if found and self._suffices(found, prospect):
+                break
             try:
                 attempt = self._for_goal(ranked, workshop)
             except NoTreeError as error:
-                trouble = trouble or error
+                troubles.append((place, error))
             else:
-                near = (0, *attempt.worth) if place < self._near else (place,)
+                near = (place,) if prospect is None else (0, *attempt.worth)
                 found.append(((len(attempt.missing), *self._faults(attempt, ranked), *near, place), attempt))
-            if found and place + 1 >= self._near and self._suffices(found):
-                break
         if found:
             _, best = min(found, key=lambda row: row[0])
             if best.missing:
@@ -193,19 +194,52 @@ class _Question:
             if not best.report.sound:
                 raise self._refusal(best.report)
             return best
-        raise trouble or NoTreeError(
-            f"no way to make {self._dish} was found", code="no-way", hint="Ask for another dish type."
-        )
+        raise min(troubles, key=lambda row: row[0], default=(0, self._no_way))[1]
+
+    def _by_prospect(self) -> Iterator[tuple[int, tuple[float, ...] | None, RankedGoal, Workshop]]:
+        """Answer the goals to try with their places: near ties before the others, and with what speaks for each.
+
+        That is how what decides between their trees begins; those come first for which most speaks.
+        """
+        goals = enumerate(self._goals_to_try())
+        near = [*islice(goals, 1)]
+        near += islice(goals, self._near - 1)
+        if len(near) > 1:
+            yield from sorted(
+                ((place, self._prospect(*goal), *goal) for place, goal in near), key=lambda row: (row[1], row[0])
+            )
+        else:
+            yield from ((place, (), *goal) for place, goal in near)
+        yield from ((place, None, *goal) for place, goal in goals)
+
+    def _prospect(self, ranked: RankedGoal, workshop: Workshop) -> tuple[float, ...]:
+        try:
+            reference = workshop.reference(ranked.goal.node, self._wanted(ranked))
+        except NoTreeError:
+            return ()  # it is tried, to be told why there is none
+        return prospect(reference.overlap, ranked.goal.node)
 
     @property
     def _dish(self) -> str:
         return f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
 
     @staticmethod
-    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]]) -> bool:
-        """Whether no further goal need be tried: there is a tree without a fault, or many whose leaves are there."""
+    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]], prospect: tuple[float, ...] | None) -> bool:
+        """Whether the next goal need not be tried: there is a tree without a fault, or many whose leaves are there.
+
+        A goal that is a near tie is tried all the same while its ``prospect`` is no worse than that of the best.
+        """
         faults = [rank[:3] for rank, _ in found]
+        if prospect is not None:
+            best = min(rank for rank, _ in found)
+            return not any(best[:3]) and prospect > best[4 : 4 + len(prospect)]
         return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
+
+    @property
+    def _no_way(self) -> NoTreeError:
+        return NoTreeError(
+            f"no way to make {self._dish} was found", code="no-way", hint="Ask for another dish type."
+        )
 
     def _refusal(self, report: Report) -> NoTreeError:
         """Say why even the best tree is none: no tree that breaks the contract is ever answered."""
@@ -281,11 +315,7 @@ class _Question:
         goal = ranked.goal.node
         reference = workshop.reference(goal, self._wanted(ranked))
         judge = partial(self._judged, ranked=ranked, reference=reference, foon=workshop.foon)
-        scripts = (
-            partial(workshop.script, reference, ranked.goal.videos),
-            partial(workshop.footage, goal, ranked.goal.videos),
-        )
-        integrations = (self._integration(script, goal, workshop) for find in scripts if (script := find()))
+        integrations = (self._integration(s, goal, workshop) for s in _scripts(workshop, reference, ranked.goal))
         return best_of(integrations, judge, partial(self._faults, ranked=ranked))
 
     def _integration(self, script: tuple[KnownUnit, ...], goal: ObjectNode, workshop: Workshop) -> Integration:
@@ -353,6 +383,16 @@ class _Question:
                 if self.equivalents.name_confidence(want.object, name) >= FAIR:
                     wanted.setdefault(name, number)
         return wanted
+
+
+def _scripts(workshop: Workshop, reference: ReferenceTree, goal: Goal) -> Iterator[tuple[KnownUnit, ...]]:
+    """Answer what may be executed to make ``goal``, best first; each is looked for only when it is asked for."""
+    script = workshop.script(reference, goal.videos)
+    if script:
+        yield script
+    footage = workshop.footage(goal.node, goal.videos)
+    if footage and footage != script:
+        yield footage
 
 
 def _same_kitchen(one: Kitchen, other: Kitchen) -> bool:

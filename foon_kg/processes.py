@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import threading
@@ -61,7 +62,13 @@ def _begin(make: Callable[[], Callable[[Any], Any]]) -> None:
     global _given  # noqa: PLW0603 - the only way to keep something between the tasks of a working process
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that asks hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
+    collect_seldom()
     _given = make
+
+
+def collect_seldom() -> None:
+    """Let this process look for unreachable cycles seldom: what planning makes has next to none, and much of it is kept."""
+    gc.set_threshold(100_000, 50, 100)
 
 
 def end_with_parent() -> None:

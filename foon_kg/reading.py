@@ -17,6 +17,9 @@ from foon_kg.slots import Slots
 MOST_READINGS = 2048
 """How many scripts are kept read in one kitchen."""
 
+MOST_FOODS = 64
+"""Of how many foods it is kept, for each script, how like they are to those that join in it."""
+
 
 @dataclass(frozen=True, eq=False)
 class Reading:
@@ -25,6 +28,8 @@ class Reading:
     units: Sequence[KnownUnit]
     kitchen: Kitchen
     repertoire: Repertoire
+    likeness: Recent[str, Mapping[int, float]] = field(default_factory=lambda: Recent(MOST_FOODS), repr=False)
+    """How much those who join at each open place are like a food, of so many foods; whoever asks works it out."""
 
     @cached_property
     def _same(self) -> Mapping[ObjectNode, ObjectNode]:

@@ -91,15 +91,16 @@ class Stage:
         return self.script.repertoire.performances(scene, alone, roles, goal, casting.cut)
 
     def _found(self, node: ObjectNode) -> Found:
-        if node not in self.items:
+        item = self.items.get(node, UNSEEN)
+        if item is UNSEEN:
             node = self.script.same.get(node, node)
+            item = self.items.get(node, UNSEEN)
         if node in self.used:
             return USED
-        if node not in self.items:
-            return UNSEEN
-        item = self.items[node]
-        while item is not None and item.node in self.later and self.later[item.node].node != item.node:
-            item = self.later[item.node]
+        if not isinstance(item, Item):
+            return item
+        while (later := self.later.get(item.node)) is not None and later.node != item.node:
+            item = later
         return item
 
     def _carried(self, scene: Scene, found: Sequence[Found], added: Sequence[Item]) -> frozenset[str]:

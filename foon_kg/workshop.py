@@ -125,6 +125,7 @@ class Workshop:
         self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
         self.prepared: list[Preparations] = []
         self.recorded: Recent[tuple[tuple[str, ...], tuple[str, ...]], tuple[KnownUnit, ...]] = Recent(MOST_TREES)
+        self.filmed: Recent[tuple[ObjectNode, tuple[str, ...]], tuple[KnownUnit, ...]] = Recent(MOST_TREES)
 
     def reference(self, goal: ObjectNode, wanted: dict[str, int]) -> ReferenceTree:
         """Answer the best tree of ``goal``; ``wanted`` maps its ingredients to the foods that they may play."""
@@ -147,7 +148,11 @@ class Workshop:
         """Answer the units of the first of ``videos`` that may take part in making ``goal``, in their order."""
         if goal not in self.index.number_of:
             return ()
-        return restored(footage(goal, videos, self._makers, self.kitchen.has), self._makers, self.kitchen)
+        key = (goal, videos)
+        if key not in self.filmed:
+            units = footage(goal, videos, self._makers, self.kitchen.has)
+            self.filmed[key] = restored(units, self._makers, self.kitchen)
+        return self.filmed[key]
 
     def preparations(self, equivalents: Equivalents) -> Preparations:
         """Answer the ways to have foods ready; recipes with the same ``equivalents`` share what was made so far."""

@@ -90,12 +90,12 @@ def in_time(case: Case) -> Iterator[Finding]:
 
 def opened(case: Case) -> Iterator[Finding]:
     """S3: a food asked whole is cracked, peeled, opened or cut before it joins others, where FOON has a unit for it."""
-    known = (
-        {singular(label) for label in case.foon.opened if not case.kitchen.is_utensil(label)} if case.foon else set()
-    )
-    asked = {singular(w.object) for w in case.required if _is_whole(w.state)} & known
+    asked = {singular(w.object) for w in case.required if _is_whole(w.state)}
+    if not asked or case.foon is None:
+        return
+    known = {singular(label) for label in case.foon.opened if not case.kitchen.is_utensil(label)}
     for joining in case.joinings:
-        if joining.food in asked and not _opened_before(case, joining):
+        if joining.food in asked & known and not _opened_before(case, joining):
             yield Finding(
                 "S3", f"{joining.food} joins others as a whole, and FOON has a unit that opens it", joining.place
             )

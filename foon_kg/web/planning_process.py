@@ -8,7 +8,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from foon_kg.processes import end_with_parent
+from foon_kg.processes import collect_seldom, end_with_parent
 from foon_kg.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
@@ -93,6 +93,7 @@ def _plan(line: Connection[Any, Any], snapshot: Snapshot) -> None:
     """Answer what comes through ``line`` for as long as somebody has its other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
+    collect_seldom()
     desk = PlanningDesk(snapshot)
     line.send(None)  # it is ready
     while True:
