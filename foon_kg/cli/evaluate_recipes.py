@@ -9,20 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
-from foon_kg.cli.evaluate_options import (
-    Compare,
-    Dask,
-    Dish,
-    Html,
-    Jobs,
-    Output,
-    Run,
-    Seed,
-    compared,
-    foon_key,
-    write_text,
-)
 from foon_kg.errors import ReadError, UsageError
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 
@@ -52,22 +40,22 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
         list[Path] | None,
         typer.Argument(metavar="FILE|DIR...", help="Recipes (JSON); else those that foon load recipes brought in."),
     ] = None,
-    dish: Dish = None,
+    dish: options.Dish = None,
     sample: Annotated[
         int | None, typer.Option("--sample", metavar="N", min=1, help="Draw N recipes of each dish type.")
     ] = None,
-    seed: Seed = 0,
-    output: Output = None,
+    seed: options.Seed = 0,
+    output: options.Output = None,
     scores_to: Annotated[
         Path | None, typer.Option("--scores-to", metavar="FILE.csv", help="Write a sheet on which people can score.")
     ] = None,
     scores: Annotated[
         Path | None, typer.Option("--scores", metavar="FILE.csv", help="Read their scores, and compare the rule's.")
     ] = None,
-    html: Html = None,
-    compare: Compare = None,
-    jobs: Jobs = None,
-    dask: Dask = None,
+    html: options.Html = None,
+    compare: options.Compare = None,
+    jobs: options.Jobs = None,
+    dask: options.Dask = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -96,11 +84,11 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     sheet = None if scores is None else read_sheet(scores)
     snapshot = whole_foon(files, say)
     asked = _asked(paths or [], dish or [], sample, seed=seed, snapshot=snapshot, say=say)
-    evaluation = _evaluated(asked, snapshot, seed, Run(output, jobs, dask, say, quiet))
+    evaluation = _evaluated(asked, snapshot, seed, options.Run(output, jobs, dask, say, quiet))
     if scores_to is not None:
-        write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
+        options.write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
     agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
-    comparison = None if before is None else compared(before, evaluation.to_json(), str(compare), seed)
+    comparison = None if before is None else options.compared(before, evaluation.to_json(), str(compare), seed)
     if html is not None:
         _write_report(html, evaluation, agreement, comparison)
     if as_json:
@@ -167,7 +155,7 @@ def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: Ingredi
     return found
 
 
-def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: Run) -> RecipeEvaluation:
+def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: options.Run) -> RecipeEvaluation:
     from foon_kg.evaluation.examination import Examiner
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.sampling import known_enough, left_out
@@ -183,10 +171,10 @@ def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: Run)
         )
     outcomes = _outcomes(kept, snapshot, run)
     examiner = Examiner(snapshot.units, goals, snapshot.vocabulary(), snapshot.kitchen)
-    return RecipeEvaluation(foon_key(snapshot), seed, tuple(map(examiner.examine, outcomes)), out)
+    return RecipeEvaluation(options.foon_key(snapshot), seed, tuple(map(examiner.examine, outcomes)), out)
 
 
-def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: Run) -> list[PlanResult | PlanFailure]:
+def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> list[PlanResult | PlanFailure]:
     """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
     from foon_kg.batch import Answer, Question, Wishes
     from foon_kg.cli.answer_file import AnswerFile
@@ -243,4 +231,4 @@ def _write_report(
 ) -> None:
     from foon_kg.pictures.recipes_report import recipes_report
 
-    write_text(path, recipes_report(evaluation, agreement, comparison), "--html")
+    options.write_text(path, recipes_report(evaluation, agreement, comparison), "--html")

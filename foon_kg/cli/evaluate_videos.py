@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import (
     Files,
     Json,
@@ -20,19 +21,6 @@ from foon_kg.cli.console import (
     print_view,
     progress_bar,
     sayer,
-)
-from foon_kg.cli.evaluate_options import (
-    Compare,
-    Dask,
-    Dish,
-    Html,
-    Jobs,
-    Output,
-    Run,
-    Seed,
-    compared,
-    foon_key,
-    write_text,
 )
 from foon_kg.errors import UsageError
 
@@ -54,17 +42,17 @@ EXAMPLES = examples(
 
 
 def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
-    dish: Dish = None,
+    dish: options.Dish = None,
     sample: Annotated[
         int | None, typer.Option("--sample", metavar="N", min=1, help="Draw N videos of each dish type.")
     ] = None,
-    seed: Seed = 0,
+    seed: options.Seed = 0,
     parts: Annotated[bool, typer.Option("--parts", help="Also switch off parts of the planner, one by one.")] = False,
-    output: Output = None,
-    html: Html = None,
-    compare: Compare = None,
-    jobs: Jobs = None,
-    dask: Dask = None,
+    output: options.Output = None,
+    html: options.Html = None,
+    compare: options.Compare = None,
+    jobs: options.Jobs = None,
+    dask: options.Dask = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -92,10 +80,10 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
     say = sayer(quiet=quiet)
     before = None if compare is None else read_evaluation(compare, "leave-one-out")
     snapshot = whole_foon(files, say)
-    run = Run(output, jobs, dask, say, quiet)
+    run = options.Run(output, jobs, dask, say, quiet)
     evaluation = _evaluated(snapshot, dish or [], sample, seed, run, parts=parts)
     value = evaluation.to_json()
-    comparison = None if before is None else compared(before, value, str(compare), seed)
+    comparison = None if before is None else options.compared(before, value, str(compare), seed)
     if html is not None:
         _write_report(html, evaluation, comparison, snapshot)
     if as_json:
@@ -114,7 +102,7 @@ def _show(evaluation: LeaveOneOut, comparison: Comparison | None) -> None:
 
 
 def _evaluated(
-    snapshot: Snapshot, dishes: Sequence[str], sample: int | None, seed: int, run: Run, *, parts: bool
+    snapshot: Snapshot, dishes: Sequence[str], sample: int | None, seed: int, run: options.Run, *, parts: bool
 ) -> LeaveOneOut:
     from foon_kg.evaluation.left_out_video import left_out_video
     from foon_kg.evaluation.methods import methods
@@ -136,17 +124,17 @@ def _evaluated(
     compared_methods = methods(parts=parts)
     figures = _figures(asked, snapshot, compared_methods, run)
     nothing = tuple(name for name, video in found if video is None)
-    return LeaveOneOut(foon_key(snapshot), seed, figures, compared_methods, out, nothing)
+    return LeaveOneOut(options.foon_key(snapshot), seed, figures, compared_methods, out, nothing)
 
 
 def _figures(
-    asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], run: Run
+    asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], run: options.Run
 ) -> tuple[VideoFigures, ...]:
     """Answer the figures of all videos; those that the file of answers has already are not asked for again."""
     from foon_kg.evaluation.leave_one_out import asking_without
     from foon_kg.evaluation.video_line import from_line, to_line
 
-    foon, done = foon_key(snapshot), _answered_before(asked, run)
+    foon, done = options.foon_key(snapshot), _answered_before(asked, run)
     found = [
         from_line(line, f"{run.output}:{number}", video.recipe, methods, foon)
         for number, (line, video) in enumerate(zip(done.lines if done else (), asked, strict=False), 1)
@@ -161,7 +149,7 @@ def _figures(
     return tuple(found)
 
 
-def _answered_before(asked: Sequence[LeftOutVideo], run: Run) -> AnswerFile | None:
+def _answered_before(asked: Sequence[LeftOutVideo], run: options.Run) -> AnswerFile | None:
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model_json import recipe_to_json
 
@@ -180,4 +168,4 @@ def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | 
 
     subgraphs, kitchen = snapshot.subgraphs, snapshot.kitchen
     planned = partial(planned_without, subgraphs, kitchen)
-    write_text(path, leave_one_out_report(evaluation, comparison, subgraphs, kitchen, planned), "--html")
+    options.write_text(path, leave_one_out_report(evaluation, comparison, subgraphs, kitchen, planned), "--html")
