@@ -16,7 +16,7 @@ export const stage = (box) => {
   const svg = box.querySelector("svg");
   const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
   const view = { x: 0, y: 0, w: width, h: height };
-  const shape = () => box.clientHeight / box.clientWidth || height / width;
+  const shape = () => (box.clientWidth && box.clientHeight ? box.clientHeight / box.clientWidth : height / width);
   const within = (value, least, most) => Math.min(Math.max(value, least), most);
   const draw = () => svg.setAttribute("viewBox", [view.x, view.y, view.w, view.h].map((v) => v.toFixed(2)).join(" "));
   const show = () => {

@@ -20,7 +20,7 @@ from foon_kg import __version__
 from foon_kg.errors import FoonError
 from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
-from foon_kg.web import asking, telling
+from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
@@ -38,7 +38,7 @@ _REFUSALS: dict[int | str, dict[str, Any]] = {
     415: {"description": "The body is not JSON."},
     421: {"description": "The service has another name."},
     422: {"description": "The question cannot be read as asked."},
-    429: {"description": "This address asks too often; see Retry-After."},
+    429: {"description": "This caller asks too often; see Retry-After."},
     503: {"description": "Too much is asked at once (see Retry-After), or no FOON answers."},
     504: {"description": "The answer takes too long."},
 }
@@ -124,7 +124,7 @@ def around(request: Request, label: Annotated[str, _LABEL]) -> telling.ObjectTol
     return telling.ObjectTold.model_validate(_service(request).around(label))
 
 
-@router.post("/plan", response_model=telling.PlanTold)
+@router.post("/plan", response_model=telling_plans.PlanTold)
 async def plan(request: Request, asked: asking.PlanAsked) -> Response:
     """Plan a dish: the answer is the task tree, with its substitutions and assumptions, and what else is asked."""
     chosen = tuple(Substitute(one.food, one.like) for one in asked.substitutes)

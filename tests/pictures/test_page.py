@@ -92,6 +92,22 @@ def test_buttons_do_what_the_keys_do(opened):
     assert view(opened)[2] == opened.execute_script("return stage.clientWidth")
 
 
+def test_a_stage_without_room_shows_the_picture_again_when_it_has_some(opened):
+    for width in ("0", ""):
+        opened.execute_async_script(
+            """
+            const [width, done] = arguments;
+            stage.style.width = width;
+            requestAnimationFrame(() => requestAnimationFrame(done));""",
+            width,
+        )
+    _, _, width, height = view(opened)
+    assert 0 < height < 10_000
+    ratio = opened.execute_script("return stage.clientHeight / stage.clientWidth")
+    assert height / width == pytest.approx(ratio, abs=0.01)
+    assert [entry for entry in opened.get_log("browser") if entry["level"] == "SEVERE"] == []
+
+
 def test_a_mouse_drags_the_picture(opened):
     from selenium.webdriver import ActionChains
 
