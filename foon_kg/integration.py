@@ -222,7 +222,7 @@ class Integration:
         return False
 
     def _first_choices(self, wants: Iterable[RequiredIngredient], party: _Party) -> list[Addition]:
-        """Answer the first choice of each of ``wants`` where all before it arrive, up to one that must be seen first."""
+        """Answer the first choice of each of ``wants`` where all before arrive, up to one that must be seen first."""
         chosen: list[Addition] = []
         trial = party.copy()
         for want in wants:
@@ -252,16 +252,18 @@ class Integration:
         """Say whether a food is ready as it should be for what comes, and takes nothing that another one took (S1).
 
         A food that was asked whole joins raw what is cooked later, and cooked what is not: an egg is cracked into a
-        dough and boiled for a salad. Where FOON knows but one of the two, that one suits.
+        dough and boiled for a salad, and raw meat is cooked for one. Where FOON knows but one of the two, that one
+        suits.
         """
         made = self.preparations.of(addition.want)
-        if addition.preparation is None:
-            return not made
-        if any(addition.preparation.clashes(other.preparation) for other in party.additions if other.preparation):
-            return False
-        if not is_whole(addition.want.state) or len({preparation.is_cooked for preparation in made}) == 1:
-            return True
         cooked_later = addition.place <= self._reading.slots.last_heating
+        eaten_raw = not self.equivalents.cooked(addition.want)
+        if addition.preparation is None:
+            return not made or (not eaten_raw and (cooked_later or all(map(party.clashes, made))))
+        if party.clashes(addition.preparation):
+            return False
+        if eaten_raw and (not is_whole(addition.want.state) or len({way.is_cooked for way in made}) == 1):
+            return True
         return addition.preparation.is_cooked != cooked_later
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
@@ -425,6 +427,10 @@ class _Party:
         other = copy(self)
         other.additions, other.left_open, other.closed = [*self.additions], {*self.left_open}, {*self.closed}
         return other
+
+    def clashes(self, preparation: Preparation) -> bool:
+        """Say whether somebody who joined uses up what ``preparation`` uses up."""
+        return any(preparation.clashes(other.preparation) for other in self.additions if other.preparation)
 
     def let_in(self, addition: Addition) -> None:
         """Let a food join; what happens in the tree, and so which places lead to the goal, is to be seen anew."""

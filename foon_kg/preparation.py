@@ -66,7 +66,7 @@ class Preparations:
             opened = (*self._opened(want), *self._parts(want))
             ways = Ways.known(sorted(opened, key=lambda made: (made.stale > 0, made.roughness, made.rank)))
         else:
-            ways = Ways.known(())
+            ways = Ways.among(self.equivalents.cooked(want), [partial(self._cooked, want)])
         if not isinstance(self.kitchen, StockedKitchen):
             return ways
         return Ways.known(sorted(ways, key=lambda made: (self._lacking(made), *made.rank)))
@@ -152,6 +152,19 @@ class Preparations:
                 candidate = Candidate(want.object, state, 1.0, cast[1])
                 prepared = self._executed(want, state, candidate, script, cast[0])
                 yield from (preparation for preparation in prepared if shows(want, preparation.steps))
+
+    def _cooked(self, want: RequiredIngredient, candidate: Candidate) -> Iterator[Preparation]:
+        """Answer how a food that is asked raw is cooked as ``candidate`` is."""
+        script = self.derive(candidate)
+        line = self.readings.of(script).lines.get(candidate.label) if script else None
+        if not script or line is None:
+            return
+        starts = {start for node in line.leaves for start in node.states}
+        cast = self.equivalents.recast(want, starts, ())
+        if cast is not None and self.leaves_stand(line, cast[0]):
+            sure = replace(candidate, state_confidence=cast[1])
+            made = self._executed(want, candidate.state, sure, script, cast[0])
+            yield from (way for way in made if way.is_cooked and shows(want, way.steps))
 
     def _parts(self, want: RequiredIngredient) -> Iterator[Preparation]:
         """Answer what a food becomes when it is opened, and is called after it: an egg its white and yolk."""

@@ -8,15 +8,17 @@ somebody has to make (a whole potato for a sliced one): that would claim work th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
+from foon_kg.names import canonical
 from foon_kg.recent import Recent
 from foon_kg.script import Recast
+from foon_kg.similarity.groups import food_groups
 from foon_kg.states import motion_for
 
 FAIR = 0.5
@@ -24,6 +26,9 @@ FAIR = 0.5
 
 SAME_CLASS = 0.5
 """States at least this similar may stand for one another."""
+
+_RAW = frozenset({"fresh", "ground", "meat", "processed raw", "raw", "small meat", "steaks", "uncooked"})
+"""States in which meat and fish are sold raw."""
 
 MOST_FOODS = 1024
 """Of so many foods it is kept what may stand for them."""
@@ -45,6 +50,10 @@ class Candidate:
     def confidence(self) -> float:
         """How likely a cook would accept it, taking name and state as independent."""
         return self.name_confidence * self.state_confidence
+
+
+def _is_flesh(food: str) -> bool:
+    return not food_groups().shelves_of(canonical(food)).isdisjoint({"meat", "seafood"})
 
 
 @dataclass(frozen=True)
@@ -188,6 +197,19 @@ class Equivalents:
         rows = (row for label in labels if set(own) < set(words(label)) for row in self._made[label])
         return tuple(sorted((r.label, r.state) for r in rows if self.kitchen.is_start_state(r.label, r.state)))
 
+    def cooked(self, want: RequiredIngredient) -> tuple[Candidate, ...]:
+        """Answer how FOON cooks meat or fish that is asked raw, or its fair equivalent, surest first; none for others.
+
+        Nobody eats it raw: where nothing is heated after it joins, it is cooked before.
+        """
+        if (
+            want.state not in _RAW
+            or not self.kitchen.is_start_state(want.object, want.state)
+            or not _is_flesh(want.object)
+        ):
+            return ()
+        return self.candidates(replace(want, state="cooked"))
+
     def makings(self, want: RequiredIngredient) -> tuple[tuple[str, str], ...]:
         """Answer each (label, state) of FOON that may have to be made for ``want``, sorted.
 
@@ -195,5 +217,6 @@ class Equivalents:
         """
         if self.kitchen.is_start_state(want.object, want.state):
             states = (s for s in self.states_known(want.object) if not self.kitchen.is_start_state(want.object, s))
-            return tuple(sorted({*((want.object, state) for state in states), *self.parts(want.object)}))
+            cooked = ((candidate.label, candidate.state) for candidate in self.cooked(want))
+            return tuple(sorted({*((want.object, state) for state in states), *self.parts(want.object), *cooked}))
         return tuple(sorted({(candidate.label, candidate.state) for candidate in self.candidates(want)}))

@@ -66,18 +66,19 @@ class Preparation:
         return 0 if any(motions.peels(step.motion) for step in self.steps) else 1
 
     def clashes(self, other: Preparation) -> bool:
-        """Say whether a step of each uses up the same food, and they are not the same step."""
+        """Say whether a step of each uses up the same food, or vessel with food, and they are not the same step."""
         own, theirs = self._used_up, other._used_up
         return any(theirs.get(node, step) != step for node, step in own.items())
 
     @cached_property
     def _used_up(self) -> dict[ObjectNode, tuple[object, ...]]:
-        """For each food that a step uses up, what is done in that step."""
+        """For each food, or vessel that was filled, that a step uses up, what is done in that step."""
+        made = {node for step in self.steps for node in step.output_nodes}
         return {
             node: (frozenset(step.input_nodes), step.motion, frozenset(step.output_nodes))
             for step in self.steps
             for node in step.input_nodes
-            if node not in step.output_nodes and node.label == self.want.object
+            if node not in step.output_nodes and (node.label == self.want.object or (node.ingredients and node in made))
         }
 
 

@@ -69,6 +69,12 @@ class FoodGroups:
             return ()
         return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
 
+    def shelves_of(self, name: str) -> frozenset[str]:
+        """Answer the shelves on which a canonical name, or else its last words, stands in the table."""
+        place = self.places.get(name, self._place_of_ending(name))
+        members = () if place is None else np.flatnonzero(self.listed[place])
+        return frozenset(self.shelf_names[self.shelf_of[group]] for group in members)
+
     def _place_of_ending(self, name: str) -> int | None:
         words = name.split()
         endings = (" ".join(words[start:]) for start in range(1, len(words)))

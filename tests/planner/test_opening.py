@@ -54,3 +54,34 @@ def test_a_whole_food_is_opened_as_far_as_it_is_fit_to_eat(known, joins):
 def test_an_egg_that_is_boiled_in_its_shell_is_peeled_where_the_foon_peels_one():
     assert put_in("egg", "hardboiled", *BOILED) == node("egg(hardboiled,whole)@pot")
     assert put_in("egg", "hardboiled", *BOILED, SHELLED) == node("egg(hardboiled,peeled,whole)@pot")
+
+
+FRIED = (
+    "stove(off) > turn on > stove(on)",
+    "frying pan(empty); stove(on) > heat > frying pan(empty,hot)",
+    "beef(raw); frying pan(empty,hot) > place > frying pan(hot){beef}; beef(raw)@frying_pan",
+    "frying pan(hot){beef}; beef(raw)@frying_pan; stove(on) > cook > beef(cooked)@frying_pan",
+)
+SOUP = (
+    "pot(empty); water(liquid) > pour > pot{water}",
+    "pot{water}; salt(granulated) > sprinkle > pot{salt,water}",
+    "stove(off) > turn on > stove(on)",
+    "pot{salt,water}; stove(on) > boil > pot{soup}; soup(cooked){salt,water}@pot",
+)
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "dish", "known", "joins"),
+    [
+        ("salad", DISH, FRIED, "beef(cooked)@frying_pan"),
+        ("salad", DISH, FRIED[:1], "beef(raw)"),
+        ("soup", SOUP, FRIED, "beef(raw)"),
+    ],
+)
+def test_raw_meat_is_cooked_for_a_dish_that_is_not_and_joins_raw_what_is_cooked_later(dish_type, dish, known, joins):
+    others = Subgraph("known", tuple(Annotation(unit(line)) for line in known))
+    snapshot = Snapshot.of([subgraph("dish", dish_type, *dish), others], KITCHEN)
+    foods = (RequiredIngredient("salt", "granulated"), RequiredIngredient("beef", "raw"))
+    units = plan(snapshot, Recipe(dish_type, foods), SETTINGS).units
+    into = next(u for u in units if any({"salt", "beef"} <= {*n.ingredients} for n in u.output_nodes))
+    assert next(n for n in into.input_nodes if n.label == "beef") == node(joins)
