@@ -5,7 +5,9 @@
 A video is told twice: as verb and noun rows (the motion, its main object, the foods that join it, the place), and as
 sentences, which foon-kg writes of units (``foon_kg.exports.sentences``) and spaCy's parser reads again. A unit counts
 as drafted when the draft has one with the same motion and main object (names compared as foon-kg does); "with states"
-asks for the states of that object before and after, too. Both sides are multisets: a unit drafted twice counts once.
+asks for the states of that object before and after, too. Of several foods that a unit changes, the one that its
+annotators wrote first is the main one, which no sentence tells: "any of its foods" counts the units whose main object
+is one of them. Both sides are multisets: a unit drafted twice counts once.
 Units that a draft adds as assumed are counted like all others.
 
 What the confidence is worth is printed as a reliability table and as Brier scores (mean squared error of a probability,
@@ -23,6 +25,8 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from math import exp, log
 from pathlib import Path
+
+import networkx as nx
 
 from foon_kg.drafting import draft
 from foon_kg.drafting.precedents import FoonPrecedents
@@ -61,6 +65,18 @@ def with_states(unit: FunctionalUnit):
     return (*plain(unit), before.states, after.states if after else None)
 
 
+def near_pairs(units, drafted):
+    """Answer how many pairs there are of a unit and a drafted one with its motion and one of the foods it changes."""
+    pairs = nx.Graph()
+    for place, unit in enumerate(units):
+        motion = canonical(unit.motion)
+        foods = {canonical(node.label) for node in unit.input_nodes if KITCHEN.is_food(node)} | {plain(unit)[1]}
+        same = (number for number, (done, food) in enumerate(map(plain, drafted)) if done == motion and food in foods)
+        pairs.add_edges_from(((0, place), (1, number)) for number in same)
+    top = {node for node in pairs if node[0] == 0}
+    return len(nx.bipartite.maximum_matching(pairs, top)) // 2
+
+
 def as_rows(video):
     """Answer verb and nouns of each unit, as a person would annotate them: no states, no tools."""
     actions = []
@@ -90,7 +106,7 @@ class Score:
     def __init__(self, name):
         self.name = name
         self.videos: list[list[Judged]] = []
-        self.common, self.drafted, self.true = Counter(), 0, 0
+        self.common, self.drafted, self.true, self.near = Counter(), 0, 0, 0
 
     def add(self, video, drafted):
         """Count one video."""
@@ -101,6 +117,7 @@ class Score:
             there = Counter(map(way, units))
             found = Counter(way(row.annotation.unit) for row in drafted.units)
             self.common[way] += (there & found).total()
+        self.near += near_pairs(units, [row.annotation.unit for row in drafted.units])
         left = Counter(map(with_states, units))
         judged: list[Judged] = []
         for row in drafted.units:
@@ -115,6 +132,8 @@ class Score:
         for way, what in ((plain, "motion and main object"), (with_states, "with states")):
             precision, recall = self.common[way] / max(self.drafted, 1), self.common[way] / self.true
             print(f"  {what:24} precision {precision:.2f}  recall {recall:.2f}")
+        precision, recall = self.near / max(self.drafted, 1), self.near / self.true
+        print(f"  {'any of its foods':24} precision {precision:.2f}  recall {recall:.2f}")
         judged = [one for video in self.videos for one in video]
         ways = (("as it is", judged), ("cross-fitted", cross_fitted(self.videos, logistic)))
         for what, pairs in (*ways, ("share alone", cross_fitted(self.videos, share))):

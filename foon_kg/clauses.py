@@ -1,8 +1,8 @@
 """Instructions as clauses, and each clause as a plain sentence that spaCy's parser reads well.
 
-To the parser "Chop onion" is a noun, and "you chop onion" is not; the extract of "pour the vanilla extract" is a verb,
-and the one of "pour the vanilla_extract" is not. So imperatives get a subject, the names that a FOON has are one word
-each, and of a motion of several words (cut open) the first stands for all.
+To the parser "Chop onion" is a noun, and "you chop onion" is not; the extract of "pour the vanilla extract" is a verb.
+So imperatives get a subject, for each name of several words that a FOON has a plain noun stands in, and of a motion of
+several words (cut open) the first stands for all.
 """
 
 from __future__ import annotations
@@ -13,11 +13,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg.drafting.verbs import Verbs, is_verb
+from foon_kg.kitchen import Kitchen
 from foon_kg.names import canonical
 from foon_kg.similarity.groups import food_groups
 
-STAND_IN = "cut"
-"""A verb that the parser takes for nothing else, for one that it took for a noun."""
+VERB, FOOD, UTENSIL = "cut", "onion", "bowl"
+"""Words that the parser takes for nothing else; they stand in for what it might."""
 
 _CLAUSES = re.compile(r"(?<=[.!?;])\s+|;\s*")
 _FIRST = re.compile(r"(?:(?:\d+[.)]|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
@@ -26,11 +27,12 @@ _JOINED = re.compile(
     r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|[\s.,]*$)"
 )
 _BETWEEN = "_"
+_NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+[\w'&-]*\w")
 
 
 @dataclass(frozen=True)
 class Told:
-    """A clause: ``text`` is for the parser; ``motion`` what its second word stands for, where that is the verb."""
+    """A clause: ``text`` has names in one word; ``motion`` is what its second word stands for, where that is a verb."""
 
     clause: str
     text: str
@@ -39,7 +41,21 @@ class Told:
     def with_stand_in(self) -> Told:
         """Answer the same with a verb that no parser takes for a noun."""
         first, _, rest = self.text.removeprefix("You ").partition(" ")
-        return replace(self, text=f"You {STAND_IN} {rest}", motion=self.motion or first)
+        return replace(self, text=f"You {VERB} {rest}", motion=self.motion or first)
+
+    def for_parser(self) -> tuple[str, dict[int, str]]:
+        """Answer the sentence with plain nouns in place of names, and the names by where these nouns begin."""
+        parts: list[str] = []
+        names: dict[int, str] = {}
+        length = end = 0
+        for found in _NAME.finditer(self.text):
+            name = found[0].replace(_BETWEEN, " ")
+            noun = UTENSIL if Kitchen.default().is_utensil(name) else FOOD
+            parts += [self.text[end : found.start()], noun]
+            names[length + found.start() - end] = name
+            length += found.start() - end + len(noun)
+            end = found.end()
+        return "".join((*parts, self.text[end:])), names
 
 
 @dataclass(frozen=True)
@@ -83,11 +99,6 @@ class Clauses:
         """What finds the motions of several words; two that are joined are put together after the parsing."""
         several = (motion for motion in self.verbs.motions if " " in motion and " and " not in motion)
         return _any_of(several, "")
-
-
-def spoken(word: str) -> str:
-    """Answer the words of a name that was made one."""
-    return word.replace(_BETWEEN, " ")
 
 
 def _any_of(phrases: Iterable[str], ending: str) -> re.Pattern[str]:

@@ -7,12 +7,12 @@ destinations, instruments and results. A clause without a verb stays as an actio
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
-from foon_kg.clauses import Clauses, Told, spoken
+from foon_kg.clauses import Clauses, Told
 from foon_kg.drafting.verbs import Verbs
 from foon_kg.errors import UsageError
 from foon_kg.kitchen import Kitchen
@@ -79,23 +79,36 @@ def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) 
     reader = Clauses(verbs, tuple(names))
     clauses = [(sentence, told) for sentence in narration.sentences for told in reader.of(sentence.text)]
     actions: list[NarratedAction] = []
-    texts = (told.text[:_LONGEST] for _, told in clauses)
-    for (sentence, told), parsed in zip(clauses, _pipeline().pipe(texts), strict=True):
-        found = _read(told, parsed, verbs) if len(told.clause) <= _LONGEST else []
+    for sentence, told in clauses:
+        found = _read(told, verbs) if len(told.clause) <= _LONGEST else []
         said = told.clause[:_LONGEST]
         actions += [replace(action, said=said, timing=sentence.timing) for action in found or [NarratedAction("")]]
     return replace(narration, actions=tuple(actions))
 
 
-def _read(told: Told, parsed: Sequence[Token], verbs: Verbs) -> list[NarratedAction]:
+def _read(told: Told, verbs: Verbs) -> list[NarratedAction]:
     """Answer the actions of a clause; a verb at its beginning that the parser took for a noun is put back."""
+    parsed = _parsed(told)
     if told.text.startswith("You ") and len(parsed) > 1 and parsed[1].pos_ != "VERB":
         told = told.with_stand_in()
-        parsed = _pipeline()(told.text)
+        parsed = _parsed(told)
     found = list(_actions(parsed, verbs))
     if found and told.motion is not None and _is_action(parsed[1]):
         found[0] = replace(found[0], verb=told.motion)
     return _joined(found, told.clause, verbs)
+
+
+def _parsed(told: Told) -> Token:
+    text, names = told.for_parser()
+    parsed = _pipeline()(text)
+    parsed.user_data["names"] = names
+    return parsed
+
+
+def _spoken(token: Token) -> str:
+    """Answer the word of a token, or the name for which it stands in."""
+    names: Mapping[int, str] = token.doc.user_data["names"]
+    return names.get(token.idx, str(token.text))
 
 
 @lru_cache(maxsize=1)
@@ -235,7 +248,7 @@ def _names(token: Token) -> Iterator[Mention]:
         for thing in of:
             yield from _names(thing)
     elif token.pos_ in _NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
-        yield from (Mention(spoken(one.text)) for one in _apart(token))
+        yield from (Mention(_spoken(one)) for one in _apart(token))
         yield _name(token)
     for child in token.children:
         if child.dep_ in {"conj", "appos"} and child.pos_ in _NAMES:
@@ -243,12 +256,12 @@ def _names(token: Token) -> Iterator[Mention]:
 
 
 def _name(token: Token) -> Mention:
-    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and spoken(child.text)[0].isalpha()]
+    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
     parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
     parts = [part for part in parts if part not in _apart(token)]
     states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
-    words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), part.text)]
-    return Mention(spoken(" ".join((*words, token.text))), tuple(filter(None, map(state_in, states))))
+    words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), _spoken(part))]
+    return Mention(" ".join((*words, _spoken(token))), tuple(filter(None, map(state_in, states))))
 
 
 def _apart(token: Token) -> list[Token]:
@@ -258,4 +271,4 @@ def _apart(token: Token) -> list[Token]:
 
 
 def _inside(part: Token) -> list[str]:
-    return [child.text for child in part.lefts if child.dep_ == "compound" and child.is_alpha]
+    return [_spoken(child) for child in part.lefts if child.dep_ == "compound" and child.is_alpha]

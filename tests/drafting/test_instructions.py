@@ -96,3 +96,17 @@ def test_a_motion_of_several_words_at_the_beginning_is_one_verb():
 @pytest.mark.parametrize("verb", ["mince", "skim", "broil"])
 def test_a_verb_that_the_parser_takes_for_a_noun_is_read_all_the_same(verb):
     assert named(f"{verb.title()} the broccoli on the cutting board with the knife.", verb) == [(verb, "broccoli")]
+
+
+def test_names_of_the_foon_are_whole_though_they_stand_beside_others():
+    names = ("olive oil", "spring roll", "powdered sugar")
+
+    def objects(text):
+        read = with_actions(Narration("x", sentences=(Sentence(text),)), VERBS, names).actions
+        return [one.name for one in read[0].objects]
+
+    assert objects("Cook the olive oil and tuna patty in the pan.") == ["olive oil", "tuna patty"]
+    assert objects("Pour the spring roll mix and the powdered sugar into the bowl.") == [
+        "spring roll mix",
+        "powdered sugar",
+    ]
