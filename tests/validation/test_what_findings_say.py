@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from kitchen_stories import node, subgraph
-from validation.garden import FOON, GARDEN, entry, garden, judge, nodes, omelette, salad, unit, with_kitchen
+from kitchen_stories import unit as functional_unit
+from validation.garden import FOON, GARDEN, entry, garden, garnished, judge, nodes, omelette, salad, unit, with_kitchen
 
+from foon_kg.model import Annotation, Subgraph
 from foon_kg.model_json import node_to_json
 from foon_kg.validation import TaskTree, check, repeatable
 from foon_kg.validation.report import Finding, Report
@@ -122,6 +126,15 @@ def test_the_goal_of_text_is_what_its_last_unit_marks():
     assert found == (5, "spoon (wet)", "“spoon” is no end product of any dish type in the FOON")
 
 
+def test_only_the_last_unit_of_text_marks_the_goal():
+    marked = subgraph("text", "salad", *GARDEN)
+    assert TaskTree.from_subgraph(marked).goal == node(GARDEN[5].split(" > mix > ")[1].split(";")[0])
+    earlier = Subgraph("text", (*marked.annotations, *subgraph("text", "salad", *GARDEN[:1]).annotations))
+    assert TaskTree.from_subgraph(earlier).goal == node("cutting board{tomato}")
+    plain = replace(marked, annotations=(*marked.annotations[:5], Annotation(functional_unit(GARDEN[5]))))
+    assert TaskTree.from_subgraph(plain).goal is None
+
+
 class TestTheContractOfExecution:
     def test_what_is_needed_before_it_is_made_and_what_is_never_there(self):
         tree = salad()
@@ -207,6 +220,54 @@ class TestSense:
         tree = garden()
         tree["units"].insert(2, tree["units"][0])
         assert said(tree, "S4") == [(2, "tomato (whole)", "taken 2 times, asked 1 times")]
+
+    def test_an_equivalent_that_is_too_unlike(self):
+        tree = salad()
+        tree["substitutions"][0]["confidence"] = 0.456
+        assert said(tree, "S5") == [(None, None, "radish stands for cucumber with 0.46 only")]
+
+    def test_a_food_in_the_name_that_is_not_in_the_dish(self):
+        tree = omelette("potato_omelette")
+        goal = "potato omelette (cooked; {black pepper, egg}; in cooking pan)"
+        assert said(tree, "S6") == [(None, goal, "“potato omelette” names potato, which is not in it")]
+
+    def test_a_food_that_joins_too_late(self):
+        tree = garnished()
+        tree["recipe"]["ingredients"].append({"object": "leek", "state": "whole"})
+        tree["units"][5]["input_nodes"] += nodes("leek(whole)")
+        tree["units"][5]["output_nodes"][0]["ingredients"].append("leek")
+        assert said(tree, "S2") == [(5, None, "leek joins others after the last mixing or heating")]
+
+    def test_a_food_that_joins_whole(self):
+        tree = omelette()
+        tree["recipe"]["ingredients"].append({"object": "potato", "state": "whole"})
+        tree["units"][4]["input_nodes"] += nodes("potato(whole)")
+        tree["units"][4]["output_nodes"][0]["ingredients"].append("potato")
+        assert said(tree, "S3") == [(4, None, "potato joins others as a whole, and FOON has a unit that opens it")]
+
+    def test_a_state_that_was_destroyed(self):
+        tree = garden()
+        tree["recipe"]["ingredients"][0]["state"] = "sliced"
+        assert said(tree, "S7") == [(None, None, "tomato was asked sliced and is not so where it joins the others")]
+
+    def test_a_reference_of_which_little_is_left(self):
+        tree = garden()
+        for one in tree["units"][1:]:
+            one["seen_in"][0]["video"] = "stale"
+        tree["units"] = tree["units"][:5]
+        assert said(tree, "S8") == []  # the stale video has these units, too, and ends in the same goal
+        for one in tree["units"]:
+            one["seen_in"][0]["video"] = "garnished"
+        tree["units"][0]["seen_in"][0]["video"] = "garden"
+        assert said(tree, "S8") == [(None, None, "only 17% of the units of “garden” are in the tree")]
+
+    def test_a_reference_that_no_video_makes(self):
+        tree = salad()
+        tree["reference"]["goal"] = nodes("moon cake")[0]
+        assert said(tree, "S8") == [(None, "moon cake", "no video of the FOON ends in the reference goal")]
+
+    def test_a_tree_that_names_no_reference_is_not_asked_for_it(self):
+        assert check(TaskTree.from_subgraph(subgraph("text", "salad", *GARDEN)), FOON).of(["S8"]) == ()
 
 
 class TestRepeatable:
