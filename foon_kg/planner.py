@@ -203,7 +203,7 @@ class _Question:
         """
         goals = enumerate(self._goals_to_try())
         near = [*islice(goals, 1)]
-        near += islice(goals, self._near - 1)
+        near += islice(goals, max(self._near - 1, 0))
         if len(near) > 1:
             yield from sorted(
                 ((place, self._prospect(*goal), *goal) for place, goal in near), key=lambda row: (row[1], row[0])
