@@ -26,6 +26,10 @@ EXAMPLES = examples(
 )
 
 
+SPARE = 2
+"""So many connections may be open for each request that may be under way: most are kept for the next one."""
+
+
 def serve(  # noqa: PLR0917 - each parameter is an option of its own
     host: Annotated[str, typer.Option(help="The address to bind to; another than loopback asks for a token.")] = (
         "127.0.0.1"
@@ -86,7 +90,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
     app = web_app(service, names=own_names(host), public=public, token=token, limits=limits, callers=callers)
-    _run(app, listener, limits.connections)
+    _run(app, listener, SPARE * limits.requests)
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:

@@ -22,7 +22,7 @@ from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
-from foon_kg.web.limits import BodyLimit, Limits, RateLimit
+from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
@@ -69,6 +69,7 @@ def web_app(
     limits = limits or Limits()
     middleware = [
         Middleware(SecurityHeaders),
+        Middleware(CrowdLimit, limits=limits),
         Middleware(KnownHosts, names=names, public=public),
         Middleware(RateLimit, limits=limits, callers=callers or Callers()),
         *([Middleware(TokenRequired, token=token)] if token else []),

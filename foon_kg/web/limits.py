@@ -19,6 +19,7 @@ from foon_kg.web.questions import Reply
 _NO_JSON = FoonError(
     "the body is not said to be JSON", hint="Send Content-Type: application/json.", code="content-type"
 )
+_CROWD = FoonError("too much is asked at once", hint="Ask again in a second.", code="busy")
 _SLOW = FoonError("the body did not come in time", hint="Send it faster.", code="slow")
 
 MOST_CALLERS = 4096
@@ -30,7 +31,7 @@ class Limits:
     """What the service puts up with.
 
     ``body`` in bytes; ``seconds`` for a question, and for sending it; of one caller ``per_second`` requests, and
-    ``burst`` at once; ``waiting`` plans that are under way or wait; ``connections`` open at once.
+    ``burst`` at once; ``waiting`` plans that are under way or wait; ``requests`` under way at once.
     """
 
     body: int = 64 * 1024
@@ -38,7 +39,7 @@ class Limits:
     per_second: float = 50.0
     burst: int = 100
     waiting: int = 16
-    connections: int = 200
+    requests: int = 200
 
 
 async def refuse(
@@ -50,6 +51,27 @@ async def refuse(
     raw = [(name.encode("latin-1"), value.encode("latin-1")) for name, value in told.items()]
     await send({"type": "http.response.start", "status": status, "headers": raw})
     await send({"type": "http.response.body", "body": b"" if scope["method"] == "HEAD" else body})
+
+
+class CrowdLimit:
+    """Refuses (503) what is asked while as many requests are under way as this puts up with."""
+
+    def __init__(self, app: ASGIApp, limits: Limits) -> None:
+        self.app = app
+        self.limits = limits
+        self._under_way = 0
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass the request on, or refuse it."""
+        if scope["type"] != "http":
+            return await self.app(scope, receive, send)
+        if self._under_way >= self.limits.requests:
+            return await refuse(scope, send, 503, _CROWD, {"retry-after": "1"})
+        self._under_way += 1
+        try:
+            return await self.app(scope, receive, send)
+        finally:
+            self._under_way -= 1
 
 
 class RateLimit:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
+from dataclasses import replace
 
+import httpx
 import pytest
 from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
@@ -240,6 +243,24 @@ def test_an_answer_that_takes_too_long_is_given_up():
         answer = client.post("/api/suggest", json={"foods": ["egg", "onion", "milk"], "most": 20})
     assert answer.status_code in {504, 408}
     assert error_of(answer)["code"] in {"timeout", "slow"}
+
+
+def test_a_crowd_is_refused_in_the_form_of_every_error():
+    async def crowd(requests):
+        application = app(limits=replace(PLENTY, requests=requests))
+        transport = httpx.ASGITransport(application)
+        async with httpx.AsyncClient(transport=transport, base_url="http://localhost") as client:
+            answers = await asyncio.gather(*(client.get("/api/summary") for _ in range(5)))
+            return answers, await client.get("/api/summary")
+
+    answers, later = asyncio.run(crowd(2))
+    refused = [answer for answer in answers if answer.status_code == 503]
+    assert len(refused) == 3
+    assert {error_of(answer)["code"] for answer in refused} == {"busy"}
+    assert all(
+        answer.headers["retry-after"] == "1" and "content-security-policy" in answer.headers for answer in refused
+    )
+    assert later.status_code == 200
 
 
 def test_more_than_there_are_places_for_is_refused():
