@@ -9,16 +9,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
-from foon_kg import likeness, planner, preparation, reading, substitution, workshop
+from foon_kg import likeness, planner, preparation, reading, script, substitution, workshop
 from foon_kg.errors import NoTreeError
 from foon_kg.model import Recipe
 from foon_kg.planner import Planner
 from foon_kg.result import PlanFailure
 from foon_kg.search import ground
 from foon_kg.snapshot import Snapshot
+from foon_kg.validation import foon
 
 ROOM = ((workshop, "MOST_TREES"), (workshop, "MOST_KITCHENS"), (ground, "MOST_TREES"))
-ROOM += ((reading, "MOST_READINGS"), (preparation, "MOST_WANTS"))
+ROOM += ((reading, "MOST_READINGS"), (reading, "MOST_FOODS"), (preparation, "MOST_WANTS"))
+ROOM += ((script, "MOST_SCENES"), (script, "MOST_PERFORMANCES"), (script, "_MOST_TIMES"), (foon, "MOST_DERIVATIONS"))
 ROOM += ((planner, "MOST_KITCHENS"), (substitution, "MOST_FOODS"), (likeness, "LEAST_KEPT"), (likeness, "MOST_KEPT"))
 
 

@@ -28,14 +28,14 @@ BOILED = (
 SHELLED = "egg(hardboiled,whole)@pot > peel > egg(hardboiled,peeled,whole)@pot"
 
 
-def put_in(food, state, *lines):
-    """The node of ``food`` that joins a salad of salt where the FOON also knows ``lines``."""
+def joined(dish_type, dish, lines, food, state):
+    """The node of ``food`` that joins a dish of salt where the FOON also knows ``lines``."""
     known = Subgraph("known", tuple(Annotation(unit(line)) for line in lines))
-    snapshot = Snapshot.of([subgraph("salad", "salad", *DISH), known], KITCHEN)
-    recipe = Recipe("salad", (RequiredIngredient("salt", "granulated"), RequiredIngredient(food, state)))
-    mix = plan(snapshot, recipe, SETTINGS).units
-    into = next(u for u in mix if any("salt" in n.ingredients and food in n.ingredients for n in u.output_nodes))
-    return next(n for n in into.input_nodes if n.label == food)
+    snapshot = Snapshot.of([subgraph("dish", dish_type, *dish), known], KITCHEN)
+    recipe = Recipe(dish_type, (RequiredIngredient("salt", "granulated"), RequiredIngredient(food, state)))
+    units = plan(snapshot, recipe, SETTINGS).units
+    into = next(u for u in units if any({"salt", food} <= {*n.ingredients} for n in u.output_nodes))
+    return next(n for n in into.input_nodes if n.label == food or food in n.ingredients)
 
 
 @pytest.mark.parametrize(
@@ -48,12 +48,12 @@ def put_in(food, state, *lines):
     ],
 )
 def test_a_whole_food_is_opened_as_far_as_it_is_fit_to_eat(known, joins):
-    assert put_in("avocado", "whole", ON_THE_BOARD, *known) == node(joins)
+    assert joined("salad", DISH, (ON_THE_BOARD, *known), "avocado", "whole") == node(joins)
 
 
 def test_an_egg_that_is_boiled_in_its_shell_is_peeled_where_the_foon_peels_one():
-    assert put_in("egg", "hardboiled", *BOILED) == node("egg(hardboiled,whole)@pot")
-    assert put_in("egg", "hardboiled", *BOILED, SHELLED) == node("egg(hardboiled,peeled,whole)@pot")
+    assert joined("salad", DISH, BOILED, "egg", "hardboiled") == node("egg(hardboiled,whole)@pot")
+    assert joined("salad", DISH, (*BOILED, SHELLED), "egg", "hardboiled") == node("egg(hardboiled,peeled,whole)@pot")
 
 
 FRIED = (
@@ -79,9 +79,20 @@ SOUP = (
     ],
 )
 def test_raw_meat_is_cooked_for_a_dish_that_is_not_and_joins_raw_what_is_cooked_later(dish_type, dish, known, joins):
-    others = Subgraph("known", tuple(Annotation(unit(line)) for line in known))
-    snapshot = Snapshot.of([subgraph("dish", dish_type, *dish), others], KITCHEN)
-    foods = (RequiredIngredient("salt", "granulated"), RequiredIngredient("beef", "raw"))
-    units = plan(snapshot, Recipe(dish_type, foods), SETTINGS).units
-    into = next(u for u in units if any({"salt", "beef"} <= {*n.ingredients} for n in u.output_nodes))
-    assert next(n for n in into.input_nodes if n.label == "beef") == node(joins)
+    assert joined(dish_type, dish, known, "beef", "raw") == node(joins)
+
+
+CRACKED = "egg(whole); bowl(empty) > crack > bowl{egg}; egg(cracked)@bowl"
+
+
+@pytest.mark.parametrize(
+    ("dish_type", "dish", "known", "joins"),
+    [
+        ("salad", DISH, (CRACKED, *BOILED, SHELLED), "egg(hardboiled,peeled,whole)@pot"),
+        ("soup", SOUP, (CRACKED, *BOILED, SHELLED), "egg(cracked)@bowl"),
+        ("salad", DISH, (CRACKED,), "egg(cracked)@bowl"),
+        ("soup", SOUP, (*BOILED, SHELLED), "egg(hardboiled,peeled,whole)@pot"),
+    ],
+)
+def test_an_egg_is_boiled_for_a_salad_and_cracked_into_a_soup_where_the_foon_knows_both(dish_type, dish, known, joins):
+    assert joined(dish_type, dish, known, "egg", "whole") == node(joins)

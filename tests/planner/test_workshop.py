@@ -26,3 +26,40 @@ def test_a_bowl_of_something_bought_costs_the_same_whether_or_not_some_other_vid
     part, whole = (gap_cost(KITCHEN, units, names) for units in (script(*SALAD), script(*SALAD, *FRIED)))
     assert part(node("bowl{onion}")) == whole(node("bowl{onion}"))
     assert part(node("bowl{onion}")) < part(node("bowl{dressing}"))
+
+
+GAPS = (
+    "stove(off) > turn on > stove(on)",
+    "bowl(empty); salt(granulated) > pour > bowl{salt}",
+    "pan(hot); onion(whole); leek(whole) > fry > relish(fried){leek,onion}@pan",
+)
+DEARER = (
+    "onion(whole)@on shelf",  # an odd place
+    "plate{salt}",  # a vessel that nobody fills
+    "pan(hot)",  # hot, and nobody makes it so
+    "bowl{salt}",  # a vessel that a unit fills
+    "onion(chopped)",
+    "stove(on)",  # a unit turns it on
+    "sauce{onion}",  # a mixture
+    "plate{leek,onion}",  # each of its foods counts
+    "relish(fried){leek,onion}@pan",  # a unit makes it
+)
+
+
+def test_what_is_not_at_hand_costs_the_more_the_more_it_is_somebodys_work():
+    cost = gap_cost(KITCHEN, script(*GAPS))
+    paid = [cost(node(text)) for text in DEARER]
+    assert None not in paid
+    assert paid == sorted(set(paid))
+
+
+def test_a_food_that_was_processed_twice_costs_twice_as_much():
+    cost = gap_cost(KITCHEN, script(*GAPS))
+    assert cost(node("onion(chopped,fried)")) == 2 * cost(node("onion(chopped)"))
+
+
+def test_a_mixture_that_names_no_food_costs_more_than_one_of_two_where_a_unit_makes_it():
+    names, units = {"dressing"}, script("oil(liquid) > whisk > dressing(mixed)@cup")
+    cost = gap_cost(KITCHEN, units, names)
+    assert cost(node("dressing(mixed)@cup")) > cost(node("dressing{oil,salt}"))
+    assert cost(node("dressing(mixed)@jar")) < cost(node("dressing{oil}"))
