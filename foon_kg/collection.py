@@ -17,10 +17,11 @@ from foon_kg.dish_classes import DishClass, dish_classes
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import DISH_TYPES
 from foon_kg.names import canonical
+from foon_kg.plain_lines import amount_in_front
 from foon_kg.recipe_lines import LineReader, read_quickly
 from foon_kg.states import state_in
 
-READING = 3
+READING = 4
 """Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
 
 _REMEMBERED = 200_000
@@ -91,7 +92,8 @@ class CollectionReader:
         state = plain.state if plain else state_beside(food, line.text)
         if state is None:
             return None
-        amount = (line.quantity, line.unit) if line.quantity or plain is None else (plain.quantity, plain.unit)
+        read = (plain.quantity, plain.unit) if plain else amount_in_front(line.text)
+        amount = (line.quantity, line.unit) if line.quantity else read
         return CalledFor(self._label(food), state, line.text, *amount)
 
     def _label(self, food: str) -> str:

@@ -9,6 +9,7 @@ read alike; the spelling of units and the order of states are the parser's.
 from __future__ import annotations
 
 import re
+import unicodedata
 from fractions import Fraction
 from functools import lru_cache
 
@@ -60,6 +61,38 @@ _LINE = re.compile(
     r"(?P<words>[A-Za-z][A-Za-z' -]*[a-z])(?:, (?P<done>[a-z][a-z0-9/, -]*[a-z]))?(?P<optional> \(optional\))?",
     re.ASCII,
 )
+
+
+_AMOUNT = re.compile(
+    rf"(?P<least>\d{{1,3}}\.\d{{1,2}}|{_NUMBER})(?:(?: ?- ?| to | or )(?P<most>\d{{1,3}}\.\d{{1,2}}|{_NUMBER}))?"
+    r"(?![\d/.,%-])(?: \([^()]*\))?(?: (?P<unit>[A-Za-z]+)\b)?",
+    re.ASCII,
+)
+_FRACTION = re.compile("[\u00bc-\u00be\u2150-\u215e]")
+
+
+def amount_in_front(line: str) -> tuple[str, str]:
+    """Answer quantity and unit with which a line begins, ``""`` for what is not there; written as the parser does.
+
+    >>> amount_in_front("2-3 cups of very good stock")
+    ('2-3', 'cups')
+    """
+    text = line if line.isascii() else unicodedata.normalize("NFKD", _FRACTION.sub(r" \g<0>", line))
+    match = _AMOUNT.match(" ".join(text.replace("\u2044", "/").split()))
+    if match is None:
+        return "", ""
+    quantity = _quantity(match["least"], match["most"] or "")
+    unit = _ONE.get((match["unit"] or "").lower())
+    return quantity, "" if unit is None else unit if quantity == "1" else _MANY[unit]
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _quantity(least: str, most: str) -> str:
+    """Answer a quantity, or a range of them; of "1-1/2" the second is the rest of the first."""
+    low, high = (sum(map(Fraction, number.split()), Fraction(0)) for number in (least, most))
+    if low < high:
+        return f"{low}-{high}"
+    return str(low + high if 0 < high < 1 else low)
 
 
 def read_quickly(line: str) -> RecipeLine | None:

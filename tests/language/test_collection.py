@@ -92,3 +92,10 @@ def test_a_reader_answers_the_same_whether_it_saw_the_lines_before():
     reader = CollectionReader({})
     recipes = [recipe(CollectedLine("1 leek, sliced", "leek")), recipe(CollectedLine("salt", "salt"))]
     assert reader.understand(recipes) == reader.understand(recipes) == CollectionReader({}).understand(recipes)
+
+
+def test_a_line_that_is_not_plain_keeps_its_amount_beside_the_food_that_the_collection_names():
+    (called,) = understand(CollectedLine("2-3 cups chopped onions from your garden", "onions")).ingredients
+    assert (called.object, called.state, called.quantity, called.unit) == ("onion", "chopped", "2-3", "cups")
+    (told,) = understand(CollectedLine("2-3 cups chopped onions from your garden", "onions", "", "5", "")).ingredients
+    assert (told.quantity, told.unit) == ("5", "")

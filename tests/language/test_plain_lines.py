@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.names import canonical
-from foon_kg.plain_lines import AGREES, read_quickly
+from foon_kg.plain_lines import AGREES, amount_in_front, read_quickly
+from foon_kg.recipe_lines import read_fully
 from foon_kg.similarity.groups import food_groups
 
 needs_the_parser = pytest.mark.skipif(
@@ -140,3 +141,35 @@ def test_what_is_read_is_what_was_written(food, state, unit, number):
         assert canonical(" ".join((*answer.states, answer.object))).endswith(canonical(answer.object))
         assert canonical(food).endswith(canonical(answer.object))
         assert answer.state == state
+
+
+@pytest.mark.parametrize(
+    ("line", "amount"),
+    [
+        ("2-3 cups of very good stock", ("2-3", "cups")),
+        ("2 to 3 tablespoons oil, warmed through", ("2-3", "tablespoons")),
+        ("1 1/2 teaspoon salt, to taste", ("3/2", "teaspoons")),
+        ("1-1/2 cups flour (sifted twice)", ("3/2", "cups")),
+        ("1\u00bd cups milk, if you like", ("3/2", "cups")),
+        ("3\u20444 cup milk, if you like", ("3/4", "cups")),
+        ("1 (8 ounce) package cream cheese, at room temperature", ("1", "package")),
+        ("1.5 kg beef for stewing", ("3/2", "kg")),
+        ("2-3 large eggs from the farm", ("2-3", "")),
+        ("salt as you like it", ("", "")),
+        ("7-up soda", ("", "")),
+        ("100% pure orange juice", ("", "")),
+        ("1,000 g flour", ("", "")),
+        ("", ("", "")),
+    ],
+)
+def test_the_amount_in_front_of_a_line_that_is_not_plain(line, amount):
+    assert amount_in_front(line) == amount
+
+
+@needs_the_parser
+@pytest.mark.parametrize("food", ["stock from last week", "oil (the good one)", "milk, if you like"])
+@pytest.mark.parametrize("unit", ["cups", "tablespoons", "ounces"])
+@pytest.mark.parametrize("quantity", ["2", "2-3", "1 1/2", "2 to 3", "\u00bd"])
+def test_the_amount_in_front_is_the_one_that_the_parser_reads(quantity, unit, food):
+    parsed = read_fully(f"{quantity} {unit} {food}")
+    assert amount_in_front(f"{quantity} {unit} {food}") == (parsed.quantity, parsed.unit)
