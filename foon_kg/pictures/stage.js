@@ -18,7 +18,11 @@ export const stage = (box) => {
   const view = { x: 0, y: 0, w: width, h: height };
   const shape = () => (box.clientWidth && box.clientHeight ? box.clientHeight / box.clientWidth : height / width);
   const within = (value, least, most) => Math.min(Math.max(value, least), most);
-  const draw = () => svg.setAttribute("viewBox", [view.x, view.y, view.w, view.h].map((v) => v.toFixed(2)).join(" "));
+  const paper = matchMedia("print"); // on paper nothing moves: all of it is there
+  const draw = () => {
+    const { x, y, w, h } = paper.matches ? { x: 0, y: 0, w: width, h: height } : view;
+    svg.setAttribute("viewBox", [x, y, w, h].map((v) => v.toFixed(2)).join(" "));
+  };
   const show = () => {
     view.x = within(view.x, -view.w / 2, width - view.w / 2); // the middle of the stage stays on the picture
     view.y = within(view.y, -view.h / 2, height - view.h / 2);
@@ -97,12 +101,16 @@ export const stage = (box) => {
   });
   for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => fingers.delete(event.pointerId));
 
-  const turned = new ResizeObserver(() => { view.h = view.w * shape(); draw(); }); // a phone on its side
+  const turned = new ResizeObserver(() => { // a phone on its side
+    if (!paper.matches) view.h = view.w * shape();
+    draw();
+  });
   requestAnimationFrame(() => {
     if (height > 1.5 * box.clientHeight || width > 1.5 * box.clientWidth) legible();
     else fit();
     show();
     turned.observe(box);
+    paper.addEventListener("change", draw);
   });
   return { larger: done(keys["+"]), smaller: done(keys["-"]), all: done(fit), own: done(legible) };
 };

@@ -289,6 +289,24 @@ def test_page_and_picture_follow_light_and_dark(page, scheme):
     assert papers(page, scheme, ".stage") == [PAPERS[scheme]] * 2
 
 
+def test_on_paper_there_is_the_whole_plan_and_no_form(page):
+    plan(page, "chopped onion", "sliced kohlrabi", "diced tomato")
+    shown = "document.querySelector('.stage svg').getAttribute('viewBox')"
+    moved = page.execute_script(f"return {shown}")
+    whole = page.execute_script("""
+        const { width, height } = document.querySelector('.stage .paper').getBBox();
+        return [0, 0, width, height].map(v => v.toFixed(2)).join(' ')""")
+    assert moved != whole
+    page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        until(page, f"return {shown} === '{whole}'")
+        forms = "return [...document.querySelectorAll('form, nav')].map(e => e.checkVisibility())"
+        assert not any(page.execute_script(forms))
+    finally:
+        page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    until(page, f"return {shown} === '{moved}'")
+
+
 def test_nothing_comes_from_elsewhere(page, address):
     plan(page, "chopped onion")
     names = page.execute_script("return performance.getEntriesByType('resource').map(entry => entry.name)")
