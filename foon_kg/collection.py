@@ -17,7 +17,7 @@ from foon_kg.dish_classes import DishClass, dish_classes
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import DISH_TYPES
 from foon_kg.names import canonical
-from foon_kg.plain_lines import amount_in_front
+from foon_kg.plain_lines import amount_in_front, is_measure
 from foon_kg.recipe_lines import LineReader, read_quickly
 from foon_kg.states import state_in
 
@@ -26,6 +26,11 @@ READING = 4
 
 _REMEMBERED = 200_000
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
+_PARTS = frozenset(
+    {"assembly", "base", "batter", "coating", "crumble", "crust", "dough", "dressing", "filling", "frosting"}
+    | {"garnish", "glaze", "icing", "marinade", "optional", "pastry", "rub", "sauce", "stuffing", "topping"}
+)
+"""What cooks call the parts of a dish."""
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b")
 
 
@@ -68,7 +73,7 @@ class CollectionReader:
         new = [line for line in lines if line not in self._known]
         left = []
         for line in new:
-            if not line.is_readable:
+            if not line.is_readable or (not line.detected and is_heading(line.text)):
                 self._known[line] = None
                 continue
             called = None if self.full and line.text and not line.state else self._as_told(line)
@@ -97,7 +102,11 @@ class CollectionReader:
         return CalledFor(self._label(food), state, line.text, *amount)
 
     def _label(self, food: str) -> str:
+        """Answer what the FOON calls a food; cloves of garlic are garlic, where it has no name for cloves."""
         name = canonical(food)
+        whole, _, last = name.rpartition(" ")
+        if name not in self.labels and whole in self.labels and is_measure(last):
+            name = whole
         return self.labels.get(name, name or food)
 
 
@@ -116,6 +125,21 @@ def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
         return named
     others = (DishClass(dish.name, sure=False) for dish in named if dish.name != recipe.dish_type)
     return (DishClass(recipe.dish_type, sure=True), *others)
+
+
+def is_heading(text: str) -> bool:
+    """Answer whether a line names a part of the dish and no food: what ends in a colon, "For the sauce", "TOPPING".
+
+    >>> is_heading("For the cake batter:"), is_heading("1 cup sauce"), is_heading("tomato sauce")
+    (True, False, False)
+    """
+    words = text.strip(" *-_").split()
+    if not words or any(map(str.isdigit, text)):
+        return False
+    if words[-1].endswith(":"):
+        return True
+    part = canonical(words[-1]) in _PARTS
+    return part and (len(words) == 1 or text.isupper() or words[0].lower() == "for")
 
 
 def state_beside(food: str, text: str) -> str | None:

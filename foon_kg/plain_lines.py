@@ -95,6 +95,11 @@ def _quantity(least: str, most: str) -> str:
     return str(low + high if 0 < high < 1 else low)
 
 
+def is_measure(word: str) -> bool:
+    """Answer whether a word counts pieces or measures: clove, stalk, sprig, slice, cup."""
+    return word in _ONE
+
+
 def read_quickly(line: str) -> RecipeLine | None:
     """Answer what ``line`` asks for, or ``None`` where a word of it leaves any doubt."""
     match = _LINE.fullmatch(" ".join(line.split()))

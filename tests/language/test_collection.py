@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe
-from foon_kg.collection import CollectionReader, state_beside
+from foon_kg.collection import CollectionReader, is_heading, state_beside
 
 
 def recipe(*lines, title="Onion Soup", dish_type=None):
@@ -99,3 +99,34 @@ def test_a_line_that_is_not_plain_keeps_its_amount_beside_the_food_that_the_coll
     assert (called.object, called.state, called.quantity, called.unit) == ("onion", "chopped", "2-3", "cups")
     (told,) = understand(CollectedLine("2-3 cups chopped onions from your garden", "onions", "", "5", "")).ingredients
     assert (told.quantity, told.unit) == ("5", "")
+
+
+@pytest.mark.parametrize(
+    "text", ["TOPPING", "Filling", "For the dressing:", "FOR THE SAUCE", "** Cake batter: **", "Spices:"]
+)
+def test_a_heading_between_the_lines_is_no_food(text):
+    understood = understand(CollectedLine(text), CollectedLine("1 onion"))
+    assert [called.object for called in understood.ingredients] == ["onion"]
+    assert understood.left_over == (text,)
+
+
+@pytest.mark.parametrize("text", ["1 cup sauce", "tomato sauce", "SALT", "salad dressing", "1 batch filling:"])
+def test_a_line_that_asks_for_something_is_no_heading(text):
+    assert not is_heading(text)
+
+
+def test_a_heading_that_the_collection_takes_for_a_food_is_believed():
+    assert [called.object for called in understand(CollectedLine("Dressing", "dressing")).ingredients] == ["dressing"]
+
+
+@pytest.mark.parametrize(
+    ("food", "label"), [("garlic cloves", "garlic"), ("celery stalk", "celery"), ("garlic salt", "garlic salt")]
+)
+def test_pieces_of_a_food_of_the_foon_are_that_food(food, label):
+    labels = {"garlic": "garlic", "celery": "celery"}
+    assert understand(CollectedLine(f"2 {food}", food), labels=labels).ingredients[0].object == label
+    named = {**labels, "garlic clove": "garlic clove"}
+    assert (
+        understand(CollectedLine("2 garlic cloves", "garlic cloves"), labels=named).ingredients[0].object
+        == "garlic clove"
+    )
