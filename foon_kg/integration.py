@@ -194,6 +194,8 @@ class Integration:
         Mostly the first choice of each is right: as many as can be are tried in one replay, and only those up to the
         first that does not arrive, then that one by itself.
         """
+        if not self._may_arrive(wants, party):
+            return list(wants)
         missing = []
         waiting, at_once = list(wants), len(wants)
         while waiting:
@@ -211,6 +213,14 @@ class Integration:
                     missing.append(want)
                 at_once = len(waiting)
         return missing
+
+    def _may_arrive(self, wants: Iterable[RequiredIngredient], party: _Party) -> bool:
+        """Say whether the goal is made at all, or would be where each of ``wants`` joins at every place."""
+        if self._replay_with(party.casting, ()).items.get(self.goal) is not None:
+            return True
+        places = self._reading.slots.open
+        everything = [Addition(want, place, ObjectNode(want.object), None) for want in wants for place in places]
+        return self._replay_with(party.casting, everything).items.get(self.goal) is not None
 
     def _add(self, want: RequiredIngredient, party: _Party) -> bool:
         """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""

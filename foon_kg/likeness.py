@@ -58,7 +58,7 @@ class Likeness:
 
     def own(self, required: str, known: str) -> float:
         """Answer how likely a cook is to accept ``known`` for ``required`` (0..1), whatever was chosen."""
-        row = self.rows.get(required)
+        row = self.rows.find(required)
         if row is None:
             self.learn([required])
             row = self.rows[required]

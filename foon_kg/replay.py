@@ -73,8 +73,10 @@ class Stage:
         known = self._known.get(scene)
         if known is None:
             known = self._known[scene] = self._performances(scene)
-        spent = self.casting.spent
-        found = tuple([SPENT if (place, node) in spent else self._found(node) for node in scene.inputs])
+        found = tuple(map(self._found, scene.inputs))
+        if self.casting.spent:
+            pairs = zip(scene.inputs, found, strict=True)
+            found = tuple([SPENT if (place, node) in self.casting.spent else there for node, there in pairs])
         key = (found, added, scene.spoken & self.leaf_foods, self._carried(scene, found, added))
         performance = known.get(key)
         if performance is None:
