@@ -155,8 +155,10 @@ class Equivalents:
         named = self._motion_named[state]
         if named is not None and named.motion == motion:
             return {}  # to boil makes boiled, whether or not FOON has ever called it so
-        chosen = named.motion if named is not None and named.count else known[0][0]
-        return {motion: chosen} if motions.may_stand_for(chosen, motion) else {}
+        first = [named.motion] if named is not None and named.count else []
+        others = (other for other, _ in known if not motions.transfers(other))
+        chosen = next((other for other in (*first, *others) if motions.may_stand_for(other, motion)), None)
+        return {} if chosen is None else {motion: chosen}
 
     @cached_property
     def _motions(self) -> dict[str, tuple[tuple[str, int], ...]]:

@@ -90,13 +90,23 @@ def test_a_motion_named_after_the_state_stands_before_the_commonest_one_which_ma
         ("baked", "hardboiled", "boil", {}),  # in the same water nothing is baked
         ("boiled", "baked", "bake", {}),
         ("baked", "fried", "fry", {"fry": "bake"}),
+        ("warm", "hardboiled", "boil", {"boil": "heat"}),
         ("crushed", "chopped", "chop", {}),  # and nothing is blended with a knife
         ("crushed", "mashed", "mash", {"mash": "blend"}),
         ("poached", "hardboiled", "poach", {}),  # a state is made by the motion that it is named after
     ],
 )
 def test_a_motion_is_replaced_by_one_that_can_be_done_with_the_same_things(state, known, motion, instead):
-    made = (("baked", "bake"), ("boiled", "boil"), ("crushed", "blend"), ("poached", "cook"), ("eggy", "poach"))
+    made = (
+        ("baked", "bake"),
+        ("boiled", "boil"),
+        ("boiled", "pour"),
+        ("warm", "broil"),
+        ("warm", "heat"),
+        ("crushed", "blend"),
+        ("poached", "cook"),
+        ("eggy", "poach"),
+    )
     vocabulary = Vocabulary((), tuple(MadeBy(*row, 2) for row in made), ("salad",))
     like = Equivalents(vocabulary, Kitchen.default(), names, lambda *_: 0.8)
     recast, _ = like.recast(RequiredIngredient("egg", state), [known], [(known, motion)])
