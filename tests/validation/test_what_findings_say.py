@@ -7,7 +7,20 @@ from dataclasses import replace
 import pytest
 from kitchen_stories import node, subgraph
 from kitchen_stories import unit as functional_unit
-from validation.garden import FOON, GARDEN, entry, garden, garnished, judge, nodes, omelette, salad, unit, with_kitchen
+from validation.garden import (
+    FOON,
+    GARDEN,
+    POTATO,
+    entry,
+    garden,
+    garnished,
+    judge,
+    nodes,
+    omelette,
+    salad,
+    unit,
+    with_kitchen,
+)
 
 from foon_kg.model import Annotation, Subgraph
 from foon_kg.model_json import node_to_json
@@ -145,6 +158,19 @@ class TestTheContractOfExecution:
             (6, "spoon", "it is neither in the kitchen nor an output of an earlier unit"),
         ]
 
+    def test_a_unit_does_not_make_what_it_takes(self):
+        tree = omelette()
+        tree["units"][0]["input_nodes"] = nodes("stove(hot)", "stove(off)")
+        tree["units"][0]["output_nodes"] = nodes("stove(on)")
+        tree["units"][1]["input_nodes"] += nodes("stove(warm)")
+        tree["units"][1]["output_nodes"] += nodes("stove(hot)")
+        tree["kitchen"] += nodes("stove(off)")
+        found = [row for row in said(tree, "C1") if row[1] in {"stove (hot)", "stove (warm)"}]
+        assert found == [
+            (0, "stove (hot)", "it is needed before it is made: only unit 1 outputs it"),
+            (1, "stove (warm)", "it is neither in the kitchen nor an output of an earlier unit"),
+        ]
+
     def test_what_is_wrong_with_the_goal(self):
         tree = salad() | {"recipe": salad()["recipe"] | {"dish_type": "soup"}}
         tree["goal"]["states"] = ["tossed"]
@@ -244,6 +270,17 @@ class TestSense:
         tree["units"][4]["input_nodes"] += nodes("potato(whole)")
         tree["units"][4]["output_nodes"][0]["ingredients"].append("potato")
         assert said(tree, "S3") == [(4, None, "potato joins others as a whole, and FOON has a unit that opens it")]
+
+    @pytest.mark.parametrize(("place", "found"), [(4, []), (5, ["S3"])])
+    def test_a_food_may_be_opened_just_before_it_joins(self, place, found):
+        """The potato joins at unit 4, or 5 where it is sliced first; sliced by then or not before the next unit."""
+        tree = omelette()
+        tree["recipe"]["ingredients"].append({"object": "potato", "state": "whole"})
+        joins = tree["units"][4]
+        joins["input_nodes"] += nodes("potato(sliced)" if place == 4 else "potato(whole)")
+        joins["output_nodes"][0]["ingredients"].append("potato")
+        tree["units"].insert(place, unit(POTATO[0], "potato", 0))
+        assert [f.rule for f in judge(tree).of(["S3"])] == found
 
     def test_a_state_that_was_destroyed(self):
         tree = garden()
