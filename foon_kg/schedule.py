@@ -9,8 +9,9 @@ steps earlier or later for as long as that helps. Whether the schedule is the sh
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cached_property
 
 from foon_kg.durations import Duration, Durations
 from foon_kg.errors import UsageError
@@ -36,6 +37,7 @@ MOST_TRIES = 400
 
 _HANDS = ""  # beside the names of utensils: what nearly every step uses
 _ROUNDING = 1e-9
+_Span = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -109,10 +111,19 @@ def _bettered(order: list[int], work: _Work) -> list[int]:
             tries -= 1
             rest = [place for place in order if place != step]
             other = [*rest[:to], step, *rest[to:]]
-            shorter = work.length(work.starts(other))
-            if shorter < length:
+            shorter = work.length_below(other, length)
+            if shorter is not None:
                 order, length, better = other, shorter, True
     return order
+
+
+def _is_free(spans: Sequence[_Span], there: int, start: float, end: float) -> bool:
+    """Whether of ``there`` things that are in use for ``spans`` one is free from ``start`` to ``end``."""
+    during = [span for span in spans if span[0] < end and span[1] > start]
+    if len(during) < there:
+        return True
+    moments = (start, *(since for since, _ in during if since > start))
+    return all(sum(since <= moment < until for since, until in during) < there for moment in moments)
 
 
 @dataclass(frozen=True)
@@ -156,37 +167,47 @@ class _Work:
 
     def starts(self, order: Sequence[int]) -> dict[int, float]:
         """Answer when each step begins when they are put in as ``order`` ranks those that are ready."""
+        return dict(self._put_in(order))
+
+    def length_below(self, order: Sequence[int], limit: float) -> float | None:
+        """Answer how long the steps take in ``order``, if that is less than ``limit``."""
+        length = 0.0
+        for place, start in self._put_in(order):
+            if start + self.tails[place] >= limit:
+                return None  # what waits for this step is done no sooner
+            length = max(length, start + self.seconds[place])
+        return length
+
+    def _put_in(self, order: Sequence[int]) -> Iterator[tuple[int, float]]:
         starts: dict[int, float] = {}
+        busy: dict[str, list[_Span]] = {name: [] for name in self.there}
+        ends: set[float] = set()
         waiting = list(order)
         while waiting:
             place = next(i for i in waiting if self.before[i] <= starts.keys())
             waiting.remove(place)
-            starts[place] = self._earliest(place, starts)
-        return starts
+            start = starts[place] = self._earliest(place, starts, ends, busy)
+            yield place, start
+            end = start + self.seconds[place]
+            ends.add(end)
+            for name in self.uses[place]:
+                busy[name].append((start, end))
 
-    def _earliest(self, place: int, starts: Mapping[int, float]) -> float:
+    def _earliest(
+        self, place: int, starts: Mapping[int, float], ends: Collection[float], busy: Mapping[str, Sequence[_Span]]
+    ) -> float:
+        """Answer the first time at which there is enough of all that a step uses for as long as it takes."""
         ready = max((starts[i] + self.seconds[i] for i in self.before[place]), default=0.0)
-        ends = {start + self.seconds[i] for i, start in starts.items()}
-        return next(
-            start for start in sorted({ready, *(e for e in ends if e > ready)}) if self._fits(place, start, starts)
-        )
-
-    def _fits(self, place: int, start: float, starts: Mapping[int, float]) -> bool:
-        """Whether there is enough of all that a step uses for as long as it takes: hands and utensils."""
-        end = start + self.seconds[place]
-        during = [i for i, began in starts.items() if began < end and began + self.seconds[i] > start]
-        for name in self.uses[place]:
-            users = [i for i in during if name in self.uses[i]]
-            for moment in (start, *(starts[i] for i in users if starts[i] > start)):
-                if sum(starts[i] <= moment < starts[i] + self.seconds[i] for i in users) >= self.there[name]:
-                    return False
-        return True
+        shared = [(busy[name], self.there[name]) for name in self.uses[place] if busy[name]]
+        times = [ready, *sorted(end for end in ends if end > ready)]
+        seconds = self.seconds[place]
+        return next(at for at in times if all(_is_free(spans, there, at, at + seconds) for spans, there in shared))
 
     def length(self, starts: Mapping[int, float]) -> float:
         """Answer when the last step is done."""
         return max((start + self.seconds[i] for i, start in starts.items()), default=0.0)
 
-    @property
+    @cached_property
     def bound(self) -> float:
         """What no schedule can beat: the longest chain of steps, and the work for each thing shared by all of it."""
         shared = [
