@@ -45,6 +45,16 @@ def canonical(name: str) -> str:
     return _canonical(name, os.environ.get(ALIASES_VARIABLE, ""))
 
 
+def canonical_all(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Answer :func:`canonical` of each of ``names``; of few lists, as of the words of a FOON, it is kept."""
+    return _canonical_all(names, os.environ.get(ALIASES_VARIABLE, ""))
+
+
+@lru_cache(maxsize=4)
+def _canonical_all(names: tuple[str, ...], own_file: str) -> tuple[str, ...]:
+    return tuple(_canonical(name, own_file) for name in names)
+
+
 @lru_cache(maxsize=65_536)
 def _canonical(name: str, own_file: str) -> str:
     table = alias_table(own_file)

@@ -174,18 +174,18 @@ class _Question:
         return with_progress(best.result, self.kitchen), explanations(best.tree, best.integration)
 
     def _best(self) -> Attempt:
-        """Try the goals, likeliest first, until one gives a tree without a fault; of near ties the best (docs/ties.md)."""
+        """Try the goals, likeliest first, until one gives a tree without a fault; near ties: docs/ties.md."""
         found: list[tuple[tuple[float, ...], Attempt]] = []
         troubles: list[tuple[int, NoTreeError]] = []
-        for place, prospect, ranked, workshop in self._by_prospect():
-            if found and self._suffices(found, prospect):
+        for place, hope, ranked, workshop in self._by_prospect():
+            if found and self._suffices(found, hope):
                 break
             try:
                 attempt = self._for_goal(ranked, workshop)
             except NoTreeError as error:
                 troubles.append((place, error))
             else:
-                near = (place,) if prospect is None else (0, *attempt.worth)
+                near = (place,) if hope is None else (0, *attempt.worth)
                 found.append(((len(attempt.missing), *self._faults(attempt, ranked), *near, place), attempt))
         if found:
             _, best = min(found, key=lambda row: row[0])
@@ -224,22 +224,20 @@ class _Question:
         return f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
 
     @staticmethod
-    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]], prospect: tuple[float, ...] | None) -> bool:
+    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]], hope: tuple[float, ...] | None) -> bool:
         """Whether the next goal need not be tried: there is a tree without a fault, or many whose leaves are there.
 
-        A goal that is a near tie is tried all the same while its ``prospect`` is no worse than that of the best.
+        A near tie is tried all the same while what speaks for it (``hope``) is no worse than what does for the best.
         """
         faults = [rank[:3] for rank, _ in found]
-        if prospect is not None:
+        if hope is not None:
             best = min(rank for rank, _ in found)
-            return not any(best[:3]) and prospect > best[4 : 4 + len(prospect)]
+            return not any(best[:3]) and hope > best[4 : 4 + len(hope)]
         return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
 
     @property
     def _no_way(self) -> NoTreeError:
-        return NoTreeError(
-            f"no way to make {self._dish} was found", code="no-way", hint="Ask for another dish type."
-        )
+        return NoTreeError(f"no way to make {self._dish} was found", code="no-way", hint="Ask for another dish type.")
 
     def _refusal(self, report: Report) -> NoTreeError:
         """Say why even the best tree is none: no tree that breaks the contract is ever answered."""

@@ -67,7 +67,7 @@ def _begin(make: Callable[[], Callable[[Any], Any]]) -> None:
 
 
 def collect_seldom() -> None:
-    """Let this process look for unreachable cycles seldom: what planning makes has next to none, and much of it is kept."""
+    """Let this process look for unreachable cycles seldom: what planning makes has next to none, and much is kept."""
     gc.set_threshold(100_000, 50, 100)
 
 

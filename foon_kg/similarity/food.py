@@ -20,7 +20,7 @@ import numpy as np
 import numpy.typing as npt
 
 from foon_kg.knowledge import Neighbour
-from foon_kg.names import canonical
+from foon_kg.names import canonical, canonical_all
 from foon_kg.similarity.answers import DECIMALS, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
@@ -69,7 +69,7 @@ class FoodSimilarity:
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
         """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
         rows = [canonical(name) for name in wanted]
-        columns = tuple(map(canonical, known))
+        columns = canonical_all(tuple(known))
         side = self._known(columns) if len(columns) > _FEW else self._about_known(columns)
         new = [name for name in dict.fromkeys(rows) if name not in side.answered]
         if new and known:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib.resources import files
 
 import numpy as np
@@ -54,10 +54,14 @@ class FoodGroups:
 
     def shelves(self, memberships: Memberships) -> Memberships:
         """Answer the memberships in shelves that those in groups amount to."""
-        shelves = np.zeros((len(memberships), len(self.shelf_names)))
-        for group, shelf in enumerate(self.shelf_of):
-            shelves[:, shelf] = np.maximum(shelves[:, shelf], memberships[:, group])
-        return shelves
+        order, starts = self._by_shelf
+        return np.maximum.reduceat(memberships[:, order], starts, axis=1)
+
+    @cached_property
+    def _by_shelf(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+        """The groups in the order of their shelves, and where each shelf begins; there is none without a group."""
+        order = np.argsort(self.shelf_of, kind="stable")
+        return order, np.searchsorted(np.asarray(self.shelf_of)[order], np.arange(len(self.shelf_names)))
 
     def on_shelves(self, *names: str) -> Memberships:
         """Answer for each group 1 where it stands on one of these shelves, else 0."""
