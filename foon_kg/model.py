@@ -181,8 +181,8 @@ def _annotation_as_json(annotation: Annotation) -> list[object]:
 class Sighting:
     """Where a unit was seen: the place ``position`` (from 0) of the video, with its time in seconds.
 
-    Only units that could be used have a place, so the places of a video have no gaps, which the order of steps relies on;
-    behind a unit that was left out (the load tells its line) a place is one less than a person counts in the file.
+    Only units that could be used have a place: those of a video have no gaps, on which the order of steps relies.
+    Behind a unit that was left out (the load tells its line) a place is one less than a person counts in the file.
     """
 
     video: str
