@@ -24,7 +24,7 @@ _CLAUSES = re.compile(r"(?<=[.!?;])\s+|;\s*")
 _FIRST = re.compile(r"(?:(?:\d+[.)]|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
 _JOINED = re.compile(
     r"((?:,|\band|\bthen)\s+)([a-z]+)"
-    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|[\s.,]*$)"
+    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|,|[\s.,]*$)"
 )
 _BETWEEN = "_"
 _NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+[\w'&-]*\w")

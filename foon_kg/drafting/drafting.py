@@ -44,7 +44,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
     drafter = _Drafter(precedents)
     rows: list[DraftUnit | LeftOut] = []
     drafter.look_ahead(narration.actions)
-    for action in narration.actions:
+    for action in drafter.with_products(narration.actions):
         rows += drafter.rows(action)
     rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in rows]
     if dish_type in DISH_TYPES:
@@ -76,6 +76,28 @@ class _Drafter:
             for mention in action.objects if changing else ():
                 name = canonical(plain_name(mention.name))
                 self._scene.coming.setdefault(name, changing[0])
+
+    def with_products(self, actions: Sequence[NarratedAction]) -> list[NarratedAction]:
+        """Answer ``actions``, where a mixture that nobody names has the name by which it is spoken of next: the batter.
+
+        Of a mixture of its own speaks the first who says batter, dough or sauce, and it is what was mixed last.
+        """
+        told = list(actions)
+        mixed: int | None = None
+        names: set[str] = set()
+        for place, action in enumerate(actions):
+            new = [one.name for one in action.objects if _is_mixed(one.name) and canonical(one.name) not in names]
+            if new and mixed is not None and canonical(new[0]) != MIXTURE:
+                told[mixed], mixed = replace(told[mixed], product=plain_name(new[0])), None
+            names |= {canonical(one.name) for one in action.objects}
+            if action.product is None and self._makes_a_mixture(action):
+                mixed = place
+        return told
+
+    def _makes_a_mixture(self, action: NarratedAction) -> bool:
+        motions_said = self._precedents.verbs.reading(action.verb).motions[:1]
+        mixing = any(motions.mixes(motion) and self._precedents.merges(motion) for motion in motions_said)
+        return mixing and (len(action.objects) != 1 or self._is_everything(action.objects[0].name))
 
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
         """Answer the units of one action."""
@@ -187,17 +209,21 @@ def plain_name(name: str) -> str:
 
 
 def _mark_goal(rows: list[DraftUnit | LeftOut], dish_type: str, precedents: FoonPrecedents) -> None:
-    """Mark the last food that is made, of several the one with the most ingredients; it stands last in its unit."""
-    for place in range(len(rows) - 1, -1, -1):
-        row = rows[place]
-        if not isinstance(row, DraftUnit):
-            continue
-        unit = row.annotation.unit
-        foods = [one for one in unit.outputs if not precedents.kitchen.is_utensil(one.node.label)]
+    """Mark the last food that is made of several, else the last that is made; it stands last in its unit."""
+    made: list[tuple[int, Participant]] = []
+    for place, row in enumerate(rows):
+        outputs = row.annotation.unit.outputs if isinstance(row, DraftUnit) else ()
+        foods = [one for one in outputs if not precedents.kitchen.is_utensil(one.node.label)]
         if foods:
-            goal = max(foods, key=lambda one: len(one.node.ingredients))
-            node = replace(goal.node, ingredients=goal.node.ingredients or (goal.node.label,))
-            outputs = (*(one for one in unit.outputs if one is not goal), Participant(node, dish_type=dish_type))
-            marked = FunctionalUnit(unit.inputs, unit.motion, outputs, unit.accepts_any)
-            rows[place] = replace(row, annotation=Annotation(marked, row.annotation.timing))
-            return
+            made.append((place, max(foods, key=lambda one: len(one.node.ingredients))))
+    if not made:
+        return
+    several = [(place, food) for place, food in made if len(food.node.ingredients) > 1]
+    place, goal = (several or made)[-1]
+    row = rows[place]
+    if isinstance(row, DraftUnit):
+        unit = row.annotation.unit
+        node = replace(goal.node, ingredients=goal.node.ingredients or (goal.node.label,))
+        outputs = (*(one for one in unit.outputs if one is not goal), Participant(node, dish_type=dish_type))
+        marked = FunctionalUnit(unit.inputs, unit.motion, outputs, unit.accepts_any)
+        rows[place] = replace(row, annotation=Annotation(marked, row.annotation.timing))

@@ -304,5 +304,7 @@ def _share(rows: Sequence[Seen], test: Callable[[Seen], bool]) -> float:
 def _third(motion: str) -> str:
     """Answer the motion as what a unit does: peels, washes."""
     first, *rest = motion.split(" ")
+    if first.endswith("y") and first[-2:-1] not in "aeiou":
+        return " ".join([f"{first[:-1]}ies", *rest])
     ending = "es" if first.endswith(("ch", "sh", "ss", "x", "z")) else "s"
     return " ".join([first + ending, *rest])

@@ -200,3 +200,25 @@ def test_foods_that_lie_in_one_vessel_are_changed_by_one_unit():
     assert {node.label for node in peel.output_nodes if "peeled" in node.states} == {"onion", "potato"}
     apart = units(brought[0], action("peel", "onion", "potato"))
     assert [unit.motion for unit in apart] == ["pour", "peel", "peel"]
+
+
+def test_the_goal_is_the_dish_and_not_what_is_poured_over_it_at_last():
+    mix = action("mix", "egg", "flour", to="bowl", product="batter")
+    found = drafted(mix, action("cook", "batter", to="pot"), action("sprinkle", "salt", to="pot"), dish_type="cake")
+    goals = [
+        (number, one.node.label)
+        for number, row in enumerate(found.units)
+        for one in row.annotation.unit.outputs
+        if one.dish_type
+    ]
+    assert [label for _, label in goals] == ["batter"]
+    assert goals[0][0] == len(found.units) - 2
+
+
+def test_a_mixture_has_the_name_by_which_it_is_spoken_of_next():
+    mix, pour = units(action("mix", "egg", "flour", to="bowl"), action("pour", "dough", to="pot"))
+    (dough,) = [node for node in mix.output_nodes if node.label == "dough"]
+    assert dough.ingredients == ("egg", "flour")
+    assert dough in pour.input_nodes
+    bought = units(action("pour", "dough", to="pot"), action("mix", "egg", "flour", to="bowl"))
+    assert any(node.label == "egg mixture" for node in bought[1].output_nodes), "a dough was spoken of before"
