@@ -29,6 +29,8 @@ _REMEMBERED = 100_000
 _MANY = 200  # lines for the parser: a second of work, which starting a process costs as well
 _AT_ONCE = 32
 _NUMBER = re.compile(r"(?a:(?:\d{1,4} )?[1-9]\d{0,3}/[1-9]\d{0,3}|[1-9]\d{0,3})(?= [a-z])")
+_NAAN = re.compile(r"\bnan\b", re.IGNORECASE)
+"""The bread in the spelling that is also a word for what is no number: the parser stumbles over it."""
 
 
 def read_recipe_lines(lines: Iterable[str]) -> tuple[RecipeLine, ...]:
@@ -97,7 +99,7 @@ def _read(line: str) -> RecipeLine:
 
 def read_fully(line: str) -> RecipeLine:
     """Answer what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
-    text = " ".join(line.split())
+    text = _NAAN.sub("naan", " ".join(line.split()))
     number = _NUMBER.match(text)
     if number is None:
         return replace(_parse(text), text=line)
@@ -113,7 +115,10 @@ def read_fully(line: str) -> RecipeLine:
 def _parse(text: str) -> RecipeLine:
     if not any(letter.isalpha() for letter in text):
         return RecipeLine(text, None, left_over=(text,) if text else ())
-    parsed = _parser()(text, string_units=True)
+    try:
+        parsed = _parser()(text, string_units=True)
+    except (ArithmeticError, ValueError):  # it takes "inf" and "1/0" for numbers
+        return RecipeLine(text, None, left_over=(text,))
     if not parsed.name:
         return RecipeLine(text, None, left_over=(text,))
     quantity, unit = _amount(parsed.amount[0]) if parsed.amount else ("", "")

@@ -144,6 +144,18 @@ def test_any_text_is_answered(text):
     assert answer.object is None or answer.object
 
 
+@pytest.mark.parametrize("line", ["inf", "infinity", "1/0 eggs of nobody", "0/0 cups onion"])
+def test_what_only_looks_like_a_number_ends_no_reading(line):
+    answer = read_fully(line)
+    assert answer.text == line
+    assert answer.object or answer.left_over
+
+
+def test_nan_is_a_bread():
+    answer = read_fully("2 Nan, sliced")
+    assert (answer.text, answer.object, answer.state, answer.quantity) == ("2 Nan, sliced", "naan", "sliced", "2")
+
+
 def test_nothing_is_downloaded():
     program = (
         "import urllib.request, nltk\n"
