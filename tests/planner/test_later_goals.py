@@ -8,7 +8,8 @@ from planner.dishes import KITCHEN, SETTINGS
 
 from foon_kg.errors import NoTreeError
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.planner import FIRST_GOALS, Planner
+from foon_kg.planner import Planner
+from foon_kg.question import FIRST_GOALS
 from foon_kg.snapshot import Snapshot
 
 WANTED = tuple(RequiredIngredient(*food) for food in (("salt", "granulated"), ("onion", "whole")))

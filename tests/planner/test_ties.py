@@ -16,7 +16,8 @@ from foon_kg import goals
 from foon_kg.errors import NoTreeError
 from foon_kg.goals import NEAR, RankedGoal, near_ties
 from foon_kg.model import Goal, Recipe, RequiredIngredient
-from foon_kg.planner import FIRST_GOALS, plan
+from foon_kg.planner import plan
+from foon_kg.question import FIRST_GOALS
 from foon_kg.result import PlanFailure
 from foon_kg.snapshot import Snapshot
 
