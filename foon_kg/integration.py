@@ -23,7 +23,7 @@ from foon_kg.preparation import Preparations, is_whole, needed, shows
 from foon_kg.reading import Reading
 from foon_kg.rehearsal import Rehearsal
 from foon_kg.script import Casting, Item, Recast, Replayed, Step
-from foon_kg.substitution import FAIR, Equivalents
+from foon_kg.substitution import FAIR, Equivalents, eaten_raw
 from foon_kg.validation import Finding
 from foon_kg.ways import Preparation
 
@@ -261,19 +261,21 @@ class Integration:
     def _suits(self, addition: Addition, party: _Party) -> bool:
         """Say whether a food is ready as it should be for what comes, and takes nothing that another one took (S1).
 
-        A food that was asked whole joins raw what is cooked later, and cooked what is not: an egg is cracked into a
-        dough and boiled for a salad, and raw meat is cooked for one. Where FOON knows but one of the two, that one
-        suits.
+        A food that was asked whole joins raw, but what nobody eats raw joins cooked what is not cooked later: an egg is
+        cracked into a dough and boiled for a salad, and raw meat is cooked for one. Where FOON knows but one of the
+        two, that one suits.
         """
         made = self.preparations.of(addition.want)
-        cooked_later = addition.place <= self._reading.slots.last_heating
-        eaten_raw = not self.equivalents.cooked(addition.want)
+        cooked_later = addition.place in self._reading.slots.heated
+        is_flesh = bool(self.equivalents.cooked(addition.want))
         if addition.preparation is None:
-            return not made or (not eaten_raw and (cooked_later or all(map(party.clashes, made))))
+            return not made or (is_flesh and (cooked_later or all(map(party.clashes, made))))
         if party.clashes(addition.preparation):
             return False
-        if eaten_raw and (not is_whole(addition.want.state) or len({way.is_cooked for way in made}) == 1):
+        if not is_flesh and (not is_whole(addition.want.state) or len({way.is_cooked for way in made}) == 1):
             return True
+        if eaten_raw(addition.want.object):
+            return not addition.preparation.is_cooked
         return addition.preparation.is_cooked != cooked_later
 
     def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from foon_kg import motions
@@ -20,7 +20,7 @@ class Slots:
     ``accepting`` are the places at which any number of foods may enter; ``open`` are those of them that bring these
     into something that holds foods, up to the last mixing. ``measuring`` only bring a food into a measure or a spoon.
     ``joined_by`` has the foods whose lines come together with others at a place, ``taker`` the first place that takes a
-    node, and ``last_heating`` is the last place that cooks (-1: none does).
+    node, and ``heated`` are the places at which or after which what joins there is cooked.
     """
 
     accepting: frozenset[int]
@@ -28,7 +28,7 @@ class Slots:
     measuring: frozenset[int]
     joined_by: Mapping[int, tuple[str, ...]]
     taker: Mapping[ObjectNode, int]
-    last_heating: int
+    heated: frozenset[int]
 
     @classmethod
     def of(cls, units: Sequence[KnownUnit], lines: Mapping[str, FoodLine], kitchen: Kitchen) -> Slots:
@@ -46,8 +46,20 @@ class Slots:
             frozenset(place for place in accepting if _measures(units[place], kitchen)),
             joined_by,
             {node: place for place in reversed(places) for node in units[place].unit.input_nodes},
-            max((place for place in places if motions.heats(units[place].unit.motion)), default=-1),
+            frozenset(_heated(units, kitchen)),
         )
+
+
+def _heated(units: Sequence[KnownUnit], kitchen: Kitchen) -> Iterator[int]:
+    """Answer the places from which something gets under heat: by a motion, or in a vessel that is hot."""
+    under_heat: set[ObjectNode] = set()
+    for place in reversed(range(len(units))):
+        unit = units[place].unit
+        made = [node for node in unit.output_nodes if kitchen.is_food(node) or kitchen.foods_in(node)]
+        hot = any(kitchen.is_running(node) for node in made)
+        if hot or motions.heats(unit.motion) or not under_heat.isdisjoint(made):
+            yield place
+            under_heat.update(node for node in unit.input_nodes if kitchen.is_food(node) or kitchen.foods_in(node))
 
 
 def _accepts_any(known: KnownUnit) -> bool:

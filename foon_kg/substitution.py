@@ -52,8 +52,17 @@ class Candidate:
         return self.name_confidence * self.state_confidence
 
 
+_FLESH = frozenset({"meat", "seafood"})
+_NEVER_RAW = _FLESH | {"eggs", "starchy roots"}
+
+
+def eaten_raw(food: str) -> bool:
+    """Say whether people eat ``food`` raw: no meat, fish, eggs or potatoes."""
+    return food_groups().headings_of(canonical(food)).isdisjoint(_NEVER_RAW)
+
+
 def _is_flesh(food: str) -> bool:
-    return not food_groups().shelves_of(canonical(food)).isdisjoint({"meat", "seafood"})
+    return not food_groups().headings_of(canonical(food)).isdisjoint(_FLESH)
 
 
 @dataclass(frozen=True)

@@ -70,10 +70,29 @@ SOUP = (
 )
 
 
+BESIDE = (
+    DISH[0],
+    "stove(off) > turn on > stove(on)",
+    "cup(empty); milk(liquid); stove(on) > boil > cup{milk}; milk(hot)@cup",
+    "bowl{salt}; cup{milk}; milk(hot)@cup > pour > bowl{milk,salt}",
+    "bowl{milk,salt}; spoon > mix* > bowl{salad}; salad(mixed){milk,salt}@bowl",
+)
+"""A salad over which something is poured that was cooked beside it."""
+
+IN_A_HOT_PAN = (
+    "stove(off) > turn on > stove(on)",
+    "wok(empty); stove(on) > warm > wok(empty,hot)",
+    "wok(empty,hot); salt(granulated) > sprinkle > wok(hot){salt}",
+    "wok(hot){salt}; spoon > mix* > wok(hot){noodle}; noodle(mixed){salt}@wok",
+)
+
+
 @pytest.mark.parametrize(
     ("dish_type", "dish", "known", "joins"),
     [
         ("salad", DISH, FRIED, "beef(cooked)@frying_pan"),
+        ("salad", BESIDE, FRIED, "beef(cooked)@frying_pan"),
+        ("noodle", IN_A_HOT_PAN, FRIED, "beef(raw)"),
         ("salad", DISH, FRIED[:1], "beef(raw)"),
         ("soup", SOUP, FRIED, "beef(raw)"),
     ],
@@ -96,3 +115,12 @@ CRACKED = "egg(whole); bowl(empty) > crack > bowl{egg}; egg(cracked)@bowl"
 )
 def test_an_egg_is_boiled_for_a_salad_and_cracked_into_a_soup_where_the_foon_knows_both(dish_type, dish, known, joins):
     assert joined(dish_type, dish, known, "egg", "whole") == node(joins)
+
+
+def test_what_people_eat_raw_is_not_cooked_for_a_salad_though_the_foon_knows_how():
+    known = (
+        "cutting board(empty); tomato(whole) > pick-and-place > tomato(whole)@on cutting_board",
+        "tomato(whole)@on cutting_board; knife > dice > tomato(diced)@on cutting_board",
+        "tomato(diced)@on cutting_board; pan(empty) > fry > tomato(diced,fried)@pan",
+    )
+    assert joined("salad", DISH, known, "tomato", "whole") == node("tomato(diced)@on cutting_board")
