@@ -6,56 +6,13 @@ finds the same (:class:`foon_kg.script.Repertoire`).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from foon_kg import motions
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
+from foon_kg.moment import SPENT, UNSEEN, USED, Found, Larder, Moment
 from foon_kg.script import EMPTY, Atom, Casting, Item, Performance, Scene, Step, changed, emptied, spot_of
-
-
-class Unseen:
-    """The mark of a node with which nothing was done so far, and of a food that no casting names."""
-
-
-UNSEEN = Unseen()
-
-Found = Item | Unseen | str | None
-"""What a unit finds in the place of a node: what it has become, nothing, or that it is gone (``USED``, ``SPENT``)."""
-
-USED = "used"
-"""A food that went elsewhere before: it is taken once (sense, S1 and S4), and is now in what took it."""
-
-SPENT = "spent"
-"""What an earlier unit took away or poured out, whatever the script says: a food is not there, a vessel is empty."""
-
-
-class _Moment:
-    """A scene while it is performed: which of its inputs are there, and what they bring.
-
-    ``atoms`` are all the foods in what is there, ``visible`` the names that the inputs say now: only these can be named
-    in what comes of them.
-    """
-
-    def __init__(
-        self,
-        scene: Scene,
-        present: Mapping[ObjectNode, Item],
-        gone: frozenset[ObjectNode],
-        added: tuple[Item, ...],
-        spent: frozenset[ObjectNode],
-    ) -> None:
-        self.scene = scene
-        self.present = present
-        self.gone = gone
-        self.added = added
-        items = (*present.values(), *added)
-        self.atoms: frozenset[Atom] = frozenset().union(*[item.atoms for item in items])
-        self.visible = frozenset([name for item in items for name in (item.node.label, *item.node.ingredients)])
-        self.spent = spent
-
-    def of_label(self, label: str) -> list[Item]:
-        return [item for node, item in self.present.items() if node.label == label]
 
 
 class Performer:
@@ -76,7 +33,7 @@ class Performer:
         self.scene = scene
         self.casting = casting
         self.kitchen = kitchen
-        self.leaf_foods = set(leaf_foods)
+        self.larder = Larder(scene, casting, kitchen, leaf_foods)
         self.taken_alone = alone
 
     def perform(self, found: Sequence[Found], added: tuple[Item, ...]) -> Performance:
@@ -85,7 +42,7 @@ class Performer:
         gone: list[ObjectNode] = []
         fetched: list[tuple[ObjectNode, Item | None]] = []
         for node, there in zip(self.scene.inputs, found, strict=True):
-            if there is USED or (there is UNSEEN and self._is_food(node) and node.label in self.leaf_foods):
+            if there is USED or (there is UNSEEN and self._is_food(node) and node.label in self.larder.leaf_foods):
                 continue
             if there is SPENT:
                 if not self._is_food(node):
@@ -93,25 +50,25 @@ class Performer:
                 continue
             item = there if isinstance(there, Item) else None
             if there is UNSEEN:
-                item = self._leaf(node)
+                item = self.larder.leaf(node)
                 fetched.append((node, item))
             if item is None:
                 gone.append(node)
             else:
                 present[node] = item
         spent = frozenset(node for node, there in zip(self.scene.inputs, found, strict=True) if there is SPENT)
-        here = _Moment(self.scene, present, frozenset(gone), added, spent)
+        here = Moment(self.scene, present, frozenset(gone), added, spent)
         labels = tuple(node.label for node, _ in fetched if self._is_food(node))
         if not self._happens(here):
             return Performance(tuple(fetched), labels, happens=False, passed=tuple(self._passed(here)))
         return self._happened(here, tuple(fetched), labels)
 
     def _happened(
-        self, here: _Moment, fetched: tuple[tuple[ObjectNode, Item | None], ...], labels: tuple[str, ...]
+        self, here: Moment, fetched: tuple[tuple[ObjectNode, Item | None], ...], labels: tuple[str, ...]
     ) -> Performance:
         made = self._make(here)
-        untouched = self._left_behind(here, made) - self._poured_out(here)
-        stays = {node: self._stays(node, here, untouched) for node in made}
+        untouched = here.left_behind(made) - here.poured_out()
+        stays = {node: here.stays(node, untouched) for node in made}
         shown = [item.node for node, item in made.items() if item is not None and stays[node] is None]
         return Performance(
             fetched,
@@ -120,62 +77,16 @@ class Performer:
             used=self.scene.taken & here.present.keys(),
             made=tuple((node, stays[node] or item) for node, item in made.items()),
             renewed=tuple(shown),
-            become=tuple(self._become(here, made)),
+            become=tuple(here.become(made)),
             step=self._step(here, made, untouched, tuple(dict.fromkeys(shown))),
         )
 
     def _is_food(self, node: ObjectNode) -> bool:
         return node in self.scene.foods
 
-    # ---- what is there
-
-    def _leaf(self, node: ObjectNode) -> Item | None:
-        if not self._is_food(node):
-            return self._leaf_vessel(node)
-        inside = self._atoms_in(node)
-        names = tuple(now for _, now in inside)
-        self.leaf_foods.add(node.label)
-        recast = self.casting.foods.get(node.label)
-        if self._name_now(node.label) is None:
-            return None
-        made_apart = recast is not None and node in recast.ready
-        current = recast.ready[node] if recast is not None and made_apart else self._recast(node, names)
-        return Item(current, inside | {(node.label, current.label)})
-
-    def _leaf_vessel(self, node: ObjectNode) -> Item | None:
-        if not node.ingredients:
-            return Item(node)
-        roles = (self.casting.foods.get(name) for name in node.ingredients)
-        left = any(role is not None and role.comes_from_elsewhere(node) for role in roles)
-        atoms = frozenset() if left else self._atoms_in(node)
-        if self.kitchen.is_storage(node.label):
-            return self._holding(node, atoms) if atoms else None
-        if not set(self.kitchen.foods_in(node)) <= self.scene.beside or not atoms:
-            return Item(emptied(node))  # nobody filled it, so it is taken empty
-        return self._holding(node, atoms)
-
-    def _holding(self, node: ObjectNode, atoms: frozenset[Atom]) -> Item:
-        return Item(changed(node, ingredients=tuple(now for _, now in atoms)), atoms)
-
-    def _atoms_in(self, node: ObjectNode) -> frozenset[Atom]:
-        inside = ((name, self._name_now(name)) for name in node.ingredients)
-        return frozenset((name, now) for name, now in inside if now is not None)
-
-    def _name_now(self, name: str) -> str | None:
-        recast = self.casting.foods.get(name, UNSEEN)
-        if recast is None:
-            return None
-        return name if isinstance(recast, Unseen) else recast.label
-
-    def _recast(self, node: ObjectNode, ingredients: Iterable[str]) -> ObjectNode:
-        recast = self.casting.foods.get(node.label)
-        if recast is None:
-            return changed(node, ingredients=ingredients)
-        return changed(node, label=recast.label, states=recast.states_of(node), ingredients=ingredients)
-
     # ---- does it happen
 
-    def _happens(self, here: _Moment) -> bool:
+    def _happens(self, here: Moment) -> bool:
         scene = here.scene
         if here.added:
             return True
@@ -194,7 +105,7 @@ class Performer:
                 return False  # a cup out of which nothing comes
         return not scene.holders or any(item.atoms for item in there.values())
 
-    def _only_brought(self, here: _Moment) -> bool:
+    def _only_brought(self, here: Moment) -> bool:
         """Say whether the unit did no more than bring what is gone: pepper that was ground over the beans."""
         motion = here.scene.known.unit.motion
         if motions.mixes(motion) or motions.heats(motion) or not self._all_stay(here):
@@ -203,7 +114,7 @@ class Performer:
         left = (node for node in here.scene.acted if node in here.present)
         return motions.transfers(motion) or all((node.label, node.states) in states for node in left)
 
-    def _all_stay(self, here: _Moment) -> bool:
+    def _all_stay(self, here: Moment) -> bool:
         """Say whether everything that is left of what the unit moves is there before and after, in its place."""
         goal = self.casting.goal
         if goal in here.scene.outputs and not any(node.label == goal.label for node in here.scene.inputs):
@@ -212,7 +123,7 @@ class Performer:
         left = [node for node in here.scene.acted if node in here.present]
         return all((node.label, node.container) in places for node in left)
 
-    def _passed(self, here: _Moment) -> Iterator[tuple[ObjectNode, Item | None, bool]]:
+    def _passed(self, here: Moment) -> Iterator[tuple[ObjectNode, Item | None, bool]]:
         for node in here.scene.outputs:
             names = {node.label} if self._is_food(node) else set(node.ingredients)
             if names and names <= self.casting.cut:
@@ -223,7 +134,7 @@ class Performer:
 
     # ---- what comes of it
 
-    def _make(self, here: _Moment) -> dict[ObjectNode, Item | None]:
+    def _make(self, here: Moment) -> dict[ObjectNode, Item | None]:
         outputs = here.scene.outputs
         foods = [node for node in outputs if self._is_food(node)]
         made = {node: self._food(node, here) for node in foods}
@@ -231,9 +142,9 @@ class Performer:
         made |= {node: self._vessel(node, here, alive) for node in outputs if not self._is_food(node)}
         return {node: made[node] for node in outputs}
 
-    def _food(self, node: ObjectNode, here: _Moment) -> Item | None:
+    def _food(self, node: ObjectNode, here: Moment) -> Item | None:
         same = here.of_label(node.label)
-        if node.label in self.leaf_foods or same or self._was_input(node.label, here):
+        if node.label in self.larder.leaf_foods or same or self._was_input(node.label, here):
             return self._same_food(node, here, same)
         sources = self._sources(node, here)
         if node.label in here.scene.springs:
@@ -244,10 +155,10 @@ class Performer:
         current = changed(node, ingredients=self._listed(node, atoms, here))
         return Item(current, atoms | {(node.label, node.label)})
 
-    def _was_input(self, label: str, here: _Moment) -> bool:
+    def _was_input(self, label: str, here: Moment) -> bool:
         return any(node.label == label for node in here.gone)
 
-    def _same_food(self, node: ObjectNode, here: _Moment, same: Sequence[Item]) -> Item | None:
+    def _same_food(self, node: ObjectNode, here: Moment, same: Sequence[Item]) -> Item | None:
         names = {now for name, now in here.atoms if name == node.label}
         if not names:
             return None
@@ -260,19 +171,19 @@ class Performer:
         listed = self._listed(node, atoms - own, here)
         if listed and min(names) in self.casting.carried:
             listed.add(min(names))  # a goal that is called like a food of it: noodles with oil are made of noodles
-        current = self._recast(node, listed)
+        current = self.larder.recast(node, listed)
         if current.label not in names:
             current = changed(current, label=min(names))
         if node == self.casting.goal and current.label != node.label:  # the dish keeps its name
             current = changed(current, label=node.label, ingredients={*current.ingredients, current.label})
         return Item(current, atoms | own)
 
-    def _is_mixed(self, node: ObjectNode, here: _Moment) -> bool:
+    def _is_mixed(self, node: ObjectNode, here: Moment) -> bool:
         """Say whether a food takes others in here: it names some that it did not name before."""
         before = {name for n in here.present if n.label == node.label for name in n.ingredients}
         return not set(node.ingredients) <= before
 
-    def _sources(self, node: ObjectNode, here: _Moment) -> list[Item]:
+    def _sources(self, node: ObjectNode, here: Moment) -> list[Item]:
         """Answer the inputs that go into a mixture: what is acted on, and the vessels that hold it."""
         foods = [item for n, item in here.present.items() if self._is_food(n) and n not in here.scene.kept]
         holders = [item for n, item in here.present.items() if not self._is_food(n) and n.ingredients and item.atoms]
@@ -284,20 +195,20 @@ class Performer:
         ]
         return [*(relevant or [*foods, *holders]), *here.added]
 
-    def _listed(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
+    def _listed(self, node: ObjectNode, atoms: frozenset[Atom], here: Moment) -> set[str]:
         """Answer the ingredients that a food names now: those it named, those that joined, those it must carry."""
         names = self._named(node, atoms, here) | {now for name, now in atoms if not name}
-        names -= {self._name_now(node.label) or node.label}
+        names -= {self.larder.name_now(node.label) or node.label}
         return names | {now for _, now in atoms if now in self.casting.carried}
 
-    def _named(self, node: ObjectNode, atoms: frozenset[Atom], here: _Moment) -> set[str]:
+    def _named(self, node: ObjectNode, atoms: frozenset[Atom], here: Moment) -> set[str]:
         """Answer the names that ``node`` said and still can say: what inputs say, or what only the script knew of."""
         visible, written = here.visible, here.scene.written
         known = {now for name, now in atoms if name in node.ingredients and (now in visible or name not in written)}
         known |= {now for name, now in atoms if not name and now in node.ingredients and now in visible}
         return known | {name for name in node.ingredients if name in visible and self.kitchen.is_utensil(name)}
 
-    def _vessel(self, node: ObjectNode, here: _Moment, foods: Mapping[str, Item]) -> Item | None:
+    def _vessel(self, node: ObjectNode, here: Moment, foods: Mapping[str, Item]) -> Item | None:
         if not node.ingredients:
             return Item(node)
         brought = here.atoms
@@ -321,15 +232,15 @@ class Performer:
             named |= {now for name, now in (*inside, *kept) if not name or now in self.casting.carried}
         return Item(changed(node, ingredients=named), frozenset(inside | kept))
 
-    def _known(self, name: str, here: _Moment) -> bool:
+    def _known(self, name: str, here: Moment) -> bool:
         """Say whether ``name`` is a food of the script by itself, here or in the kitchen: no name of a mixture."""
-        return name in here.scene.written or name in self.leaf_foods or name in self.casting.foods
+        return name in here.scene.written or name in self.larder.leaf_foods or name in self.casting.foods
 
     # ---- telling it
 
     def _step(
         self,
-        here: _Moment,
+        here: Moment,
         made: Mapping[ObjectNode, Item | None],
         untouched: set[ObjectNode],
         outputs: tuple[ObjectNode, ...],
@@ -353,46 +264,9 @@ class Performer:
         states = node.states if recast is None else recast.states_of(node)
         return bool((set(states) ^ set(item.node.states)) - {EMPTY}) or spot_of(node) != spot_of(item.node)
 
-    def _stays(self, node: ObjectNode, here: _Moment, untouched: set[ObjectNode]) -> Item | None:
-        """Answer the vessel that was not touched, where the script empties it: it stays as it is."""
-        if node.ingredients or not untouched or self._is_food(node):
-            return None
-        return next(
-            (here.present[other] for other in here.present if other in untouched and other.label == node.label), None
-        )
-
-    def _left_behind(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> set[ObjectNode]:
-        """Vessels of the script that bring nothing any more and take nothing: they are not touched."""
-        receiving = {node.label for node, item in made.items() if item is not None and item.atoms}
-        return {
-            node
-            for node, item in here.present.items()
-            if node in self.scene.filled and not item.atoms and node.label not in receiving
-        }
-
-    def _poured_out(self, here: _Moment) -> set[ObjectNode]:
-        """Vessels that were poured out before, beside what was in them: empty, they are taken all the same."""
-        names = {name for name, _ in here.atoms}
-        return {node for node in here.spent if node in here.present and not names.isdisjoint(node.ingredients)}
-
-    def _become(self, here: _Moment, made: Mapping[ObjectNode, Item | None]) -> Iterator[tuple[ObjectNode, Item]]:
-        """Answer what a vessel has become, for a later unit of the script that still knows it as it was."""
-        for node, item in here.present.items():
-            if self._is_food(node) or not item.node.ingredients:
-                continue
-            for output, now in made.items():
-                if now is None or output.label != node.label or now.node == item.node:
-                    continue
-                if _place(now.node) == _place(item.node) and set(now.node.ingredients) > set(item.node.ingredients):
-                    yield item.node, now
-
-    def _motion(self, motion: str, here: _Moment) -> str:
+    def _motion(self, motion: str, here: Moment) -> str:
         acted = {node.label for node in here.present if self._is_food(node) and node not in here.scene.kept}
         if len(acted) != 1:
             return motion
         recast = self.casting.foods.get(next(iter(acted)))
         return recast.motions.get(motion, motion) if recast is not None else motion
-
-
-def _place(node: ObjectNode) -> tuple[tuple[str, ...], str | None, str | None]:
-    return (node.states, node.relation, node.container)

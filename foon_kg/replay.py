@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from foon_kg.model import ObjectNode
-from foon_kg.performance import SPENT, UNSEEN, USED, Found, Performer
+from foon_kg.moment import SPENT, UNSEEN, USED, Found
+from foon_kg.performance import Performer
 from foon_kg.script import Casting, Item, Performance, Performances, Replayed, Scene, Script, Step, spot_of
 
 Additions = Mapping[int, Sequence[Item]]
