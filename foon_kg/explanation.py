@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from foon_kg.integration import Addition, FinalTree, Integration
+from foon_kg.integration import FinalTree, Integration
 from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, RequiredIngredient
+from foon_kg.party import Addition
 from foon_kg.script import Casting, Recast
 from foon_kg.substitution import FAIR, Candidate
 from foon_kg.ways import Preparation

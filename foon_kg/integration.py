@@ -10,32 +10,21 @@ for the next one.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from copy import copy
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
-from itertools import takewhile
+from functools import cached_property
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
 from foon_kg.ordering import Played, fresh_order, once
-from foon_kg.preparation import Preparations, is_whole, needed, shows
+from foon_kg.party import Addition, Party, Venue
+from foon_kg.preparation import Preparations, is_whole, shows
 from foon_kg.reading import Reading
 from foon_kg.rehearsal import Rehearsal
-from foon_kg.script import Casting, Item, Recast, Replayed, Step
-from foon_kg.substitution import FAIR, Equivalents, eaten_raw
+from foon_kg.script import Casting, Recast, Step
+from foon_kg.substitution import FAIR, Equivalents
 from foon_kg.validation import Finding
 from foon_kg.ways import Preparation
-
-
-@dataclass(frozen=True)
-class Addition:
-    """A food that joins the reference tree at the unit of ``place``; ``preparation`` is ``None`` for a bare one."""
-
-    want: RequiredIngredient
-    place: int
-    node: ObjectNode
-    preparation: Preparation | None
 
 
 @dataclass(frozen=True)
@@ -88,14 +77,25 @@ class Integration:
             self._rehearsals.append(known)
         return known
 
+    def _venue(self, casting: Casting) -> Venue:
+        return Venue(
+            self.goal,
+            self._reading,
+            self._rehearsal(casting),
+            self.equivalents,
+            self.preparations,
+            self.refused,
+            self.joins_alike,
+        )
+
     def run(self) -> FinalTree:
         """Answer the final tree; what could not be brought into it is ``missing``."""
         lines = self._reading.lines
         played = self._play_lines(lines)
         casting = self._casting(played)
         casting, played = self._keep_what_arrives(casting, played)
-        party = _Party(casting, lines)
-        missing = self._add_all([want for want in self.wants if want not in played], party)
+        party = Party(self._venue(casting))
+        missing = party.let_all_in([want for want in self.wants if want not in played])
         additions = party.additions
         casting = self._carry(casting, additions)
         return self._finish(casting, played, additions, missing)
@@ -171,7 +171,7 @@ class Integration:
     ) -> tuple[Casting, dict[RequiredIngredient, tuple[str, Recast]]]:
         """Give up lines that do not reach the goal in the wanted state, one round after the other."""
         while True:
-            steps, item = self._executed(self._rehearsal(casting).replay({}))
+            steps, item = self._venue(casting).executed(())
             arrived = {now for _, now in item.atoms} if item is not None else set()
             lost = [want for want in played if want.object not in arrived or not shows(want, steps)]
             if not lost:
@@ -179,164 +179,7 @@ class Integration:
             played = {want: role for want, role in played.items() if want not in lost}
             casting = self._casting(played)
 
-    def _executed(self, replayed: Replayed) -> tuple[list[Step], Item | None]:
-        """Answer the steps that lead to the goal, and what the goal has become."""
-        item = replayed.items.get(self.goal)
-        if item is None:
-            return [], None
-        return needed(replayed.steps, item.node), item
-
-    # ---- foods that join
-
-    def _add_all(self, wants: Sequence[RequiredIngredient], party: _Party) -> list[RequiredIngredient]:
-        """Let ``wants`` join one after the other; answer those that nothing brings into the goal.
-
-        Mostly the first choice of each is right: as many as can be are tried in one replay, and only those up to the
-        first that does not arrive, then that one by itself.
-        """
-        if not self._may_arrive(wants, party):
-            return list(wants)
-        missing = []
-        waiting, at_once = list(wants), len(wants)
-        while waiting:
-            chosen = self._first_choices(waiting[:at_once], party) if at_once > 1 else []
-            arrived = self._arriving(chosen, party) if len(chosen) > 1 else 0
-            if arrived == len(chosen) > 1:
-                for addition in chosen:
-                    party.let_in(addition)
-                waiting, at_once = waiting[arrived:], len(waiting)
-            elif arrived > 1:
-                at_once = arrived
-            else:
-                want = waiting.pop(0)
-                if not self._add(want, party):
-                    missing.append(want)
-                at_once = len(waiting)
-        return missing
-
-    def _may_arrive(self, wants: Iterable[RequiredIngredient], party: _Party) -> bool:
-        """Say whether the goal is made at all, or would be where each of ``wants`` joins at every place."""
-        if self._replay_with(party.casting, ()).items.get(self.goal) is not None:
-            return True
-        places = self._reading.slots.open
-        everything = [Addition(want, place, ObjectNode(want.object), None) for want in wants for place in places]
-        return self._replay_with(party.casting, everything).items.get(self.goal) is not None
-
-    def _add(self, want: RequiredIngredient, party: _Party) -> bool:
-        """Let ``want`` join in the first form, at the first place, from which it gets into the goal."""
-        for addition in self._choices(want, party):
-            if self._arriving([addition], party):
-                party.let_in(addition)
-                return True
-            party.closed.add(addition.place)
-        return False
-
-    def _first_choices(self, wants: Iterable[RequiredIngredient], party: _Party) -> list[Addition]:
-        """Answer the first choice of each of ``wants`` where all before arrive, up to one that must be seen first."""
-        chosen: list[Addition] = []
-        trial = party.copy()
-        for want in wants:
-            addition = next(self._choices(want, trial), None)
-            if addition is None:
-                break
-            chosen.append(addition)
-            trial.let_in(addition)
-            if trial.alive is None:
-                break
-        party.alive = party.alive or trial.alive
-        return chosen
-
-    def _choices(self, want: RequiredIngredient, party: _Party) -> Iterator[Addition]:
-        """Answer how and where ``want`` may join, best first."""
-        places = self._slots(want, party)
-        for only_suitable in (True, False):
-            for node, preparation in self.preparations.forms(want):
-                for place in places:
-                    addition = Addition(want, place, node, preparation)
-                    if place in party.closed or (want, place) in self.refused:
-                        continue
-                    if not only_suitable or self._suits(addition, party):
-                        yield addition
-
-    def _suits(self, addition: Addition, party: _Party) -> bool:
-        """Say whether a food is ready as it should be for what comes, and takes nothing that another one took (S1).
-
-        A food that was asked whole joins raw, but what nobody eats raw joins cooked what is not cooked later: an egg is
-        cracked into a dough and boiled for a salad, and raw meat is cooked for one. Where FOON knows but one of the
-        two, that one suits.
-        """
-        made = self.preparations.of(addition.want)
-        cooked_later = addition.place in self._reading.slots.heated
-        is_flesh = bool(self.equivalents.cooked(addition.want))
-        if addition.preparation is None:
-            return not made or (is_flesh and (cooked_later or all(map(party.clashes, made))))
-        if party.clashes(addition.preparation):
-            return False
-        if not is_flesh and (not is_whole(addition.want.state) or len({way.is_cooked for way in made}) == 1):
-            return True
-        if eaten_raw(addition.want.object):
-            return not addition.preparation.is_cooked
-        return addition.preparation.is_cooked != cooked_later
-
-    def _slots(self, want: RequiredIngredient, party: _Party) -> list[int]:
-        """Answer the places where ``want`` may join, best first.
-
-        Never into what only measures another food, if it can be helped. Best is where a food like it joins in the
-        reference; then the place that a dropped food left open, so that the way of the reference is kept; then a motion
-        whose units mostly take several foods; then a unit that happens anyway; then the latest. After the last unit
-        that mixes or heats nothing joins (sense, S2).
-        """
-        slots = self._reading.slots
-        if not self.joins_alike:
-            return sorted(slots.open, reverse=True)
-        if party.alive is None:
-            steps, _ = self._executed(self._replay_with(party.casting, party.additions))
-            party.alive = frozenset(step.place for step in steps)
-        likeness = self._likeness(want)
-        return sorted(
-            slots.open,
-            key=lambda place: (
-                place in slots.measuring,
-                -likeness[place],
-                place not in party.left_open,
-                -self._gathers(place),
-                place not in (party.alive or ()),
-                -place,
-            ),
-        )
-
-    def _likeness(self, want: RequiredIngredient) -> Mapping[int, float]:
-        """Say how much the foods that join at each place in the reference are like ``want`` (0..1, in tenths)."""
-        reading = self._reading
-        if want.object not in reading.likeness:
-            like = partial(self.equivalents.name_confidence, want.object)
-            joined = reading.slots.joined_by
-            reading.likeness[want.object] = {
-                place: round(max(map(like, joined.get(place, ())), default=0.0), 1) for place in reading.slots.open
-            }
-        return reading.likeness[want.object]
-
-    def _gathers(self, place: int) -> float:
-        """Say how often units with the motion at ``place`` take several foods in the FOON (0..1, in tenths)."""
-        return round(self.equivalents.vocabulary.gathers(self.script[place].unit.motion), 1)
-
-    def _arriving(self, joining: Sequence[Addition], party: _Party) -> int:
-        """Answer how many of ``joining``, from the first on, get into the goal beside those who joined before."""
-        replayed = self._replay_with(party.casting, [*party.additions, *joining])
-        item = replayed.items.get(self.goal)
-        arrived = {now for _, now in item.atoms} if item is not None else set[str]()
-        if not arrived.issuperset(addition.want.object for addition in party.additions):
-            return 0
-        steps, _ = self._executed(replayed)
-        added = {node for step in steps for node in step.added}
-        there = (addition.want.object in arrived and addition.node in added for addition in joining)
-        return sum(takewhile(bool, there))
-
-    def _replay_with(self, casting: Casting, additions: Sequence[Addition]) -> Replayed:
-        joined: dict[int, list[Item]] = {}
-        for addition in additions:
-            joined.setdefault(addition.place, []).append(_item(addition))
-        return self._rehearsal(casting).replay(joined)
+    # ---- what the judge found
 
     def blamed(self, tree: FinalTree, findings: Iterable[Finding]) -> frozenset[tuple[RequiredIngredient, int]]:
         """Answer which foods joined at which places in the units of ``tree`` in which something was found."""
@@ -362,7 +205,7 @@ class Integration:
 
     def _carry(self, casting: Casting, additions: Sequence[Addition]) -> Casting:
         """Let mixtures name the foods that the goal would forget, though they are in it (contract, C4)."""
-        _, item = self._executed(self._replay_with(casting, additions))
+        _, item = self._venue(casting).executed(additions)
         if item is None:
             return casting
         named = {item.node.label, *item.node.ingredients}
@@ -377,7 +220,7 @@ class Integration:
         additions: Sequence[Addition],
         missing: Sequence[RequiredIngredient],
     ) -> FinalTree:
-        steps, item = self._executed(self._replay_with(casting, additions))
+        steps, item = self._venue(casting).executed(additions)
         goal = item.node if item is not None else self.goal
         prepared: dict[int, list[Played]] = {}
         for addition in additions:
@@ -420,38 +263,3 @@ class Integration:
 def _starts_so(line: FoodLine, want: RequiredIngredient) -> bool:
     """Say whether every leaf of ``line`` is in the wanted state."""
     return all(want.state in node.states for node in line.leaves)
-
-
-class _Party:
-    """Who has joined the reference tree so far, and where."""
-
-    def __init__(self, casting: Casting, lines: Mapping[str, FoodLine]) -> None:
-        self.casting = casting
-        self.lines = lines
-        self.additions: list[Addition] = []
-        self.left_open = {line.joins for label, line in lines.items() if casting.foods.get(label) is None}
-        self.alive: frozenset[int] | None = None
-        self.closed: set[int] = set()
-        """Places from which nothing gets into the goal, as things stand."""
-
-    def copy(self) -> _Party:
-        """Answer a party of the same guests, to which others may come."""
-        other = copy(self)
-        other.additions, other.left_open, other.closed = [*self.additions], {*self.left_open}, {*self.closed}
-        return other
-
-    def clashes(self, preparation: Preparation) -> bool:
-        """Say whether somebody who joined uses up what ``preparation`` uses up."""
-        return any(preparation.clashes(other.preparation) for other in self.additions if other.preparation)
-
-    def let_in(self, addition: Addition) -> None:
-        """Let a food join; what happens in the tree, and so which places lead to the goal, is to be seen anew."""
-        if addition.place not in (self.alive or ()):
-            self.alive = None
-            self.closed.clear()
-        self.additions.append(addition)
-        self.left_open.discard(addition.place)
-
-
-def _item(addition: Addition) -> Item:
-    return Item(addition.node, frozenset({("", addition.want.object)}))
