@@ -104,6 +104,13 @@ def test_sources_that_are_not_there():
     ]
 
 
+def test_a_unit_that_is_not_as_its_source_says_where_and_what():
+    tree = salad()
+    tree["units"][1]["input_nodes"] += nodes("fork")
+    tree["kitchen"] += nodes("fork")
+    assert said(tree, "C8") == [(1, "fork", "FOON's unit does not use it, and only foods are added")]
+
+
 def test_a_whole_food_in_the_place_of_a_processed_one():
     tree = salad()
     tree["substitutions"].append(entry("state", "cucumber", "sliced", "whole"))
