@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
 
+MOST_LACKING = 24
+"""How many trees are made while each lacks something of the kitchen that a person named. Where it has a wanted food in no
+state every tree lacks that, and ``MOST_GOALS`` of them tell what else is missing."""
+
 KEPT = 0.3
 """How much of the goal's video should be in the tree (sense, S8)."""
 
@@ -138,8 +142,12 @@ class Question:
     def _dish(self) -> str:
         return f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
 
-    @staticmethod
-    def _suffices(found: Sequence[tuple[tuple[float, ...], Attempt]], hope: tuple[float, ...] | None) -> bool:
+    @property
+    def _may_have_all(self) -> bool:
+        """Whether the kitchen may have every food that is asked for."""
+        return all(map(self.kitchen.may_have, self.foods))
+
+    def _suffices(self, found: Sequence[tuple[tuple[float, ...], Attempt]], hope: tuple[float, ...] | None) -> bool:
         """Whether the next goal need not be tried: there is a tree without a fault, or many whose leaves are there.
 
         A near tie is tried all the same while what speaks for it (``hope``) is no worse than what does for the best.
@@ -148,7 +156,8 @@ class Question:
         if hope is not None:
             best = min(rank for rank, _ in found)
             return not any(best[:3]) and hope > best[4 : 4 + len(hope)]
-        return not any(min(faults)) or (len(found) >= MOST_GOALS and not min(faults)[0])
+        enough = MOST_LACKING if min(faults)[0] and self._may_have_all else MOST_GOALS
+        return not any(min(faults)) or len(found) >= enough
 
     @property
     def _no_way(self) -> NoTreeError:
