@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 
 from foon_kg.attempt import Attempt, prospect
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.carriers import Carriers, blamed, carried
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
 from foon_kg.goals import RankedGoal, likeliest, near_ties, rank_goals
-from foon_kg.integration import Integration
+from foon_kg.integration import FinalTree, Integration
 from foon_kg.knowledge import LikelyGoals, Vocabulary
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -30,6 +31,9 @@ from foon_kg.workshop import Workshop
 
 if TYPE_CHECKING:
     from foon_kg.planner import Planner
+
+MOST_TRIES = 3
+"""How often foods are brought by steps of their own, without those at which the judge found a fault before."""
 
 MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
@@ -96,6 +100,7 @@ class Question:
         """Try the goals, likeliest first, until one gives a tree without a fault; near ties: docs/ties.md."""
         found: list[tuple[tuple[float, ...], Attempt]] = []
         troubles: list[tuple[int, NoTreeError]] = []
+        made: dict[int, tuple[RankedGoal, Workshop]] = {}
         for place, hope, ranked, workshop in self._by_prospect():
             if found and self._suffices(found, hope):
                 break
@@ -104,6 +109,7 @@ class Question:
             except NoTreeError as error:
                 troubles.append((place, error))
             else:
+                made[id(attempt)] = ranked, workshop
                 near = (place,) if hope is None else (0, *attempt.worth)
                 found.append(((len(attempt.missing), *self._faults(attempt, ranked), *near, place), attempt))
         if found:
@@ -112,8 +118,29 @@ class Question:
                 raise shortage(best.missing, best.result.goal, self.kitchen, self.likeness.own)
             if not best.report.sound:
                 raise self._refusal(best.report)
-            return best
+            return self._carried(best, *made[id(best)]) if self.settings.rules.carriers else best
         raise min(troubles, key=lambda row: row[0], default=(0, self._no_way))[1]
+
+    def _carried(self, best: Attempt, ranked: RankedGoal, workshop: Workshop) -> Attempt:
+        """Answer the tree in which foods join by steps of their own, where the judge finds no more fault with it."""
+        goal, faults = ranked.goal.node, self._faults(best, ranked)
+        foods = {food for want in self.wants for food in self.equivalents.makings(want)}
+        carriers = Carriers.of(workshop.behind(goal, foods), workshop.kitchen, self.planner.carriers)
+        like, bare = self.equivalents.name_confidence, frozenset[ObjectNode]()
+        for _ in range(MOST_TRIES):
+            tree = carried(best.tree, carriers, like, self.kitchen, bare)
+            if tree.steps == best.tree.steps:
+                break
+            reference = workshop.reference(goal, self._wanted(ranked))
+            attempt = self._attempt(best.integration, tree, ranked=ranked, reference=reference, foon=workshop.foon)
+            if (len(attempt.missing), *self._faults(attempt, ranked)) <= (0, *faults):
+                return attempt
+            places = (finding.unit for finding in attempt.report.findings if finding.unit is not None)
+            found = blamed(tree, places) - bare
+            if not found:
+                break
+            bare |= found
+        return best
 
     def _by_prospect(self) -> Iterator[tuple[int, tuple[float, ...] | None, RankedGoal, Workshop]]:
         """Answer the goals to try with their places: near ties before the others, and with what speaks for each.
@@ -256,6 +283,18 @@ class Question:
                 code="left-out",
                 hint="Ask for another dish type, or add an ingredient that such a dish has.",
             )
+        return self._attempt(integration, tree, ranked=ranked, reference=reference, foon=foon)
+
+    def _attempt(
+        self,
+        integration: Integration,
+        tree: FinalTree,
+        *,
+        ranked: RankedGoal,
+        reference: ReferenceTree,
+        foon: KnownFoon,
+    ) -> Attempt:
+        goal = integration.goal
         summary = ReferenceSummary(goal, len(reference.units), reference.overlap, reference.exact)
         recipe = replace(self.recipe, dish_type=self.recipe.dish_type or ranked.goal.dish_type)
         result = plan_result(recipe, tree, reference.units, summary, equivalents=self.equivalents, kitchen=self.kitchen)

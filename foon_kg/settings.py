@@ -17,12 +17,14 @@ class Rules:
 
     ``motions``: the motion that makes the wanted state takes the place of the equivalent's. ``joining``: a food joins
     where one like it does; without it, at the last unit that takes any number of foods. ``ties``: goals that are nearly
-    alike are told apart by their trees; without it, the first is taken.
+    alike are told apart by their trees; without it, the first is taken. ``carriers``: each food that joins does so by a
+    step of its own, as FOON brings such a food into such a vessel.
     """
 
     motions: bool = True
     joining: bool = True
     ties: bool = True
+    carriers: bool = True
 
 
 @dataclass(frozen=True)

@@ -154,6 +154,21 @@ class Workshop:
             self.filmed[key] = restored(units, self._makers, self.kitchen)
         return self.filmed[key]
 
+    def behind(self, goal: ObjectNode, foods: Collection[tuple[str, str]]) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making ``goal``, or a node of one of ``foods`` (label, state)."""
+        index = self.index
+        nodes = [goal, *(n for label, state in foods for n in self._nodes_called.get(label, ()) if state in n.states)]
+        waiting = [index.number_of[node] for node in nodes if node in index.number_of]
+        seen, found = set(waiting), set[int]()
+        while waiting:
+            for unit in index.producers[waiting.pop()]:
+                if unit not in found:
+                    found.add(unit)
+                    fresh = {n for n in index.inputs[unit] if n not in seen and not index.at_hand[n]}
+                    seen |= fresh
+                    waiting += fresh
+        return tuple(index.units[unit] for unit in sorted(found))
+
     def preparations(self, equivalents: Equivalents) -> Preparations:
         """Answer the ways to have foods ready; recipes with the same ``equivalents`` share what was made so far."""
         known = next((made for made in self.prepared if made.equivalents is equivalents), None)

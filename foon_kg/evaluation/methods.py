@@ -69,6 +69,7 @@ PARTS: Mapping[str, Method] = {
     "no state classes": Planning(PlanSettings(state_similarity=same_state)),
     "no motion choice": Planning(PlanSettings(rules=Rules(motions=False))),
     "no joining rule": Planning(PlanSettings(rules=Rules(joining=False))),
+    "no own steps": Planning(PlanSettings(rules=Rules(carriers=False))),
     "first goal only": Planning(PlanSettings(rules=Rules(ties=False))),
     "greedy search": Planning(PlanSettings(time_limit=0.0)),
 }
