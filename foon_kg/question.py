@@ -39,8 +39,8 @@ MOST_GOALS = 6
 """How many trees are made and compared, where none of them is without a fault."""
 
 MOST_LACKING = 24
-"""How many trees are made while each lacks something of the kitchen that a person named. Where it has a wanted food in no
-state every tree lacks that, and ``MOST_GOALS`` of them tell what else is missing."""
+"""How many trees are made while each lacks something of the kitchen that a person named. Where that has a wanted food
+in no state every tree lacks it, and ``MOST_GOALS`` of them tell what else is missing."""
 
 KEPT = 0.3
 """How much of the goal's video should be in the tree (sense, S8)."""
@@ -98,27 +98,26 @@ class Question:
 
     def _best(self) -> Attempt:
         """Try the goals, likeliest first, until one gives a tree without a fault; near ties: docs/ties.md."""
-        found: list[tuple[tuple[float, ...], Attempt]] = []
+        found: list[tuple[tuple[float, ...], Attempt, RankedGoal, Workshop]] = []
         troubles: list[tuple[int, NoTreeError]] = []
-        made: dict[int, tuple[RankedGoal, Workshop]] = {}
         for place, hope, ranked, workshop in self._by_prospect():
-            if found and self._suffices(found, hope):
+            if found and self._suffices([row[0] for row in found], hope):
                 break
             try:
                 attempt = self._for_goal(ranked, workshop)
             except NoTreeError as error:
                 troubles.append((place, error))
             else:
-                made[id(attempt)] = ranked, workshop
                 near = (place,) if hope is None else (0, *attempt.worth)
-                found.append(((len(attempt.missing), *self._faults(attempt, ranked), *near, place), attempt))
+                rank = (len(attempt.missing), *self._faults(attempt, ranked), *near, place)
+                found.append((rank, attempt, ranked, workshop))
         if found:
-            _, best = min(found, key=lambda row: row[0])
+            _, best, ranked, workshop = min(found, key=lambda row: row[0])
             if best.missing:
                 raise shortage(best.missing, best.result.goal, self.kitchen, self.likeness.own)
             if not best.report.sound:
                 raise self._refusal(best.report)
-            return self._carried(best, *made[id(best)]) if self.settings.rules.carriers else best
+            return self._carried(best, ranked, workshop) if self.settings.rules.carriers else best
         raise min(troubles, key=lambda row: row[0], default=(0, self._no_way))[1]
 
     def _carried(self, best: Attempt, ranked: RankedGoal, workshop: Workshop) -> Attempt:
@@ -174,17 +173,16 @@ class Question:
         """Whether the kitchen may have every food that is asked for."""
         return all(map(self.kitchen.may_have, self.foods))
 
-    def _suffices(self, found: Sequence[tuple[tuple[float, ...], Attempt]], hope: tuple[float, ...] | None) -> bool:
+    def _suffices(self, ranks: Sequence[tuple[float, ...]], hope: tuple[float, ...] | None) -> bool:
         """Whether the next goal need not be tried: there is a tree without a fault, or many whose leaves are there.
 
         A near tie is tried all the same while what speaks for it (``hope``) is no worse than what does for the best.
         """
-        faults = [rank[:3] for rank, _ in found]
+        best = min(ranks)
         if hope is not None:
-            best = min(rank for rank, _ in found)
             return not any(best[:3]) and hope > best[4 : 4 + len(hope)]
-        enough = MOST_LACKING if min(faults)[0] and self._may_have_all else MOST_GOALS
-        return not any(min(faults)) or len(found) >= enough
+        enough = MOST_LACKING if best[0] and self._may_have_all else MOST_GOALS
+        return not any(best[:3]) or len(ranks) >= enough
 
     @property
     def _no_way(self) -> NoTreeError:

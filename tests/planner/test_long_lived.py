@@ -21,7 +21,8 @@ from foon_kg.validation import foon
 ROOM = ((workshop, "MOST_TREES"), (workshop, "MOST_KITCHENS"), (ground, "MOST_TREES"))
 ROOM += ((reading, "MOST_READINGS"), (reading, "MOST_FOODS"), (preparation, "MOST_WANTS"))
 ROOM += ((script, "MOST_SCENES"), (script, "MOST_PERFORMANCES"), (script, "_MOST_TIMES"), (foon, "MOST_DERIVATIONS"))
-ROOM += ((planner, "MOST_KITCHENS"), (substitution, "MOST_FOODS"), (likeness, "LEAST_KEPT"), (likeness, "MOST_KEPT"))
+ROOM += ((planner, "MOST_UNITS"), (planner, "MOST_KITCHENS"), (substitution, "MOST_FOODS"))
+ROOM += ((likeness, "LEAST_KEPT"), (likeness, "MOST_KEPT"))
 
 
 def answer(planner: Planner, recipe: Recipe) -> str:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import KITCHEN, SETTINGS, questions
 
+from foon_kg import question
 from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError
 from foon_kg.graph import Connection, Neo4jGraph, load
@@ -103,6 +104,24 @@ def test_another_dish_is_made_where_the_likeliest_takes_a_utensil_that_is_not_th
     for vessel in ("bowl", "plate"):
         result = planned("cutting board", "knife", "spoon", vessel, snapshot=both)
         assert result.goal.container == vessel
+
+
+LEEK = [line.replace("bowl", "plate").replace("onion", "leek") for line in SALAD]
+UNLIKELIER = Snapshot.of([subgraph("salad", "salad", *SALAD), subgraph("on a plate", "salad", *LEEK)], KITCHEN)
+
+
+def test_of_dishes_that_all_lack_a_utensil_so_many_are_tried(monkeypatch):
+    at_hand = (*FOODS, "cutting board", "knife", "spoon", "plate")
+    assert planned(*at_hand, snapshot=UNLIKELIER).goal.container == "plate"
+    monkeypatch.setattr(question, "MOST_LACKING", 1)
+    assert [thing.label for thing in refused(*at_hand, snapshot=UNLIKELIER).missing] == ["bowl"]
+
+
+def test_where_a_wanted_food_is_not_there_at_all_fewer_are_tried(monkeypatch):
+    at_hand = ("onion", "salt", "cutting board", "knife", "spoon", "plate")
+    assert {thing.label for thing in refused(*at_hand, snapshot=UNLIKELIER).missing} == {"tomato"}
+    monkeypatch.setattr(question, "MOST_GOALS", 1)
+    assert {thing.label for thing in refused(*at_hand, snapshot=UNLIKELIER).missing} == {"tomato", "bowl"}
 
 
 @pytest.mark.parametrize(
