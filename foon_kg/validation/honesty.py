@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.kitchen import Kitchen
+from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.validation.tree import Substituted
@@ -68,6 +69,8 @@ def grounded(case: Case) -> Iterator[Finding]:
     for entry in case.tree.substitutions or ():
         if _raw_for_processed(entry, case.kitchen):
             yield Finding("C8", f"{_told(entry)}: a whole or raw state never stands for a processed one")
+        if _cold_for_hot(entry, case.kitchen):
+            yield Finding("C8", f"{_told(entry)}: what is off or cold never stands for what is on or hot")
 
 
 def _explained(case: Case, place: int) -> Iterator[Finding]:
@@ -87,6 +90,13 @@ def _raw_for_processed(entry: Substituted, kitchen: Kitchen) -> bool:
     return kitchen.is_start_state(entry.object, entry.equivalent) and not kitchen.is_start_state(
         entry.object, entry.required
     )
+
+
+def _cold_for_hot(entry: Substituted, kitchen: Kitchen) -> bool:
+    if entry.kind != "state" or not entry.equivalent or not kitchen.is_utensil(entry.object):
+        return False
+    before, now = (ObjectNode(entry.object, (state,)) for state in (entry.equivalent, entry.required))
+    return kitchen.is_running(before) and not kitchen.is_running(now)
 
 
 def _told(entry: Substituted) -> str:

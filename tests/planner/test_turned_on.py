@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import pytest
 from kitchen_stories import node, subgraph, unit
 from planner.dishes import KITCHEN, SETTINGS
 
+from foon_kg.errors import NoTreeError
 from foon_kg.model import Annotation, Recipe, RequiredIngredient, Subgraph
 from foon_kg.planner import plan
 from foon_kg.snapshot import Snapshot
@@ -33,3 +35,8 @@ def test_what_some_video_turns_on_is_turned_on_before_it_is_needed():
     assert result.assumptions == ()
     motions = [planned.motion_node for planned in result.units]
     assert motions.index("turn on") < motions.index("boil")
+
+
+def test_where_it_is_turned_on_only_for_what_nobody_asked_nothing_is_boiled_on_a_stove_that_is_off():
+    with pytest.raises(NoTreeError, match="what is off or cold never stands for what is on or hot"):
+        planned("pan(empty); onion(whole); stove(off) > place > pan{onion}; onion(hot)@pan; stove(on)")

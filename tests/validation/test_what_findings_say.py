@@ -119,6 +119,14 @@ def test_a_whole_food_in_the_place_of_a_processed_one():
     ]
 
 
+def test_a_device_that_is_off_in_the_place_of_one_that_is_on():
+    tree = salad()
+    tree["substitutions"] += [entry("state", "stove", "off", "on"), entry("state", "stove", "on", "off")]
+    assert said(tree, "C8") == [
+        (None, None, "stove: off for on (state): what is off or cold never stands for what is on or hot")
+    ]
+
+
 def of_text(rule, *lines):
     """What is said of a tree that names no sources, as FOON text does not."""
     report = check(TaskTree.from_subgraph(subgraph("text", "salad", *lines)), FOON)
