@@ -53,7 +53,9 @@ def _incomplete(entry: Substituted) -> Iterator[str]:
 
 
 def grounded(case: Case) -> Iterator[Finding]:
-    """C8: each unit is derived from every unit of the FOON that it names; no raw food stands for a processed one."""
+    """C8: each unit is derived from every unit of the FOON that it names; no raw food stands for a processed one, and
+    nothing at rest for what is on or hot.
+    """
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in is None:
             yield from _explained(case, place)
@@ -67,10 +69,8 @@ def grounded(case: Case) -> Iterator[Finding]:
             for fault in found.faults:
                 yield Finding("C8", fault.reason, place, fault.node)
     for entry in case.tree.substitutions or ():
-        if _raw_for_processed(entry, case.kitchen):
-            yield Finding("C8", f"{_told(entry)}: a whole or raw state never stands for a processed one")
-        if _cold_for_hot(entry, case.kitchen):
-            yield Finding("C8", f"{_told(entry)}: what is off or cold never stands for what is on or hot")
+        for reason in _unfair(entry, case.kitchen):
+            yield Finding("C8", f"{_told(entry)}: {reason}")
 
 
 def _explained(case: Case, place: int) -> Iterator[Finding]:
@@ -84,19 +84,17 @@ def _explained(case: Case, place: int) -> Iterator[Finding]:
         )
 
 
-def _raw_for_processed(entry: Substituted, kitchen: Kitchen) -> bool:
+def _unfair(entry: Substituted, kitchen: Kitchen) -> Iterator[str]:
+    """Answer why one state may not stand for another: what was to be done would be left out."""
     if entry.kind != "state" or not entry.equivalent or not entry.object:
-        return False
-    return kitchen.is_start_state(entry.object, entry.equivalent) and not kitchen.is_start_state(
-        entry.object, entry.required
-    )
-
-
-def _cold_for_hot(entry: Substituted, kitchen: Kitchen) -> bool:
-    if entry.kind != "state" or not entry.equivalent or not kitchen.is_utensil(entry.object):
-        return False
-    before, now = (ObjectNode(entry.object, (state,)) for state in (entry.equivalent, entry.required))
-    return kitchen.is_running(before) and not kitchen.is_running(now)
+        return
+    if kitchen.is_utensil(entry.object):
+        before, now = (ObjectNode(entry.object, (state,)) for state in (entry.equivalent, entry.required))
+        if kitchen.is_running(before) and not kitchen.is_running(now):
+            yield "what is off or cold never stands for what is on or hot"
+    sold_before, sold_now = (kitchen.is_start_state(entry.object, s) for s in (entry.equivalent, entry.required))
+    if sold_before and not sold_now:
+        yield "a whole or raw state never stands for a processed one"
 
 
 def _told(entry: Substituted) -> str:
