@@ -53,8 +53,9 @@ def _incomplete(entry: Substituted) -> Iterator[str]:
 
 
 def grounded(case: Case) -> Iterator[Finding]:
-    """C8: each unit is derived from every unit of the FOON that it names; no raw food stands for a processed one, and
-    nothing at rest for what is on or hot.
+    """C8: each unit is derived from every unit of the FOON that it names, and what was to be done is not left out.
+
+    So no raw food stands for a processed one, and nothing at rest for what is on or hot.
     """
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in is None:
