@@ -122,6 +122,8 @@ class Question:
 
     def _carried(self, best: Attempt, ranked: RankedGoal, workshop: Workshop) -> Attempt:
         """Answer the tree in which foods join by steps of their own, where the judge finds no more fault with it."""
+        if not best.tree.additions:
+            return best
         goal, faults = ranked.goal.node, self._faults(best, ranked)
         foods = {food for want in self.wants for food in self.equivalents.makings(want)}
         carriers = Carriers.of(workshop.behind(goal, foods), workshop.kitchen, self.planner.carriers)
