@@ -9,20 +9,24 @@ same state and place.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Mapping, MutableMapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Self
+from typing import Literal, Self
 
 from foon_kg import motions
 from foon_kg.integration import FinalTree
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.ordering import Played
+from foon_kg.recent import Recent
 from foon_kg.script import EMPTY, Casting, Step
 from foon_kg.substitution import FAIR
 
 NO_PLACE = -1
 """The place of a step that no script has."""
+
+MOST_UNITS = 65536
+"""Of how many units it is kept whether they only bring a food into a vessel."""
 
 Spot = tuple[str, tuple[str, ...], str | None, str | None]
 
@@ -79,6 +83,10 @@ class Carrier:
         return Step(NO_PLACE, self.known, inputs, self.known.unit.motion, outputs, moving=moving), full
 
 
+Read = Recent[str, Carrier | Literal[False]]
+"""Units that were read, by their keys; ``False`` for one that is no carrier."""
+
+
 @dataclass(frozen=True, eq=False)
 class Carriers:
     """The carriers among some units, by the vessel; and how often which motion brings which food, by its name."""
@@ -87,18 +95,16 @@ class Carriers:
     usual: Mapping[str, Counter[str]]
 
     @classmethod
-    def of(
-        cls, units: Iterable[KnownUnit], kitchen: Kitchen, known: MutableMapping[str, Carrier | None] | None = None
-    ) -> Self:
-        """Read ``units``, which may come in any order; ``known`` keeps by its key what each of them is."""
-        known = {} if known is None else known
+    def of(cls, units: Iterable[KnownUnit], kitchen: Kitchen, read: Read | None = None) -> Self:
+        """Read ``units``, which may come in any order; ``read`` keeps what each of them is."""
+        read = Recent(MOST_UNITS) if read is None else read
         into: dict[Spot, list[Carrier]] = {}
         usual: dict[str, Counter[str]] = {}
-        for one in units:
-            if one.unit.key not in known:
-                known[one.unit.key] = Carrier.of(one, kitchen)
-            carrier = known[one.unit.key]
+        for known in units:
+            carrier = read.find(known.unit.key)
             if carrier is None:
+                carrier = read[known.unit.key] = Carrier.of(known, kitchen) or False
+            if not carrier:
                 continue
             unit = carrier.known.unit
             usual.setdefault(singular(carrier.food.label), Counter())[unit.motion] += len(carrier.known.seen_in)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from foon_kg.avoidance import kitchen_without
-from foon_kg.carriers import Carrier
+from foon_kg.carriers import MOST_UNITS, Read
 from foon_kg.explanation import Explanation
 from foon_kg.goals import RankedGoal
 from foon_kg.kitchen import Kitchen, words
@@ -26,9 +26,6 @@ from foon_kg.settings import PlanSettings
 from foon_kg.similarity import food_similarity
 from foon_kg.substitution import Equivalents
 from foon_kg.workshop import MOST_KITCHENS, Workshop
-
-MOST_UNITS = 65536
-"""Of how many units it is kept whether they only bring a food into a vessel."""
 
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
@@ -55,7 +52,7 @@ class Planner:
         self.asks_for_parts = units is None and usual
         self.whole = None if units is None else Workshop(units, view.goals(), settings, self.vocabulary)
         self._equivalents: list[Equivalents] = []
-        self.carriers: Recent[str, Carrier | None] = Recent(MOST_UNITS)
+        self.carriers: Read = Recent(MOST_UNITS)
         if not self.asks_for_parts:
             self.likeness.learn(())  # a substitute that nobody knows is refused before anything is planned
 

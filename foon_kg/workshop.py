@@ -120,6 +120,7 @@ class Workshop:
         )
         self.foon = KnownFoon.of(units, goals)
         self.references: Recent[tuple[ObjectNode, tuple[tuple[str, int], ...]], ReferenceTree] = Recent(MOST_TREES)
+        self.units_behind: Recent[tuple[ObjectNode, ...], frozenset[int]] = Recent(MOST_TREES)
         self.explored = Explored()
         self.derived: dict[tuple[str, str], Sequence[KnownUnit] | None] = {}
         self.made: dict[ObjectNode, Sequence[KnownUnit] | None] = {}
@@ -156,8 +157,19 @@ class Workshop:
 
     def behind(self, goal: ObjectNode, foods: Collection[tuple[str, str]]) -> tuple[KnownUnit, ...]:
         """Answer every unit that may take part in making ``goal``, or a node of one of ``foods`` (label, state)."""
+        found = [self._behind((goal,)), *(self._behind(self._nodes_in(*food)) for food in foods)]
+        return tuple(self.index.units[unit] for unit in sorted(frozenset[int]().union(*found)))
+
+    def _nodes_in(self, label: str, state: str) -> tuple[ObjectNode, ...]:
+        return tuple(node for node in self._nodes_called.get(label, ()) if state in node.states)
+
+    def _behind(self, nodes: tuple[ObjectNode, ...]) -> frozenset[int]:
+        if nodes not in self.units_behind:
+            self.units_behind[nodes] = frozenset(self._reached(nodes))
+        return self.units_behind[nodes]
+
+    def _reached(self, nodes: tuple[ObjectNode, ...]) -> set[int]:
         index = self.index
-        nodes = [goal, *(n for label, state in foods for n in self._nodes_called.get(label, ()) if state in n.states)]
         waiting = [index.number_of[node] for node in nodes if node in index.number_of]
         seen, found = set(waiting), set[int]()
         while waiting:
@@ -167,7 +179,7 @@ class Workshop:
                     fresh = {n for n in index.inputs[unit] if n not in seen and not index.at_hand[n]}
                     seen |= fresh
                     waiting += fresh
-        return tuple(index.units[unit] for unit in sorted(found))
+        return found
 
     def preparations(self, equivalents: Equivalents) -> Preparations:
         """Answer the ways to have foods ready; recipes with the same ``equivalents`` share what was made so far."""
@@ -191,7 +203,7 @@ class Workshop:
         return self.made[node]
 
     def _derive(self, label: str, state: str) -> Sequence[KnownUnit] | None:
-        return self._retrieve(tuple(n for n in self._nodes_called.get(label, ()) if state in n.states))
+        return self._retrieve(self._nodes_in(label, state))
 
     @cached_property
     def _nodes_called(self) -> dict[str, list[ObjectNode]]:
