@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from foon_kg import goals, integration, planner, substitution
+from foon_kg import carriers, goals, integration, question, substitution
 from foon_kg.batch import cores
 from foon_kg.cli.knowledge import whole_foon
 from foon_kg.evaluation.leave_one_out import asking_without
@@ -37,7 +37,7 @@ def as_it_is() -> None:
 
 def ties(near: float, first: int) -> None:
     """Tell more or fewer goals apart by their trees."""
-    goals.NEAR, planner.FIRST_GOALS = near, first
+    goals.NEAR, question.FIRST_GOALS = near, first
 
 
 def same_class(least: float) -> None:
@@ -47,7 +47,7 @@ def same_class(least: float) -> None:
 
 def fair(least: float) -> None:
     """Let fewer foods stand for one another."""
-    substitution.FAIR = planner.FAIR = integration.FAIR = least
+    substitution.FAIR = question.FAIR = integration.FAIR = carriers.FAIR = least
 
 
 def goals_by_score() -> None:
