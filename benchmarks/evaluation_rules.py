@@ -9,7 +9,7 @@ true.
 
 from __future__ import annotations
 
-import sys
+import argparse
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -98,7 +98,11 @@ def shown(interval: Interval) -> str:
 
 
 def main() -> None:
-    foon = whole_foon([Path(sys.argv[1])], lambda *_: None)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("rules", nargs="*", choices=[[], *RULES], metavar="NAME")
+    asked_for = parser.parse_args()
+    foon = whole_foon([asked_for.folder], lambda *_: None)
     enough = known_enough(foon.goals())
     asked = [left_out_video(subgraph, foon.kitchen) for subgraph in foon.subgraphs]
     videos = [video for video in asked if video is not None and video.recipe.dish_type in enough]
@@ -106,7 +110,7 @@ def main() -> None:
     usual = units(AS_IT_IS, videos, foon.subgraphs, foon.kitchen)
     head = (f"first half ({len(chosen)})", "than now", f"other half ({len(held_out)})", "than now")
     print(" " * 24 + "".join(f"{name:>22}" for name in head))
-    for rule in sys.argv[2:] or RULES:
+    for rule in asked_for.rules or RULES:
         found = usual if rule == AS_IT_IS else units(rule, videos, foon.subgraphs, foon.kitchen)
         row = []
         for half in (chosen, held_out):

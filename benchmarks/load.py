@@ -8,8 +8,8 @@ seconds of one run each: for a cold figure start the server just before.
 
 from __future__ import annotations
 
+import argparse
 import gc
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -73,4 +73,7 @@ def ask(graph: Neo4jGraph) -> None:
     print(f"{view.round_trips} round trips, {len(goals)} goals, {len(units)} units", end="   ")
 
 
-main(Path(sys.argv[1]))
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    main(parser.parse_args().folder)

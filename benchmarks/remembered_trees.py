@@ -9,9 +9,9 @@ Where the memory is Neo4j, asking it is one round trip more, and keeping a tree 
 
 from __future__ import annotations
 
+import argparse
 import gc
 import statistics
-import sys
 import time
 from pathlib import Path
 
@@ -60,4 +60,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else SHARED)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path, nargs="?", default=SHARED)
+    main(parser.parse_args().folder)
