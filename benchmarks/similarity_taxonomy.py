@@ -7,7 +7,7 @@ WordNet's lexicographer file ``noun.food``: their words (as
 ``foon_kg.names.canonical`` has them: run this again when aliases change), and the synsets above them in that file.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 from foon_kg.names import canonical
@@ -27,6 +27,8 @@ def main(folder: Path) -> None:
             fields = line.split(" | ")[0].split()
             if len(fields) > 3 and fields[1] == FOOD and fields[2] == "n":
                 synsets[fields[0]] = _synset(fields)
+    if not synsets:
+        raise SystemExit(f"{folder} has no data.noun of WordNet; {TARGET.name} stays as it is")
     number = {offset: place for place, offset in enumerate(sorted(synsets))}
     with TARGET.open("w", encoding="utf-8") as file:
         file.write(HEADER)
@@ -46,4 +48,6 @@ def _synset(fields: list[str]) -> tuple[list[str], list[str]]:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", metavar="DICT", type=Path)
+    main(parser.parse_args().folder)

@@ -7,6 +7,7 @@ package's author. Kept are the stems made of letters, rounded to half precision:
 1.4 MB, read in some 10 ms, with answers equal to the source's in the third decimal.
 """
 
+import argparse
 import gzip
 import importlib.util
 from pathlib import Path
@@ -31,4 +32,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     main()
