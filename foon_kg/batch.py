@@ -17,6 +17,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.likeness import Substitute
 from foon_kg.model import KnownUnit, Recipe
+from foon_kg.names import canonical
 from foon_kg.planner import Planner
 from foon_kg.processes import spread
 from foon_kg.recipes import (
@@ -117,13 +118,15 @@ class Cook:
         What is raised is not about this recipe, and ends the batch.
         """
         read = ReadRecipe(question.stand_in, ())
+        explanations: tuple[Explanation, ...] = ()
         try:
             read = question.read(self.words_for(question), self.wishes.avoided)
             if explain or self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)
-                return Answer(result, (*read.notes, *_chosen_dish(read, result)), explanations)
-            result = self.planner.plan(read.recipe)
-            return Answer(result, (*read.notes, *_chosen_dish(read, result)))
+            else:
+                result = self.planner.plan(read.recipe)
+            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.wishes.substitutes, result))
+            return Answer(result, notes, explanations)
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
 
@@ -144,6 +147,16 @@ def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
     if read.recipe.dish_type:
         return ()
     return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
+
+
+def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> Iterator[str]:
+    """Answer a note for each choice of an equivalent of which the tree shows nothing, though its food was asked for."""
+    asked = {canonical(wanted.object) for wanted in result.recipe.ingredients}
+    shown = {(canonical(s.required), canonical(s.equivalent)) for s in result.substitutions if s.kind == "object"}
+    for chosen in substitutes:
+        pair = canonical(chosen.food), canonical(chosen.like)
+        if pair[0] in asked and pair not in shown:
+            yield f"no step of this tree handles “{chosen.food}” like {chosen.like}, as was chosen"
 
 
 def answering(

@@ -11,6 +11,7 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.test_demo_dishes import SNAPSHOT
 
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.batch import Cook, Question, Wishes
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.kitchen import Kitchen
 from foon_kg.likeness import Substitute
@@ -49,6 +50,13 @@ def test_a_substitute_is_taken_however_unlike_it_is_and_its_true_likeness_is_tol
     assert (chosen.required, chosen.equivalent, chosen.confidence) == ("kohlrabi", "onion", 0.1)
     assert chosen.alternatives[0].name in {"carrot", "potato"}
     assert chosen.alternatives[0].confidence == 0.8
+
+
+@pytest.mark.parametrize(("food", "told"), [("kohlrabi", False), ("salt", True), ("leek", False)])
+def test_a_choice_of_which_the_tree_shows_nothing_is_told(food, told):
+    cook = Cook(SNAPSHOT, Wishes(substitutes=(Substitute(food, "onion"),)), SNAPSHOT.units)
+    notes = cook.answer(Question(given=SALAD)).notes
+    assert notes == ((f"no step of this tree handles “{food}” like onion, as was chosen",) if told else ())
 
 
 def test_a_tree_with_a_chosen_substitute_keeps_the_contract():
