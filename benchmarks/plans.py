@@ -20,6 +20,7 @@ from pathlib import Path
 from own_goals import own_goals
 
 from foon_kg.errors import NoTreeError
+from foon_kg.form import CONTRACT, SENSE, KnownFoon, Report, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -29,7 +30,6 @@ from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import CONTRACT, SENSE, KnownFoon, Report, TaskTree, check
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 HEAD = f"{'':<14}{'recipes':>8}{'median':>9}{'95 %':>9}{'sound':>8}{'clean':>8}{'units':>7}{'subst.':>8}{'assumed':>9}"

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from foon_kg.form import Report
 from foon_kg.integration import FinalTree, Integration
 from foon_kg.model import ObjectNode
 from foon_kg.result import PlanResult
-from foon_kg.validation import Report
 
 
 @dataclass(frozen=True)

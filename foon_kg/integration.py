@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from foon_kg.form import Finding
 from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, ObjectNode, RequiredIngredient
@@ -23,7 +24,6 @@ from foon_kg.reading import Reading
 from foon_kg.rehearsal import Rehearsal
 from foon_kg.script import Casting, Recast, Step
 from foon_kg.substitution import FAIR, Equivalents
-from foon_kg.validation import Finding
 from foon_kg.ways import Preparation
 
 

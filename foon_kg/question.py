@@ -14,6 +14,7 @@ from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, witho
 from foon_kg.carriers import Carriers, blamed, carried
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
+from foon_kg.form import CONTRACT, KnownFoon, Report, check
 from foon_kg.goals import RankedGoal, likeliest, near_ties, rank_goals
 from foon_kg.integration import FinalTree, Integration
 from foon_kg.knowledge import LikelyGoals, Vocabulary
@@ -26,7 +27,6 @@ from foon_kg.search import ReferenceTree, SearchProblem
 from foon_kg.shortage import nearest_first, shortage
 from foon_kg.submission import submitted
 from foon_kg.substitution import FAIR
-from foon_kg.validation import CONTRACT, KnownFoon, Report, check
 from foon_kg.workshop import Workshop
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ Only what a plan result says in JSON is handed over. So the judge sees what it w
 
 from __future__ import annotations
 
+from foon_kg.form.tree import Assumed, Substituted, TaskTree, TreeUnit
 from foon_kg.result import PlannedUnit, PlanResult, Substitution
-from foon_kg.validation.tree import Assumed, Substituted, TaskTree, TreeUnit
 
 
 def submitted(result: PlanResult) -> TaskTree:

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from foon_kg.errors import NoTreeError
 from foon_kg.footage import footage
+from foon_kg.form import KnownFoon
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import SeenAs, TreeMemory, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
@@ -17,7 +18,6 @@ from foon_kg.restoration import restored
 from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.settings import PlanSettings
 from foon_kg.substitution import Candidate, Equivalents
-from foon_kg.validation import KnownFoon
 
 # What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
 # a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own. A mixture

@@ -15,9 +15,9 @@ from foon_kg.cli.kitchen import KitchenFile
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
+    from foon_kg.form import Report
     from foon_kg.model import Recipe
     from foon_kg.snapshot import Snapshot
-    from foon_kg.validation import Report
 
 EXAMPLES = examples(
     "foon plan recipe.json --json | foon check -",
@@ -53,8 +53,8 @@ def check(
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.cli.tree_files import read_trees
-    from foon_kg.validation import KnownFoon
-    from foon_kg.validation import check as judge
+    from foon_kg.form import KnownFoon
+    from foon_kg.form import check as judge
 
     say = sayer(quiet=quiet)
     snapshot = whole_foon(files, say)  # what the judge looks up may be anywhere in it
@@ -85,7 +85,7 @@ def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:
 
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:
     """Add what C9 says of several answers to one recipe: each is compared with the first."""
-    from foon_kg.validation import repeatable
+    from foon_kg.form import repeatable
 
     first: dict[str, object] = {}
     for document, report in zip(documents, reports, strict=True):
@@ -98,7 +98,7 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
 
 
 def _contract_only(report: Report) -> Report:
-    from foon_kg.validation import CONTRACT
+    from foon_kg.form import CONTRACT
 
     not_asked = tuple((rule, why) for rule, why in report.not_asked if rule in CONTRACT)
     return replace(report, findings=report.of(CONTRACT), not_asked=not_asked)

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from foon_kg.errors import ReadError
+from foon_kg.form import TaskTree
 from foon_kg.loaders import Notice, read_text
 from foon_kg.model import Recipe
-from foon_kg.validation import TaskTree
 
 STANDARD_INPUT = "-"
 

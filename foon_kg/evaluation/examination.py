@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.evaluation.scores import Rule, without_tree
+from foon_kg.form import CONTRACT, SENSE, KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Goal, KnownUnit
 from foon_kg.result import PlanFailure, PlanResult
-from foon_kg.validation import CONTRACT, SENSE, KnownFoon, TaskTree, check
 
 
 class Examiner:

@@ -11,10 +11,10 @@ from foon_kg.evaluation.curves import THRESHOLDS, histogram, recipes_over
 from foon_kg.evaluation.resampling import Interval, bootstrap_mean
 from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.scores import LineScore, Reason, share_correct
+from foon_kg.form import CONTRACT, SENSE
 from foon_kg.json_fields import JsonObject
 from foon_kg.model import Recipe
 from foon_kg.result import PlanResult
-from foon_kg.validation import CONTRACT, SENSE
 
 _DECIMALS = 6
 

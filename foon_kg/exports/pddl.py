@@ -1,6 +1,6 @@
 """PDDL: a task tree, or a whole FOON with a kitchen, as a planning problem.
 
-The semantics are those of the contract (design.md section 4, C1; ``foon_kg.validation.execution``), exactly: an object
+The semantics are those of the contract (design.md section 4, C1; ``foon_kg.form.execution``), exactly: an object
 node is there or not, a unit can be carried out when all its inputs are there, and then all its outputs are there too.
 Nothing is ever used up: FOON does not say how much of a thing there is, and a bowl that was emptied is another node.
 So every object node is a constant, every functional unit an action without parameters, and no action deletes anything.

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from foon_kg.evaluation.agreement import Agreement
 from foon_kg.evaluation.comparison import Comparison
 from foon_kg.evaluation.figures import DishFigures, RecipeEvaluation, RecipeFigures
+from foon_kg.form import CONTRACT, SENSE
 from foon_kg.kitchen import Kitchen
 from foon_kg.pictures.charts import curve_chart, histogram_chart, interval_chart
 from foon_kg.pictures.report import (
@@ -24,7 +25,6 @@ from foon_kg.pictures.report import (
     without_tree_section,
     words,
 )
-from foon_kg.validation import CONTRACT, SENSE
 from foon_kg.views.evaluation import interval_words, per_cent
 from foon_kg.views.shown_tree import ShownTree
 

@@ -14,7 +14,7 @@ from foon_kg.evaluation.comparison import Change, Comparison
 from foon_kg.evaluation.figures import DishFigures, RecipeEvaluation
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.sampling import FEWEST_GOALS, LeftOut
-from foon_kg.validation import CONTRACT, SENSE
+from foon_kg.form import CONTRACT, SENSE
 from foon_kg.views.words import ASIDE
 
 _QUOTED = (100, 95, 90, 85, 75, 50)

@@ -12,9 +12,9 @@ from kitchen_stories import SALAD, node, subgraph
 from foon_kg.errors import FormatError, UsageError
 from foon_kg.exports.pddl import foon_to_pddl, tree_to_pddl
 from foon_kg.exports.tree import ExportedTree
+from foon_kg.form import TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import TaskTree, check
 
 KITCHEN = Kitchen.default()
 NAME = re.compile(r"[a-z][a-z0-9_-]*")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from foon_kg.errors import NoTreeError
+from foon_kg.form import CONTRACT, KnownFoon, Report, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -15,7 +16,6 @@ from foon_kg.planner import Planner
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import CONTRACT, KnownFoon, Report, TaskTree, check
 
 SHARED = Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
 

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
 from foon_kg.errors import NoTreeError
+from foon_kg.form import CONTRACT, KnownFoon, TaskTree, check
 from foon_kg.planner import Planner
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import CONTRACT, KnownFoon, TaskTree, check
 
 for_many_questions = settings(max_examples=150, deadline=None)
 for_some_questions = settings(max_examples=50, deadline=None)

@@ -12,6 +12,7 @@ import pytest
 from planner.dishes import KITCHEN, leaf_foods
 
 from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.form import KnownFoon, TaskTree, check, repeatable
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -19,7 +20,6 @@ from foon_kg.planner import Planner, plan
 from foon_kg.recipes import IngredientWords, read_recipe
 from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot, goals_of
-from foon_kg.validation import KnownFoon, TaskTree, check, repeatable
 
 SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 SNAPSHOT = Snapshot.of(SUBGRAPHS, KITCHEN)

@@ -2,10 +2,10 @@ from kitchen_stories import node, script, subgraph
 from planner.dishes import KITCHEN, SETTINGS
 
 from foon_kg.footage import footage, same_things
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planner import plan
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 BROWNIE = (
     "bag{flour}; flour(powder)@bag; bowl(empty) > pour > bowl{flour}; flour(powder)@bowl",

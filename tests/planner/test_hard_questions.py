@@ -7,10 +7,10 @@ from kitchen_stories import SALAD, subgraph
 from planner.dishes import KITCHEN, SETTINGS
 
 from foon_kg.errors import NoTreeError, UsageError
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.planner import plan
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 JUICE = (
     "orange(whole); knife > halve > orange(halved)",

@@ -11,12 +11,12 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 
 from foon_kg import likeness, planner, preparation, reading, script, substitution, workshop
 from foon_kg.errors import NoTreeError
+from foon_kg.form import foon
 from foon_kg.model import Recipe
 from foon_kg.planner import Planner
 from foon_kg.result import PlanFailure
 from foon_kg.search import ground
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import foon
 
 ROOM = ((workshop, "MOST_TREES"), (workshop, "MOST_KITCHENS"), (ground, "MOST_TREES"))
 ROOM += ((reading, "MOST_READINGS"), (reading, "MOST_FOODS"), (preparation, "MOST_WANTS"))

@@ -13,6 +13,7 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 from foon_kg import question
 from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
@@ -23,7 +24,6 @@ from foon_kg.settings import PlanSettings
 from foon_kg.shortage import ShortageError, nearest_first, remedy
 from foon_kg.snapshot import Snapshot
 from foon_kg.stock import StockedKitchen
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], KITCHEN)
 WANTED = Recipe(

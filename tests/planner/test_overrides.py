@@ -13,12 +13,12 @@ from planner.test_demo_dishes import SNAPSHOT
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.batch import Cook, Question, Wishes
 from foon_kg.errors import NoTreeError, UsageError
+from foon_kg.form import CONTRACT, KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.likeness import Substitute
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.planner import Planner
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import CONTRACT, KnownFoon, TaskTree, check
 
 FOON = KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
 

@@ -5,13 +5,13 @@ from kitchen_stories import node, script, subgraph
 from planner.dishes import KITCHEN, SETTINGS
 
 from foon_kg.errors import NoTreeError
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planner import plan
 from foon_kg.repairs import best_of
 from foon_kg.replay import replay
 from foon_kg.script import Casting, Repertoire, Script
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 DOUGH = (
     "bowl(empty); packet{yeast}; yeast(powder)@packet > pour > bowl{yeast}; yeast(powder)@bowl",

@@ -6,10 +6,10 @@ from hypothesis import assume, given, settings
 from planner.dishes import KITCHEN, SETTINGS, questions
 
 from foon_kg.errors import NoTreeError
+from foon_kg.form import TaskTree
 from foon_kg.planner import Planner
 from foon_kg.snapshot import Snapshot
 from foon_kg.submission import submitted
-from foon_kg.validation import TaskTree
 
 
 @settings(max_examples=40, deadline=None)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from foon_kg.form.case import Case
+from foon_kg.form.report import Finding
 from foon_kg.model import ObjectNode
-from foon_kg.validation.case import Case
-from foon_kg.validation.report import Finding
 
 
 def executable(case: Case) -> Iterator[Finding]:

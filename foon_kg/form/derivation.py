@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from foon_kg.form.correspondence import Correspondence, Pair
+from foon_kg.form.tree import Substituted, TreeUnit
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, ObjectNode
-from foon_kg.validation.correspondence import Correspondence, Pair
-from foon_kg.validation.tree import Substituted, TreeUnit
 
 
 @dataclass(frozen=True)

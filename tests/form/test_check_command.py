@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 
 import pytest
+from form.garden import GARDEN, SUBGRAPHS, garden, garnished, salad
 from kitchen_stories import subgraph
 from typer.testing import CliRunner
-from validation.garden import GARDEN, SUBGRAPHS, garden, garnished, salad
 
 from foon_kg.cli import app
 from foon_kg.loaders import write_text

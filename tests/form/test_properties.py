@@ -8,13 +8,13 @@ import subprocess
 import sys
 
 import pytest
+from form.garden import FOON, broken, garden, judge, omelette, salad
 from hypothesis import given
 from hypothesis import strategies as st
-from validation.garden import FOON, broken, garden, judge, omelette, salad
 
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 SHARED = pathlib.Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
 TREES = st.sampled_from([salad, omelette, garden]).map(lambda make: make())
@@ -85,7 +85,7 @@ def test_every_finding_names_a_unit_of_the_tree(tree):
 
 
 def test_the_judge_knows_nothing_of_the_planner():
-    code = "import sys, foon_kg.validation; print(*sorted(m for m in sys.modules if m.startswith('foon_kg')))"
+    code = "import sys, foon_kg.form; print(*sorted(m for m in sys.modules if m.startswith('foon_kg')))"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     others = {"planner", "search", "integration", "substitution", "replay", "outcome", "motions", "similarity", "goals"}
     assert not {name.split(".")[1] for name in loaded if "." in name} & others

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from validation.garden import (
+from form.garden import (
     FOON,
     broken,
     garden,
@@ -17,8 +17,8 @@ from validation.garden import (
     with_kitchen,
 )
 
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 
 def without(*places):

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from kitchen_stories import subgraph
-from validation.garden import (
+from form.garden import (
     FLUFFY,
     FOON,
     GARDEN,
     garden,
 )
+from kitchen_stories import subgraph
 
-from foon_kg.validation import TaskTree, check
+from foon_kg.form import TaskTree, check
 
 
 class TestTextOfAnyone:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from kitchen_stories import unit
 
+from foon_kg.form.derivation import derive
+from foon_kg.form.tree import Substituted, TreeUnit
 from foon_kg.kitchen import Kitchen
-from foon_kg.validation.derivation import derive
-from foon_kg.validation.tree import Substituted, TreeUnit
 
 
 def entry(kind, food, required, equivalent):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 
-from foon_kg.validation.report import Finding
+from foon_kg.form.report import Finding
 
 
 def repeatable(results: Sequence[object]) -> tuple[Finding, ...]:

@@ -1,20 +1,22 @@
-"""The judge: whether a task tree keeps the contract C1 to C9, and makes sense by S1 to S8 (design.md section 4).
+"""The form of a tree: the old rules C1 to C8 and S1 to S8, by which today's planner chooses among its trees.
 
-It knows nothing of the planner. ``check`` answers a :class:`Report`; each finding says the rule, the unit, the node
-and the reason. A rule that lacks what it would need (a recipe, the FOON) is named under ``not_asked``.
+They are a private part of that planner and go with it; nobody else asks them. Still they know nothing of how a tree
+is made. ``check`` answers a :class:`Report`; each finding says the rule, the unit, the node and the reason. A rule
+that lacks what it would need (a recipe, the FOON) is named under ``not_asked``. C9 is asked of several answers, by
+:func:`repeatable`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from foon_kg.form import execution, honesty, ingredients, likeness, sense
+from foon_kg.form.case import Case
+from foon_kg.form.foon import KnownFoon
+from foon_kg.form.repeatability import repeatable
+from foon_kg.form.report import CONTRACT, SENSE, Finding, Report
+from foon_kg.form.tree import TaskTree
 from foon_kg.kitchen import Kitchen
-from foon_kg.validation import execution, honesty, ingredients, likeness, sense
-from foon_kg.validation.case import Case
-from foon_kg.validation.foon import KnownFoon
-from foon_kg.validation.repeatability import repeatable
-from foon_kg.validation.report import CONTRACT, SENSE, Finding, Report
-from foon_kg.validation.tree import TaskTree
 
 __all__ = ["CONTRACT", "SENSE", "Finding", "KnownFoon", "Report", "TaskTree", "check", "repeatable"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from validation.garden import (
+from form.garden import (
     broken,
     entry,
     garden,
@@ -15,7 +15,7 @@ from validation.garden import (
     with_kitchen,
 )
 
-from foon_kg.validation import repeatable
+from foon_kg.form import repeatable
 
 
 class TestC7Honest:

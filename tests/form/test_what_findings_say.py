@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from kitchen_stories import node, subgraph
-from kitchen_stories import unit as functional_unit
-from validation.garden import (
+from form.garden import (
     FOON,
     GARDEN,
     POTATO,
@@ -21,11 +19,13 @@ from validation.garden import (
     unit,
     with_kitchen,
 )
+from kitchen_stories import node, subgraph
+from kitchen_stories import unit as functional_unit
 
+from foon_kg.form import TaskTree, check, repeatable
+from foon_kg.form.report import Finding, Report
 from foon_kg.model import Annotation, Subgraph
 from foon_kg.model_json import node_to_json
-from foon_kg.validation import TaskTree, check, repeatable
-from foon_kg.validation.report import Finding, Report
 
 RENAMED = "substitution 0, cucumber for radish (object)"
 RESTATED = "substitution 1, cucumber: sliced for diced (state)"

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from operator import attrgetter
 
+from foon_kg.form.derivation import Derivation, derive, may_explain
+from foon_kg.form.foon import KnownFoon
+from foon_kg.form.tree import TaskTree, TreeUnit
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient
-from foon_kg.validation.derivation import Derivation, derive, may_explain
-from foon_kg.validation.foon import KnownFoon
-from foon_kg.validation.tree import TaskTree, TreeUnit
 
 
 @dataclass(frozen=True)

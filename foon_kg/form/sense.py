@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg.form.case import Case, Joining
+from foon_kg.form.report import Finding
+from foon_kg.form.tree import TreeUnit
+from foon_kg.form.words import HEATS, MIXES, OPENS, has_word
 from foon_kg.kitchen import singular, words
 from foon_kg.model import ObjectNode
-from foon_kg.validation.case import Case, Joining
-from foon_kg.validation.report import Finding
-from foon_kg.validation.tree import TreeUnit
-from foon_kg.validation.words import HEATS, MIXES, OPENS, has_word
 
 
 def fresh(case: Case) -> Iterator[Finding]:

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg.form.tree import Substituted, TreeUnit
+from foon_kg.form.words import takes_any
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, NodeSortKey, ObjectNode
-from foon_kg.validation.tree import Substituted, TreeUnit
-from foon_kg.validation.words import takes_any
 
 EMPTY = "empty"
 APPLIED = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})

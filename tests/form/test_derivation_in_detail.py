@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from form.test_derivation import DICE, POUR, SLICED, derivation, entry, faults
 from kitchen_stories import node, unit
-from validation.test_derivation import DICE, POUR, SLICED, derivation, entry, faults
 
+from foon_kg.form.derivation import derive, may_explain
+from foon_kg.form.tree import TreeUnit
 from foon_kg.kitchen import Kitchen
-from foon_kg.validation.derivation import derive, may_explain
-from foon_kg.validation.tree import TreeUnit
 
 CUCUMBER = entry("object", "cucumber", "cucumber", "radish")
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from foon_kg.form.case import Case
+from foon_kg.form.report import Finding
+from foon_kg.form.tree import Substituted
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
-from foon_kg.validation.case import Case
-from foon_kg.validation.report import Finding
-from foon_kg.validation.tree import Substituted
 
 KINDS = ("object", "state", "motion")
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from foon_kg.form.case import Case
+from foon_kg.form.report import Finding
 from foon_kg.kitchen import LeafFault, singular
 from foon_kg.model import ObjectNode, RequiredIngredient
-from foon_kg.validation.case import Case
-from foon_kg.validation.report import Finding
 
 
 def complete(case: Case) -> Iterator[Finding]:

@@ -7,12 +7,12 @@ from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from foon_kg.form.derivation import Derivation
+from foon_kg.form.words import OPENS, has_word
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.levels import Level, node_at, units_at
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
 from foon_kg.recent import Recent
-from foon_kg.validation.derivation import Derivation
-from foon_kg.validation.words import OPENS, has_word
 
 MOST_DERIVATIONS = 16384
 """How many derivations of a unit are kept for the next tree."""

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from kitchen_stories import subgraph
-from validation.garden import (
+from form.garden import (
     FOON,
     STALE,
     broken,
@@ -21,10 +20,11 @@ from validation.garden import (
     unit,
     with_kitchen,
 )
+from kitchen_stories import subgraph
 
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 
 def joined(food, state="cube"):

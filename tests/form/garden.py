@@ -7,10 +7,10 @@ import copy
 from kitchen_stories import node, subgraph
 from kitchen_stories import unit as functional_unit
 
+from foon_kg.form import KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.model_json import node_to_json
 from foon_kg.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
 
 GARDEN = (
     "cutting board(empty); tomato(whole) > pick-and-place > cutting board{tomato}; tomato(whole)@on cutting_board",
