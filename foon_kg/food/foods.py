@@ -1,0 +1,108 @@
+"""The table of foods: the kind of a food is a function of its name *and* its states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from foon_kg.food.rows import Food, Kind, Level, Match
+from foon_kg.food.words import plain_words, singular, words
+
+UNKNOWN = Kind("unknown", "Nothing is known of it.")
+
+
+@dataclass(frozen=True, eq=False)
+class FoodTable:
+    """Kinds by name, the kind of every name, endings (``berry`` of ``*berry``), homonyms and exceptions."""
+
+    kinds: Mapping[str, Kind]
+    kind_of: Mapping[str, str]
+    endings: tuple[tuple[str, str], ...]
+    homonyms: Mapping[str, tuple[tuple[str, str], ...]]
+    exceptions: Mapping[str, Mapping[str, object]]
+    _known: dict[tuple[str, tuple[str, ...]], Food] = field(default_factory=dict)
+    _found: dict[str, tuple[str, str, Match]] = field(default_factory=dict)
+
+    def food(self, label: str, states: Iterable[str] = ()) -> Food:
+        """Return what is known of the food ``label`` in ``states``; of the kind ``unknown`` where nothing is."""
+        key = (label, tuple(states))
+        if key not in self._known:
+            self._known[key] = self._food(singular(label), key[1])
+        return self._known[key]
+
+    def find(self, label: str) -> tuple[str, str, Match]:
+        """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
+        name = singular(label)
+        if name not in self._found:
+            self._found[name] = self._find(name)
+        return self._found[name]
+
+    def is_listed(self, label: str) -> bool:
+        """Whether the table lists the name itself."""
+        return singular(label) in self.kind_of
+
+    def broader(self, kind: str) -> frozenset[str]:
+        """Return a kind with all kinds that it is of."""
+        found, waiting = {kind}, [kind]
+        while waiting:
+            fresh = [name for name in self.kinds.get(waiting.pop(), UNKNOWN).of if name not in found]
+            found.update(fresh)
+            waiting += fresh
+        return frozenset(found)
+
+    def _food(self, name: str, states: tuple[str, ...]) -> Food:
+        meant = next((o for state, o in self.homonyms.get(name, ()) if any(_is_state(state, s) for s in states)), name)
+        kind, taken_for, match = self.find(meant)
+        row = self.kinds.get(kind, UNKNOWN)
+        special = self.exceptions.get(taken_for, {})
+        when = {**row.when, **_texts(special.get("when"))}
+        moved = next((to for state, to in when.items() if any(_is_state(state, one) for one in states)), None)
+        if moved is not None:
+            row, special = self.kinds.get(moved, UNKNOWN), {}
+        traits = special.get("traits")
+        return Food(
+            name,
+            row.name,
+            self.broader(row.name),
+            _levels(special["owes"]) if "owes" in special else row.owes,
+            frozenset(map(str, traits)) if isinstance(traits, list) else row.traits,
+            str(special.get("sold_in", row.sold_in)),
+            str(special.get("sold_as", row.sold_as)),
+            match,
+            taken_for,
+        )
+
+    def _find(self, name: str) -> tuple[str, str, Match]:
+        own = name.split()
+        if name in self.kind_of:
+            return self.kind_of[name], name, Match.NAME
+        for start in range(1, len(own)):
+            phrase = " ".join(own[start:])
+            if phrase in self.kind_of:
+                return self.kind_of[phrase], phrase, Match.HEAD
+        for ending, kind in self.endings:
+            if own and own[-1].endswith(ending):
+                return kind, ending, Match.SUFFIX
+        for length in range(len(own) - 1, 0, -1):
+            for start in range(len(own) - length):
+                phrase = " ".join(own[start : start + length])
+                if phrase in self.kind_of:
+                    return self.kind_of[phrase], phrase, Match.PART
+        return UNKNOWN.name, "", Match.UNKNOWN
+
+
+def _is_state(asked: str, state: str) -> bool:
+    return asked == state.lower() or frozenset(asked.split()) <= plain_words(state)
+
+
+def _levels(owes: object) -> Mapping[str, Level]:
+    return {name: Level(str(level)) for name, level in owes.items()} if isinstance(owes, Mapping) else {}
+
+
+def _texts(value: object) -> Mapping[str, str]:
+    return {str(name): str(text) for name, text in value.items()} if isinstance(value, Mapping) else {}
+
+
+def name_in(label: str) -> str:
+    """Return the name under which a table lists a label."""
+    return " ".join(words(label))

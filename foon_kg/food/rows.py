@@ -1,0 +1,135 @@
+"""Rows of the tables: what is known of one food, state, motion, utensil or dish. Frozen values, no files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+
+class Level(StrEnum):
+    """How bad it is not to do what a food asks for before it is served."""
+
+    FATAL = "fatal"
+    MINOR = "minor"
+    ADVICE = "advice"
+
+
+class Match(StrEnum):
+    """How a name was found in the table of foods, the surest first."""
+
+    NAME = "its name"
+    HEAD = "its last words"
+    SUFFIX = "its ending"
+    PART = "a part of its name"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of food. ``of`` are broader kinds; ``when`` names the kind that a food is of in other states."""
+
+    name: str
+    about: str = ""
+    of: tuple[str, ...] = ()
+    sold_in: str = ""
+    sold_as: str = ""
+    owes: Mapping[str, Level] = field(default_factory=dict)
+    traits: frozenset[str] = frozenset()
+    when: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, eq=False)
+class Food:
+    """What is known of a food in its states.
+
+    ``kinds`` are its kind and all broader ones. ``owes`` says what a cook does to it before it is served. ``match``
+    says how its name was found, ``taken_for`` as which name of the table.
+    """
+
+    name: str
+    kind: str
+    kinds: frozenset[str]
+    owes: Mapping[str, Level]
+    traits: frozenset[str]
+    sold_in: str
+    sold_as: str
+    match: Match
+    taken_for: str
+
+    @property
+    def known(self) -> bool:
+        """Whether the table knows the food, or at least its last words."""
+        return self.match is not Match.UNKNOWN
+
+    def is_a(self, *names: str) -> bool:
+        """Whether the food is of one of these kinds, has one of these traits, or is called so."""
+        return any(name in self.kinds or name in self.traits or name == self.name for name in names)
+
+
+@dataclass(frozen=True)
+class State:
+    """What a state says of a food: what was done to it (``earns``), how fine its pieces are (0 whole to 5 powder).
+
+    ``sold``: a shop sells food so, any food or those in ``sold_for``. ``undivided``: the food is in one piece, so that
+    there is no second one once it was used. ``before`` are states one of which comes first (frozen, before defrosted).
+    """
+
+    name: str
+    earns: frozenset[str] = frozenset()
+    fine: int | None = None
+    sold: bool = False
+    sold_for: frozenset[str] = frozenset()
+    undivided: bool = False
+    half: bool = False
+    needs_heat: bool = False
+    before: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What a motion does, which states it can give, and what it needs.
+
+    ``tools`` has for each of its words the abilities one of which is needed; ``source`` is ``heat``, ``cold``,
+    ``power`` or ``""``.
+    """
+
+    name: str
+    does: frozenset[str] = frozenset()
+    gives: frozenset[str] = frozenset()
+    tools: tuple[frozenset[str], ...] = ()
+    source: str = ""
+    known: bool = True
+
+
+@dataclass(frozen=True)
+class Utensil:
+    """A utensil: its role (vessel, storage, tool, appliance, lid, wrap, place) and what it can do.
+
+    ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power), ``holds`` what it works on
+    (on, in, attached), has one power or one for each vessel (``power``), and may be ``always_on``.
+    """
+
+    name: str
+    role: str
+    group: str
+    can: frozenset[str] = frozenset()
+    many: bool = False
+    source: str = ""
+    holds: str = ""
+    power: str = "one"
+    always_on: bool = False
+
+
+@dataclass(frozen=True)
+class Dish:
+    """What defines a dish: of each list in ``needs`` one is in it; ``heated`` is ``None`` where it may be hot or cold.
+
+    ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink).
+    """
+
+    name: str
+    needs: tuple[tuple[str, ...], ...] = ()
+    heated: bool | None = None
+    is_type: bool = False
+    eases: frozenset[str] = frozenset()

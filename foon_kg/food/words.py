@@ -1,0 +1,42 @@
+"""The words of a name: in lower case and in the singular, so that what two people write of one thing meets."""
+
+from __future__ import annotations
+
+import functools
+import re
+
+_WORD = re.compile(r"[^\W\d_]+")
+_IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
+_PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
+_NO_PLURAL = ("ss", "us", "is")
+_SHORT = 3
+
+
+@functools.lru_cache(maxsize=1 << 16)
+def words(name: str) -> tuple[str, ...]:
+    """Return the words of a name, in lower case and in the singular: ``Bell Peppers`` → bell, pepper."""
+    return tuple(singular_word(word) for word in _WORD.findall(name.lower()))
+
+
+@functools.lru_cache(maxsize=1 << 16)
+def singular(name: str) -> str:
+    """Return a name with every word in the singular: labels of a FOON are, its ``{}`` names often are not."""
+    return " ".join(words(name))
+
+
+def singular_word(word: str) -> str:
+    """Return one word, in lower case already, in the singular."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    for ending, one in _PLURALS:
+        if word.endswith(ending) and len(word) > max(_SHORT, len(ending) + 1) and not word.endswith(_NO_PLURAL):
+            word = word[: -len(ending)] + one
+            break
+    # cookies and cookie must meet somewhere, and the plural alone does not tell them from cherries
+    return word[:-2] + "y" if word.endswith("ie") and len(word) > _SHORT else word
+
+
+@functools.lru_cache(maxsize=1 << 14)
+def plain_words(text: str) -> frozenset[str]:
+    """Return the words of a motion or a state as they are written, in lower case: ``scoop and pour`` → scoop, and, pour."""
+    return frozenset(_WORD.findall(text.lower()))

@@ -1,0 +1,147 @@
+"""What a rule has before it when it judges a tree: the tree, the FOON, the world in which it was played, and the dish."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.food import Tables, singular, words
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.validation.foon import KnownFoon
+from foon_kg.validation.tree import TaskTree, TreeUnit
+from foon_kg.world import Happening, Lump, Part, World
+from foon_kg.world.reading import Said
+
+FREE = frozenset({"water"})
+"""The foods that may be used unasked where no setting says otherwise (C5)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A tree with the FOON it should come from, ``None`` where there is none at hand."""
+
+    tree: TaskTree
+    foon: KnownFoon | None
+    free: frozenset[str] = FREE
+    lacks: Callable[[ObjectNode], bool] | None = None
+
+    @property
+    def recipe(self) -> Recipe | None:
+        """The recipe asked, where it is known."""
+        return self.tree.recipe
+
+    @property
+    def required(self) -> tuple[RequiredIngredient, ...]:
+        """What the recipe asks for; nothing where there is none."""
+        return self.recipe.ingredients if self.recipe else ()
+
+    @cached_property
+    def required_names(self) -> frozenset[str]:
+        """The required foods, in the singular."""
+        return frozenset(singular(wanted.object) for wanted in self.required)
+
+    @cached_property
+    def world(self) -> World:
+        """The kitchen after the whole tree was played in it."""
+        world = World([wanted.object for wanted in self.required])
+        for unit in self.tree.units:
+            world.play(unit.step)
+        return world
+
+    @property
+    def happenings(self) -> list[Happening]:
+        """What happened in each unit."""
+        return self.world.happenings
+
+    @property
+    def tables(self) -> Tables:
+        """What is known of cooking."""
+        return self.world.tables
+
+    def read(self, node: ObjectNode) -> Said:
+        """Return what a node says."""
+        return self.world.reader.read(node)
+
+    def is_food(self, node: ObjectNode) -> bool:
+        """Whether a node is a food in this kitchen."""
+        return self.read(node).is_food
+
+    @cached_property
+    def goal(self) -> ObjectNode | None:
+        """The goal that the tree names; for unmarked FOON text the richest food of the last unit that has any."""
+        if self.tree.goal is not None or self.last is None:
+            return self.tree.goal
+        foods = [node for node in self.tree.units[self.last].output_nodes if self.is_food(node)]
+        return max(foods, key=lambda node: (len(node.ingredients), node.sort_key), default=None)
+
+    @cached_property
+    def last(self) -> int | None:
+        """The place of the last unit that touches food; ``None`` where none does."""
+        places = [place for place, unit in enumerate(self.tree.units) if self.touches_food(unit)]
+        return places[-1] if places else None
+
+    def touches_food(self, unit: TreeUnit) -> bool:
+        """Whether a unit has food among what comes out, or among what goes in and is not just put away."""
+        return any(self.is_food(node) for node in unit.output_nodes)
+
+    @cached_property
+    def dish(self) -> Lump | None:
+        """The goal as a thing of the world; ``None`` where nothing is the goal."""
+        if self.goal is None:
+            return None
+        for happening in reversed(self.happenings):
+            for node, lump in happening.outputs.items():
+                if node == self.goal:
+                    return lump
+        return None
+
+    @cached_property
+    def dish_lumps(self) -> tuple[Lump, ...]:
+        """The goal with all foods that are in the same vessel."""
+        if self.dish is None:
+            return ()
+        beside = self.dish.where.lumps if self.dish.where is not None else []
+        return tuple(dict.fromkeys((self.dish, *(lump for lump in beside if not lump.gone))))
+
+    @cached_property
+    def parts(self) -> tuple[Part, ...]:
+        """What is in the dish, each part once."""
+        return tuple(dict.fromkeys(part for lump in self.dish_lumps for part in lump.parts))
+
+    @cached_property
+    def parts_by_name(self) -> dict[str, list[Part]]:
+        """The parts of the dish by the name of their food."""
+        found: dict[str, list[Part]] = {}
+        for part in self.parts:
+            found.setdefault(part.name, []).append(part)
+        return found
+
+    @cached_property
+    def dish_types(self) -> tuple[str, ...]:
+        """The dish types the goal may be of: the one asked, else those of which the FOON has this product."""
+        if self.recipe and self.recipe.dish_type:
+            return (self.recipe.dish_type,)
+        if self.goal is None or self.foon is None:
+            return ()
+        return tuple(sorted(t for t, labels in self.foon.end_products.items() if self.goal.label in labels))
+
+    def is_free(self, name: str) -> bool:
+        """Whether a food may be used unasked."""
+        return name in self.free
+
+    def is_wanted(self, name: str) -> bool:
+        """Whether a food was asked for, in the same words or with a word more (broth, chicken broth)."""
+        return name in self.required_names or any(_alike(name, other) for other in self.required_names)
+
+
+def _alike(one: str, other: str) -> bool:
+    mine, theirs = words(one), words(other)
+    if not mine or not theirs or mine[-1] != theirs[-1]:
+        return False
+    return set(mine) <= set(theirs) or set(theirs) <= set(mine)
+
+
+def names(foods: Iterable[str]) -> str:
+    """Return names in a sentence, sorted, each once."""
+    return ", ".join(sorted(set(foods)))

@@ -1,0 +1,159 @@
+"""What a cook needs of the whole dish (docs/contract.md, K5 to K7): that it is what it is called, with what was asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import Match, singular, words
+from foon_kg.validation.case import Case, names
+from foon_kg.validation.report import Finding
+from foon_kg.validation.robot import of_world
+from foon_kg.world import Happening, Part, Vessel
+from foon_kg.world.becoming import meets
+
+
+def defined(case: Case) -> Iterator[Finding]:
+    """K5: what defines the named dish is in it, it is finished, and a hot dish was heated."""
+    if case.goal is None:
+        return
+    if case.dish is None:
+        yield Finding("K5", "nothing becomes the dish", None, (case.goal,))
+        return
+    yield from _unfinished(case)
+    title = case.recipe.title or "" if case.recipe else ""
+    for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title):
+        for needs in dish.needs:
+            if not any(meets(need, part.food, case.tables) for need in needs for part in case.parts):
+                told = " or ".join(need.rpartition(":")[2] for need in needs)
+                yield Finding("K5", f"“{dish.name}” without {told}", None, (case.goal,))
+        if dish.heated and not any(part.heated is not None for part in case.parts):
+            yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
+    for food in namesakes(case, case.goal.label):
+        if not _is_in(case, food):
+            yield Finding("K5", f"“{case.goal.label}” without {food}", None, (case.goal,))
+
+
+def _unfinished(case: Case) -> Iterator[Finding]:
+    if case.goal is None:
+        return
+    own = words(case.goal.label)
+    if own and (own[-1] in case.tables.unfinished or singular(case.goal.label) in case.tables.unfinished):
+        yield Finding("K5", f"“{case.goal.label}” is no finished dish", None, (case.goal,))
+    for state in case.goal.states:
+        if case.tables.state(state).half or state in {"uncooked", "raw", "uncook"}:
+            yield Finding("K5", f"the dish is {state}", None, (case.goal,))
+
+
+def namesakes(case: Case, label: str) -> Iterator[str]:
+    """Yield the foods that a dish is named after, the words of dish types and dishes apart; longer names win."""
+    own, start = words(label), 0
+    kinds = frozenset(word for name in case.tables.dishes for word in name.split())
+    while start < len(own):
+        for end in range(len(own), start, -1):
+            name = " ".join(own[start:end])
+            kind, _, match = case.tables.foods.find(name)
+            made = {"made", "dough"} & case.tables.foods.kinds[kind].traits if match is Match.NAME else {"made"}
+            if match is Match.NAME and not made and not set(own[start:end]) <= kinds:
+                yield name
+                start = end - 1
+                break
+        start += 1
+
+
+def _is_in(case: Case, food: str) -> bool:
+    if food in case.parts_by_name:
+        return True
+    own = set(food.split())
+    if any(own <= set(name.split()) for name in case.parts_by_name):
+        return True
+    kind = case.tables.foods.find(food)[0]
+    return food == kind and any(part.food.is_a(kind) for part in case.parts)
+
+
+def asked(case: Case) -> Iterator[Finding]:
+    """K6: every asked food is in the dish, and mixed in where the rest is mixed."""
+    if case.dish is None:
+        return
+    mixing = [part.mixed for part in case.parts if part.mixed is not None]
+    for food in sorted(case.required_names):
+        parts = _parts_of(case, food)
+        if not parts:
+            yield Finding("K6", f"{food} was asked for and is not in the dish", None, (case.goal,) if case.goal else ())
+        elif mixing and all(_left_out(part, max(mixing)) for part in parts) and _mixes(case):
+            yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
+
+
+def _parts_of(case: Case, food: str) -> list[Part]:
+    if food in case.parts_by_name:
+        return case.parts_by_name[food]
+    own = set(food.split())
+    return [
+        part for name, parts in case.parts_by_name.items() for part in parts
+        if name.split()[-1:] == food.split()[-1:] and (own <= set(name.split()) or set(name.split()) <= own)
+    ]  # fmt: skip
+
+
+def _left_out(part: Part, last: int) -> bool:
+    later = part.joined is not None and part.joined > last
+    return later and not part.food.is_a(
+        "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "ready"
+    )
+
+
+def _mixes(case: Case) -> bool:
+    return case.goal is not None and "mixed" in case.goal.states
+
+
+def sense(case: Case) -> Iterator[Finding]:
+    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, an ungreased tray, a stirred-in topping."""
+    yield from of_world("K7", case)
+    for happening in case.happenings:
+        yield from _dough(happening)
+        if happening.does("separate") and _strains(happening) and _all_fat(happening):
+            yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
+        if happening.does("dry"):
+            yield from _ungreased(case, happening)
+    toppings = {part.name for part in case.parts if part.food.is_a("topping") and part.mixed is not None}
+    if toppings:
+        yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
+
+
+def _dough(happening: Happening) -> Iterator[Finding]:
+    for lump in happening.made:
+        if lump.label.split()[-1] in {"dough", "batter"}:
+            pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
+            if pasta:
+                yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)
+
+
+def _strains(happening: Happening) -> bool:
+    return any("strain" in vessel.row.can for vessel in happening.vessels)
+
+
+def _all_fat(happening: Happening) -> bool:
+    parts = [part for lump in happening.inputs for part in lump.parts]
+    return bool(parts) and all(part.food.is_a("fat") for part in parts)
+
+
+def _ungreased(case: Case, happening: Happening) -> Iterator[Finding]:
+    for vessel in happening.heated:
+        soft = [
+            lump
+            for lump in vessel.lumps
+            if lump.mixed and any(part.food.is_a("flour", "dough", "egg") for part in lump.parts)
+        ]
+        if soft and "bake" in vessel.row.can and not _is_greased(case, vessel, happening):
+            yield Finding("K7", f"the {vessel.label} is not greased", happening.number, minor=True)
+
+
+def _is_greased(case: Case, vessel: Vessel, until: Happening) -> bool:
+    for happening in case.happenings[: until.number + 1]:
+        for lump, _, now in happening.moved:
+            if now is vessel and lump.parts and all(part.food.is_a("fat", "flour") for part in lump.parts):
+                return True
+        for mention in (*happening.step.inputs, *happening.step.outputs):
+            said = case.read(mention.node)
+            told = " ".join((*mention.node.states, *mention.node.ingredients))
+            if said.label == vessel.label and any(word in told for word in ("greased", "paper", "foil", "floured")):
+                return True
+    return False

@@ -1,0 +1,234 @@
+"""The form of a tree (docs/contract.md, C1 to C6): that it runs, leads to the goal, and is about what was asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import singular, words
+from foon_kg.model import ObjectNode, RequiredIngredient
+from foon_kg.validation.case import Case
+from foon_kg.validation.dish import namesakes
+from foon_kg.validation.report import Finding
+from foon_kg.world import Happening
+from foon_kg.world.reading import Said
+
+_CLOSES = ("switch off", "close", "uncover", "open", "detach", "discard", "clean")
+_ENABLES = ("switch on", "attach", "warm")
+
+
+def executable(case: Case) -> Iterator[Finding]:
+    """C1: every input is in the kitchen, or an output of an earlier unit."""
+    tree = case.tree
+    if tree.kitchen is None:
+        return  # FOON text names no kitchen: it starts from its leaves, and C6 asks of what kind they are
+    there = set(tree.kitchen)
+    for place, unit in enumerate(tree.units):
+        for node in unit.input_nodes:
+            if node not in there:
+                yield Finding("C1", _why_missing(case, node, place), place, (node,))
+        there.update(unit.output_nodes)
+
+
+def _why_missing(case: Case, node: ObjectNode, place: int) -> str:
+    later = [maker for maker in case.tree.made.get(node, ()) if maker >= place]
+    if later:
+        return f"it is needed before it is made: only step {later[0] + 1} outputs it"
+    return "it is neither in the kitchen nor an output of an earlier step"
+
+
+def goal(case: Case) -> Iterator[Finding]:
+    """C2: the last unit that touches food outputs the goal, which is called as such a dish is, with its namesakes in it.
+
+    Without a recipe any dish type will do; where the goal itself was asked for (classic retrieval), any product.
+    """
+    tree = case.tree
+    if tree.error is not None:
+        yield Finding("C2", f"there is no tree: {tree.error}")
+        return
+    if not tree.units or case.last is None:
+        yield Finding("C2", "the tree has no step with food")
+        return
+    if case.goal is None or case.goal not in tree.units[case.last].output_nodes:
+        yield Finding("C2", "the last step with food does not output the goal", case.last, _one(case.goal))
+    if case.goal is None or case.foon is None or tree.level is not None:
+        return
+    yield from _name(case, case.goal)
+
+
+def _name(case: Case, node: ObjectNode) -> Iterator[Finding]:
+    label, types = singular(node.label), case.dish_types
+    bare = {singular(word) for dish_type in types for word in (dish_type, *dish_type.split())}
+    products = case.foon.end_products if case.foon else {}
+    recorded = {singular(product) for t in types or products for product in products.get(t, ())}
+    if label not in recorded and words(label)[-1:] != words(" ".join(bare))[-1:] and label not in bare:
+        asked = f"of the dish type {types[0]}" if types else "of any dish type"
+        yield Finding("C2", f"“{node.label}” is no end product {asked} in the FOON", case.last, (node,))
+    for food in namesakes(case, node.label):
+        if not any(set(food.split()) <= set(name.split()) for name in case.parts_by_name):
+            yield Finding("C2", f"it is called after {food}, which is not in it", case.last, (node,))
+
+
+def _one(node: ObjectNode | None) -> tuple[ObjectNode, ...]:
+    return () if node is None else (node,)
+
+
+def purposeful(case: Case) -> Iterator[Finding]:
+    """C3: each unit leads to the goal or closes what the tree opened; none twice, none idle; all is off at the end."""
+    units = case.tree.units
+    seen: dict[tuple[object, ...], int] = {}
+    leads = _leads_to_the_end(case)
+    for place, unit in enumerate(units):
+        if not unit.new_outputs:
+            yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
+        if unit.identity in seen:
+            yield Finding("C3", f"it is the same as step {seen[unit.identity] + 1}", place)
+        seen.setdefault(unit.identity, place)
+        if place not in leads and not case.happenings[place].does(*_CLOSES):
+            yield Finding("C3", "nothing that it makes leads to the goal", place)
+    if case.tree.level is None:
+        for vessels in case.world.supply.vessels.values():
+            for vessel in vessels:
+                if vessel.is_appliance and any(vessel.power.values()):
+                    yield Finding("C3", f"the {vessel.label} is still on at the end")
+
+
+def _leads_to_the_end(case: Case) -> set[int]:
+    units = case.tree.units
+    last = case.last if case.last is not None else len(units) - 1
+    leads = {last}
+    inside = {id(part) for part in case.parts}
+    for place in reversed(range(len(units))):
+        if place == last:
+            continue
+        happening = case.happenings[place]
+        takers = (taker for node in units[place].new_outputs for taker in case.tree.takers.get(node, ()))
+        if any(taker > place and taker in leads for taker in takers) or _serves(happening, inside, place < last):
+            leads.add(place)
+    return leads
+
+
+def _serves(happening: Happening, inside: set[int], before_the_end: bool) -> bool:  # noqa: FBT001
+    lumps = [*happening.outputs.values(), *(lump for lump, _, _ in happening.moved)]
+    if any(id(part) in inside for lump in lumps for part in lump.parts):
+        return True
+    return before_the_end and happening.does(*_ENABLES)
+
+
+def complete(case: Case) -> Iterator[Finding]:
+    """C4: every required food is in the goal by identity, and had its asked state on the way or says how it was read."""
+    if case.tree.error is not None:
+        return
+    declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
+    declared |= {(singular(e.object), e.equivalent or "") for e in case.tree.substitutions or () if e.kind == "state"}
+    for wanted in sorted(set(case.required)):
+        food = singular(wanted.object)
+        shown = any(_is(node, wanted) for node in case.tree.nodes)
+        if not shown and (food, wanted.state) not in declared:
+            state = f" in the state “{wanted.state}”" if wanted.state else ""
+            yield Finding("C4", f"no node of the tree is {wanted.object}{state}, as required")
+        if food not in case.parts_by_name:
+            yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
+
+
+def _is(node: ObjectNode, wanted: RequiredIngredient) -> bool:
+    return singular(node.label) == singular(wanted.object) and (not wanted.state or wanted.state in node.states)
+
+
+def nothing_else(case: Case) -> Iterator[Finding]:
+    """C5: every food that is taken from the kitchen was asked for, or is free."""
+    told: set[str] = set()
+    for part in case.world.supply.parts:
+        if part.name in told or part.food.is_a("made") or case.is_wanted(part.name) or case.is_free(part.name):
+            continue
+        told.add(part.name)
+        yield Finding("C5", f"{part.name} comes from the kitchen and nobody asked for it", part.taken)
+
+
+def free_foods(case: Case) -> tuple[str, ...]:
+    """Return what the setting of free foods let in (C5), sorted."""
+    taken = {part.name for part in case.world.supply.parts}
+    return tuple(sorted(name for name in taken if case.is_free(name) and name not in case.required_names))
+
+
+def kitchen(case: Case) -> Iterator[Finding]:
+    """C6: every leaf is as it is found in a kitchen; what is processed is assumed openly, and only where FOON cannot."""
+    assumed = {entry.node for entry in case.tree.assumptions or ()}
+    for node in case.tree.leaves:
+        place, said = case.tree.takers[node][0], case.read(node)
+        if case.lacks is not None and case.lacks(node):
+            yield Finding("C6", "it is not in the kitchen that was named", place, (node,))
+            continue
+        reason = _utensil_fault(case, said) if not said.is_food else _food_fault(case, said)
+        if reason and node not in assumed and not _brought_on(case, node, place):
+            yield Finding("C6", reason, place, (node,))
+    yield from _assumptions(case)
+
+
+def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
+    """Whether an earlier step brought the thing so, though it did not say the whole node."""
+    happening = case.happenings[place]
+    said = case.read(node)
+    if said.is_food:
+        return not any(part.name == said.label and part.taken == place for part in happening.taken)
+    vessel = next((vessel for vessel in happening.vessels if vessel.label == said.label), None)
+    return (
+        vessel is not None
+        and bool(said.names)
+        and not any(part.taken == place for lump in vessel.lumps for part in lump.parts)
+    )
+
+
+def _utensil_fault(case: Case, said: Said) -> str:
+    if said.utensil is not None and said.utensil.always_on:
+        return ""
+    if said.on or said.hot:
+        return "it is on or hot before anybody turned anything on"
+    if said.names and not _keeps_food(said):
+        return "it is filled, and nobody filled it"
+    rest = case.tables.utensil_states["rest"]
+    for state in said.node.states:
+        if state.lower() not in rest and "[" not in state:
+            return f"it is {state} before anybody used it"
+    return ""
+
+
+def _keeps_food(said: Said) -> bool:
+    return said.utensil is not None and said.utensil.role == "storage"
+
+
+def _food_fault(case: Case, said: Said) -> str:
+    if said.place_utensil is not None and said.place_utensil.role not in {"storage", "place"}:
+        if not said.place_utensil.always_on:
+            return f"it is in the {said.place} before anybody put it there"
+    facts = case.tables.foods.food(said.label, said.node.states)
+    if facts.is_a("made", "dough") and said.names - {said.label}:
+        return "it is made of other foods, and nobody made it"
+    for state in said.node.states:
+        row = case.tables.state(state)
+        if "[" in state or row.sold or (row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == state:
+            continue
+        if row.earns or row.fine or row.half:
+            return f"it is {state} before anybody made it so"
+    return ""
+
+
+def _assumptions(case: Case) -> Iterator[Finding]:
+    leaves = set(case.tree.leaves)
+    for entry in case.tree.assumptions or ():
+        if entry.node not in leaves:
+            yield Finding("C6", "it is assumed to be at hand and is no leaf of the tree", None, (entry.node,))
+        elif not entry.why.strip():
+            yield Finding("C6", "it is assumed to be at hand and nothing says why", None, (entry.node,))
+        elif case.foon is not None:
+            yield from _could_be_made(case, entry.node)
+
+
+def _could_be_made(case: Case, node: ObjectNode) -> Iterator[Finding]:
+    label = singular(node.label)
+    kind = case.tables.foods.food(label).kind
+    for state in node.states:
+        row = case.tables.state(state)
+        if row.sold or not (row.earns or row.fine) or case.foon is None:
+            continue
+        if (label, state) in case.foon.operators or (kind != "unknown" and (kind, state) in case.foon.operators):
+            yield Finding("C6", f"it is assumed to be {state}, and FOON has an operator for such a food", None, (node,))

@@ -1,0 +1,169 @@
+"""C7 honest, C8 grounded (docs/contract.md): whether every step is attested by the FOON, and every difference is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from enum import IntEnum
+
+from foon_kg.food import singular
+from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.validation.tree import Substituted, TreeUnit
+
+KINDS = ("object", "state", "motion", "tool", "vessel")
+
+
+class Grounding(IntEnum):
+    """How near the evidence of a unit is: the same food, a declared equivalent, a food of its kind, the motion alone."""
+
+    FOOD = 0
+    LIKE = 1
+    KIND = 2
+    MOTION = 3
+
+    @property
+    def word(self) -> str:
+        """The word of a plan result."""
+        return self.name.lower()
+
+
+def honest(case: Case) -> Iterator[Finding]:
+    """C7: every entry is whole and used, and every unit whose evidence is another food says so."""
+    entries = case.tree.substitutions or ()
+    for place, entry in enumerate(entries):
+        for reason in _incomplete(entry):
+            yield Finding("C7", f"substitution {place}, {_told(entry)}: {reason}")
+        if entry in entries[:place]:
+            yield Finding("C7", f"substitution {place}, {_told(entry)}, is there twice")
+        elif not _is_used(case, entry):
+            yield Finding("C7", f"substitution {place}, {_told(entry)}: no unit uses it")
+    if case.foon is None:
+        return
+    for place, unit in enumerate(case.tree.units):
+        if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
+            foods = ", ".join(sorted(_foods(case, unit.input_nodes))) or "nothing"
+            yield Finding("C7", f"no substitution says what {foods} is handled like", place)
+
+
+def _incomplete(entry: Substituted) -> Iterator[str]:
+    if entry.kind not in KINDS:
+        yield f"its kind is “{entry.kind}”, not {', '.join(KINDS)}"
+    if not entry.required:
+        yield "it does not say what is required"
+    if entry.equivalent is None or (not entry.equivalent and entry.kind != "state"):
+        yield "it names no equivalent"
+    if entry.equivalent == entry.required:
+        yield "the equivalent is what was required"
+    if entry.confidence is None or not 0 <= entry.confidence <= 1:
+        yield "it has no confidence between 0 and 1"
+    if not entry.object:
+        yield "it does not name its object"
+    if entry.alternatives is None:
+        yield "it has no list of alternatives"
+    elif any(not name or confidence is None for name, confidence in entry.alternatives):
+        yield "an alternative has no name or no confidence"
+
+
+def _is_used(case: Case, entry: Substituted) -> bool:
+    if entry.kind == "motion":
+        return any(unit.motion == entry.required for unit in case.tree.units)
+    about = entry.required if entry.kind in {"object", "tool", "vessel"} else entry.object
+    named = {singular(name) for node in case.tree.nodes for name in (node.label, *node.ingredients)}
+    return singular(about) in named or singular(entry.object) in named
+
+
+def grounded(case: Case) -> Iterator[Finding]:
+    """C8: the units that a unit names have its motion, its main food or one of its kind, and its tool, or say so."""
+    for place, unit in enumerate(case.tree.units):
+        if unit.seen_in is None or case.tree.level is not None:
+            yield from _explained(case, place, unit)
+            continue
+        if not unit.seen_in:
+            yield Finding("C8", "it names no unit of the FOON", place)
+        for sighting in unit.seen_in:
+            source = case.foon.by_sighting.get((sighting.video, sighting.position)) if case.foon else None
+            if source is None:
+                yield Finding("C8", f"the FOON has no unit {sighting.position} in “{sighting.video}”", place)
+            else:
+                yield from _differs(case, place, unit, source)
+        yield from _claims(case, place, unit)
+
+
+def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
+    """Ask of a unit that names no source whether the FOON has it, or at least its motion with one of its things."""
+    if case.foon is None or unit.nodes_key in case.foon.by_key:
+        return
+    if case.tree.level is not None:
+        yield Finding("C8", "the FOON has no such unit", place)
+        return
+    labels = {singular(node.label) for node in unit.output_nodes}
+    if labels.isdisjoint(case.foon.labels_of_motion.get(unit.motion, ())):
+        yield Finding("C8", "the FOON has no unit with this motion and any of these outputs", place)
+
+
+def _differs(case: Case, place: int, unit: TreeUnit, source: FunctionalUnit) -> Iterator[Finding]:
+    if unit.motion != source.motion and not _declared(case, "motion", unit.motion, source.motion):
+        yield Finding("C8", f"the unit it names does “{source.motion}”", place)
+    if nearness(case, unit, source) is Grounding.MOTION and _foods(case, unit.input_nodes):
+        theirs = ", ".join(sorted(_foods(case, source.input_nodes))) or "no food"
+        yield Finding("C8", f"the unit it names works on {theirs}, of another kind", place)
+    for tool in sorted(_tools(case, unit.input_nodes) - _tools(case, source.input_nodes)):
+        theirs_too = _tools(case, source.input_nodes)
+        if theirs_too and not any(_declared(case, "tool", tool, other) for other in theirs_too):
+            yield Finding("C8", f"the unit it names uses no {tool}", place)
+
+
+def _claims(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
+    if unit.grounding is None or case.foon is None or not unit.seen_in:
+        return
+    words = [level.word for level in Grounding]
+    if unit.grounding not in words:
+        yield Finding("C8", f"its grounding is “{unit.grounding}”, not {', '.join(words)}", place)
+    elif words.index(unit.grounding) < _nearest(case, unit) and _foods(case, unit.input_nodes):
+        yield Finding("C8", f"it claims “{unit.grounding}”, and its evidence is {_nearest(case, unit).word}", place)
+
+
+def _nearest(case: Case, unit: TreeUnit) -> Grounding:
+    sources = [case.foon.by_sighting.get((s.video, s.position)) for s in unit.seen_in or ()] if case.foon else []
+    return min((nearness(case, unit, source) for source in sources if source), default=Grounding.FOOD)
+
+
+def nearness(case: Case, unit: TreeUnit, source: FunctionalUnit) -> Grounding:
+    """Return how near a unit of the FOON is as evidence for a unit of the tree."""
+    mine = _foods(case, (*unit.input_nodes, *unit.output_nodes))
+    theirs = _foods(case, (*source.input_nodes, *source.output_nodes))
+    if not mine or mine & theirs:
+        return Grounding.FOOD
+    if any(_declared(case, "object", food, other) for food in mine for other in theirs):
+        return Grounding.LIKE
+    kinds = {case.tables.foods.find(food)[0] for food in mine} & {case.tables.foods.find(food)[0] for food in theirs}
+    return Grounding.KIND if kinds - {"unknown"} else Grounding.MOTION
+
+
+def _declared(case: Case, kind: str, mine: str, theirs: str) -> bool:
+    return any(
+        entry.kind == kind
+        and singular(entry.required) == singular(mine)
+        and singular(entry.equivalent or "") == singular(theirs)
+        for entry in case.tree.substitutions or ()
+    )
+
+
+def _foods(case: Case, nodes: Iterable[ObjectNode]) -> frozenset[str]:
+    """Return the foods that some nodes are or hold."""
+    found: set[str] = set()
+    for node in nodes:
+        said = case.read(node)
+        found |= said.names | ({said.label} if said.is_food else set())
+    return frozenset(found)
+
+
+def _tools(case: Case, nodes: Iterable[ObjectNode]) -> frozenset[str]:
+    rows = (case.read(node).utensil for node in nodes)
+    return frozenset(row.name for row in rows if row is not None and row.role == "tool")
+
+
+def _told(entry: Substituted) -> str:
+    about = f"{entry.object}: " if entry.kind != "object" and entry.object else ""
+    return f"{about}{entry.required or 'nothing'} for {entry.equivalent or 'nothing'} ({entry.kind or 'no kind'})"

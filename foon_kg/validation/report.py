@@ -1,0 +1,116 @@
+"""What the judge says of a task tree: findings by rule, and whether robot and cook accept it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from foon_kg.model import ObjectNode
+from foon_kg.model_json import node_to_json
+
+FORM: tuple[str, ...] = ("C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9")
+WORLD: tuple[str, ...] = ("W1", "W2", "W3", "W4", "W5")
+TABLE: tuple[str, ...] = ("K1", "K2", "K3", "K4", "K5", "K6", "K7")
+RULES: tuple[str, ...] = (*FORM, *WORLD, *TABLE)
+
+ROBOT: frozenset[str] = frozenset({*WORLD, "K4"})
+"""The rules of which no robot can do without: a fatal finding of one of them, and the tree cannot be carried out."""
+
+COOK: frozenset[str] = frozenset(TABLE)
+"""The rules of which no cook can do without."""
+
+MOST_MINOR = 2
+"""How many minor findings a cook puts up with."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One breach of ``rule``: at which step (from 0), about which nodes, and why. ``minor``: odd, yet it can be done."""
+
+    rule: str
+    reason: str
+    step: int | None = None
+    nodes: tuple[ObjectNode, ...] = ()
+    minor: bool = False
+
+    def __str__(self) -> str:
+        place = "" if self.step is None else f" step {self.step + 1}"
+        about = f" {'; '.join(map(str, self.nodes))}" if self.nodes else ""
+        return f"{self.rule}{' (minor)' if self.minor else ''}{place}{about}: {self.reason}"
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the finding as JSON; ``unit`` counts from 0."""
+        return {
+            "rule": self.rule,
+            "level": "minor" if self.minor else "fatal",
+            "unit": self.step,
+            "nodes": [node_to_json(node) for node in self.nodes],
+            "reason": self.reason,
+        }
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything found in one tree, in the order of the rules.
+
+    ``not_asked`` names each rule that could not be asked in full, with the reason; ``notes`` says what is allowed but
+    must be told, such as the free foods that were let in.
+    """
+
+    name: str
+    findings: tuple[Finding, ...]
+    not_asked: tuple[tuple[str, str], ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @cached_property
+    def fatal(self) -> tuple[str, ...]:
+        """The rules with at least one fatal finding, in their order."""
+        found = {finding.rule for finding in self.findings if not finding.minor}
+        return tuple(rule for rule in RULES if rule in found)
+
+    @cached_property
+    def broken(self) -> tuple[str, ...]:
+        """The rules with any finding, minor ones too, in their order."""
+        found = {finding.rule for finding in self.findings}
+        return tuple(rule for rule in RULES if rule in found)
+
+    @property
+    def form(self) -> bool:
+        """Whether the tree keeps C1 to C9, as far as they were asked."""
+        return not set(self.fatal) & set(FORM)
+
+    @property
+    def robot(self) -> bool:
+        """Whether a robot can carry the tree out: no fatal W, no fatal K4."""
+        return not set(self.fatal) & ROBOT
+
+    @property
+    def cook(self) -> bool:
+        """Whether a cook would serve what comes of it: no fatal K and at most two minor findings."""
+        minor = sum(finding.minor for finding in self.findings)
+        return not set(self.fatal) & COOK and minor <= MOST_MINOR
+
+    @property
+    def accepted(self) -> bool:
+        """Whether robot and cook both accept the tree."""
+        return self.robot and self.cook
+
+    def of(self, rules: Iterable[str]) -> tuple[Finding, ...]:
+        """Return the findings of some rules."""
+        wanted = frozenset(rules)
+        return tuple(finding for finding in self.findings if finding.rule in wanted)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the report as JSON."""
+        return {
+            "name": self.name,
+            "accepted": self.accepted,
+            "robot": self.robot,
+            "cook": self.cook,
+            "form": self.form,
+            "findings": [finding.to_json() for finding in self.findings],
+            "not_asked": [{"rule": rule, "why": why} for rule, why in self.not_asked],
+            "notes": list(self.notes),
+        }

@@ -1,0 +1,131 @@
+"""What a cook needs of each food (docs/contract.md, K1 to K4): nothing raw, whole, late or torn by the wrong tool."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import Level
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.validation.robot import of_world
+from foon_kg.world import Happening, Part
+
+ENOUGH = {
+    "cut": frozenset({"cut", "grate", "grind", "blend", "mash"}),
+    "peel": frozenset({"peel"}),
+    "shell": frozenset({"shell", "open", "peel"}),
+    "core": frozenset({"core", "stone"}),
+    "stone": frozenset({"stone", "core"}),
+    "husk": frozenset({"husk", "peel", "cut"}),
+}
+"""What does for each treatment that a food asks for."""
+
+_WHOLE = {
+    "cut": "in one piece", "peel": "in its skin", "shell": "in its shell", "core": "with its core",
+    "stone": "with its stone", "husk": "in its husk", "choke": "with its choke",
+}  # fmt: skip
+
+
+def raw(case: Case) -> Iterator[Finding]:
+    """K1: what must be cooked is cooked by a unit, and dry starch in a liquid."""
+    eased = frozenset(kind for dish in case.tables.dishes_named(*case.dish_types) for kind in dish.eases)
+    for part in case.parts:
+        if part.remains or part.untold:
+            continue
+        for treatment in ("cook", "boil"):
+            level = part.food.owes.get(treatment)
+            if level in {None, Level.ADVICE} or treatment in part.done:
+                continue
+            minor = level is Level.MINOR or part.food.is_a(*eased)
+            how = "in enough liquid" if treatment == "boil" else "at all"
+            yield Finding("K1", f"{part.name} is in the dish and was not cooked {how}", minor=minor)
+
+
+def whole(case: Case) -> Iterator[Finding]:
+    """K2: nothing whole, unpeeled or in its shell that nobody eats so, and no remains for the food."""
+    for part in case.parts:
+        if part.remains:
+            if not _asked_so(case, part):
+                yield Finding("K2", f"the remains of {part.name} are in the dish")
+            continue
+        if part.untold:
+            continue
+        for treatment, level in sorted(part.food.owes.items()):
+            if treatment not in _WHOLE or level is Level.ADVICE or _is_done(part, treatment):
+                continue
+            yield Finding("K2", f"{part.name} is in the dish {_WHOLE[treatment]}", minor=level is Level.MINOR)
+
+
+def _is_done(part: Part, treatment: str) -> bool:
+    if treatment == "cut" and part.fine > 0:
+        return True
+    return not ENOUGH.get(treatment, frozenset({treatment})).isdisjoint(part.done)
+
+
+def _asked_so(case: Case, part: Part) -> bool:
+    """Whether a recipe asks for the part of a food that this is (a lemon's zest, an onion's skin)."""
+    asked = {state for wanted in case.required if wanted.object == part.name for state in wanted.state.split()}
+    return any(asked & set(state.split()) for state in part.states)
+
+
+def late(case: Case) -> Iterator[Finding]:
+    """K3: liquid after the last cooking; what is cooked beside what is eaten raw; eggs peeled boiling hot."""
+    cooked = [part.heated for part in case.parts if part.heated is not None]
+    hot = any(dish.heated for dish in case.tables.dishes_named(*case.dish_types))
+    if cooked and hot:
+        for part in case.parts:
+            if part.heated is None and (part.joined or part.taken) > max(cooked) and _needs_heat(part):
+                yield Finding("K3", f"{part.name} comes after the last cooking", part.joined, minor=True)
+    yield from _cooked_too_much(case)
+    for happening in case.happenings:
+        yield from _peeled_hot(happening)
+
+
+def _needs_heat(part: Part) -> bool:
+    return part.food.is_a("water", "broth", "milk") or (
+        part.food.is_a("liquid") and not part.food.is_a("fat", "sweet", "creamy", "topping", "sauce", "spice", "salty")
+    )
+
+
+def _cooked_too_much(case: Case) -> Iterator[Finding]:
+    for happening in case.happenings:
+        if not happening.does("heat"):
+            continue
+        parts = [part for vessel in happening.heated for lump in vessel.lumps for part in lump.parts]
+        owing = [part for part in parts if part.food.owes.get("cook") is Level.FATAL]
+        leaves = sorted({part.name for part in parts if part.food.is_a("salad leaf")})
+        if owing and leaves:
+            reason = f"{leaves[0]} is cooked together with {owing[0].name}"
+            yield Finding("K3", reason, happening.number, minor=True)
+
+
+def _peeled_hot(happening: Happening) -> Iterator[Finding]:
+    if not happening.does("peel", "shell"):
+        return
+    for part in (part for lump in happening.treated for part in lump.parts):
+        if part.food.is_a("egg") and part.heated is not None and part.heated < happening.number:
+            cooled = [part.done.get("wash", -1), part.done.get("soak", -1)]
+            if max(cooled) < part.heated:
+                yield Finding("K3", "eggs are peeled boiling hot", happening.number, minor=True)
+                return
+
+
+def tools(case: Case) -> Iterator[Finding]:
+    """K4: grating without what grates; cutting or mixing with a lid; a motion that cannot give that state."""
+    yield from of_world("K4", case)
+    for happening in case.happenings:
+        if happening.does("grate") and not _has(happening, "grate", "peel"):
+            yield Finding("K4", "it is grated without grater, peeler or processor", happening.number)
+        lids = [node for node in happening.tools if _is_lid(case, node.label)]
+        others = [vessel for vessel in happening.vessels if vessel.row.role in {"tool", "appliance"}]
+        if lids and not others and happening.does("cut", "mix", "grate", "whip"):
+            yield Finding("K4", f"“{happening.step.motion}” with a lid", happening.number, (lids[0],))
+
+
+def _has(happening: Happening, *abilities: str) -> bool:
+    return any(not vessel.row.can.isdisjoint(abilities) for vessel in happening.vessels)
+
+
+def _is_lid(case: Case, label: str) -> bool:
+    row = case.tables.utensil(label)
+    return row is not None and row.role == "lid"

@@ -1,0 +1,14 @@
+"""The kitchen as it changes: things with identity, vessels with contents, appliances with power.
+
+:class:`World` plays a tree step by step and tells why a step cannot happen (docs/contract.md, W1 to W4). Planner and judge
+use it alike; nothing here plans or judges.
+"""
+
+from __future__ import annotations
+
+from foon_kg.world.happening import Happening, Mishap
+from foon_kg.world.step import Mention, Step
+from foon_kg.world.things import Lump, Part, Vessel
+from foon_kg.world.world import World
+
+__all__ = ["Happening", "Lump", "Mention", "Mishap", "Part", "Step", "Vessel", "World"]

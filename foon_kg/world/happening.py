@@ -1,0 +1,57 @@
+"""What happens in one step, and what cannot happen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from foon_kg.food import Motion
+from foon_kg.model import ObjectNode
+from foon_kg.world.step import Step
+from foon_kg.world.things import Lump, Part, Vessel
+
+
+@dataclass(frozen=True)
+class Mishap:
+    """A rule of the contract (W1 to W4, K4, K7) that a step breaks: why, about which nodes, and whether it is minor."""
+
+    rule: str
+    reason: str
+    nodes: tuple[ObjectNode, ...] = ()
+    minor: bool = False
+
+
+@dataclass(eq=False)
+class Happening:
+    """One step as it was played.
+
+    ``moved`` has each lump that came to another place, with the places before and after; ``treated`` what the motion
+    worked on, ``heated`` the vessels that stood over heat while it cooked, ``taken`` the parts that were fetched
+    from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those
+    that hold food over heat afterwards.
+    """
+
+    number: int
+    step: Step
+    motion: Motion
+    mishaps: list[Mishap] = field(default_factory=list)
+    moved: list[tuple[Lump, Vessel | None, Vessel | None]] = field(default_factory=list)
+    treated: list[Lump] = field(default_factory=list)
+    heated: list[Vessel] = field(default_factory=list)
+    taken: list[Part] = field(default_factory=list)
+    made: list[Lump] = field(default_factory=list)
+    inputs: list[Lump] = field(default_factory=list)
+    outputs: dict[ObjectNode, Lump] = field(default_factory=dict)
+    vessels: list[Vessel] = field(default_factory=list)
+    tools: list[ObjectNode] = field(default_factory=list)
+    vessels_moved: bool = False
+    hot: list[Vessel] = field(default_factory=list)
+
+    def fault(self, rule: str, reason: str, *nodes: ObjectNode, minor: bool = False) -> None:
+        """Keep a mishap, each once."""
+        mishap = Mishap(rule, reason, nodes, minor)
+        if mishap not in self.mishaps:
+            self.mishaps.append(mishap)
+
+    def does(self, *classes: str) -> bool:
+        """Whether the motion does one of these."""
+        return not self.motion.does.isdisjoint(classes)

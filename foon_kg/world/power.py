@@ -1,0 +1,137 @@
+"""Appliances: what is on, over which heat something stands, what is closed (contract W3)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from foon_kg.model import ObjectNode
+from foon_kg.world.happening import Happening
+from foon_kg.world.reading import Said
+from foon_kg.world.things import Lump, Vessel
+
+if TYPE_CHECKING:
+    from foon_kg.world.world import World
+
+_SWITCHES = ("switch on", "switch off")
+
+
+def check_inputs(world: World, happening: Happening) -> None:
+    """Tell appliances that are not as their input nodes say, work without its source, and food behind closed doors."""
+    pairs = zip(happening.vessels, _utensils(world, happening), strict=True)
+    for vessel, (said, node) in pairs:
+        if vessel.is_appliance:
+            _check_power(vessel, said, node, happening)
+    _check_source(world, happening)
+    if happening.does("attach") or (happening.does("detach") and not happening.does("fetch")):
+        _check_attached(happening)
+
+
+def _utensils(world: World, happening: Happening) -> list[tuple[Said, ObjectNode]]:
+    read = [(world.reader.read(mention.node), mention.node) for mention in happening.step.inputs]
+    return [(said, node) for said, node in read if said.utensil is not None]
+
+
+def burner_of(said: Said) -> str:
+    """Return the burner that an appliance's node speaks of: the vessel that stands on it; ``""`` for none."""
+    return said.covers or (said.place or "" if said.place_utensil is not None else "")
+
+
+def _check_power(vessel: Vessel, said: Said, node: ObjectNode, happening: Happening) -> None:
+    burner = burner_of(said)
+    on = vessel.is_on(burner)
+    if said.on and not on and not vessel.row.always_on:
+        happening.fault("W3", f"the {vessel.label} is said to be on, and nobody turned it on", node)
+        vessel.power[burner if vessel.row.power == "vessel" else ""] = True
+    elif said.off and on and not vessel.row.always_on and (burner in vessel.power or vessel.row.power != "vessel"):
+        happening.fault("W3", f"the {vessel.label} is said to be off, and it is on", node)
+        vessel.power[burner if vessel.row.power == "vessel" else ""] = False
+
+
+def _check_source(world: World, happening: Happening) -> None:
+    source = happening.motion.source
+    if source not in {"heat", "power"} or happening.does(*_SWITCHES):
+        return
+    sources = sources_of(world, happening, source)
+    if not sources:
+        what = "heat source" if source == "heat" else "appliance"
+        happening.fault("W3", f"“{happening.step.motion}” without a {what}", *_nodes_of(happening))
+    elif not any(vessel.is_on(burner) for vessel, burner in sources):
+        names = ", ".join(sorted({vessel.label for vessel, _ in sources}))
+        happening.fault("W3", f"“{happening.step.motion}” while the {names} is off", *_nodes_of(happening))
+
+
+def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
+    return tuple(mention.node for mention in happening.step.inputs[:1])
+
+
+def sources_of(world: World, happening: Happening, source: str) -> list[tuple[Vessel, str]]:
+    """Return the appliances that could work in a step, each with the burner: inputs, and what an input stands on."""
+    found: list[tuple[Vessel, str]] = []
+    vessels = [*happening.vessels, *(lump.where for lump in happening.inputs if lump.where is not None)]
+    for vessel in vessels:
+        if vessel.is_appliance and vessel.row.source == source:
+            standing = [other.label for other in vessels if other.where is vessel]
+            found.append((vessel, standing[0] if standing else ""))
+        place, below = vessel.where, vessel
+        while place is not None:
+            if place.is_appliance and place.row.source == source:
+                found.append((place, below.label))
+            place, below = place.where, place
+    return found
+
+
+def heated_vessels(world: World, happening: Happening) -> list[Vessel]:
+    """Return the vessels in which a step that cooks works: all that hold food and take part, storage apart."""
+    vessels = [vessel for vessel in happening.vessels if vessel.lumps]
+    vessels += [lump.where for lump in happening.inputs if lump.where is not None]
+    found: list[Vessel] = []
+    for vessel in vessels:
+        if vessel not in found and vessel.row.role not in {"storage", "tool"}:
+            found.append(vessel)
+    return found
+
+
+def _check_attached(happening: Happening) -> None:
+    for vessel in happening.vessels:
+        if vessel.is_appliance and vessel.row.holds == "attached" and vessel.is_on():
+            verb = "attached to" if happening.does("attach") else "taken from"
+            happening.fault("W3", f"something is {verb} the {vessel.label} while it runs", *_nodes_of(happening))
+
+
+def check_outputs(world: World, happening: Happening) -> None:
+    """Switch what the motion switches, and tell what enters or leaves something closed."""
+    for mention in happening.step.outputs:
+        said = world.reader.read(mention.node)
+        if said.is_appliance:
+            _switch(world, said, mention.node, happening)
+    for lump, before, now in happening.moved:
+        for vessel in (before, now):
+            if vessel is not None and vessel.covered and before is not now and not _same_stack(before, now):
+                _closed(vessel, lump, happening)
+
+
+def _same_stack(before: Vessel | None, now: Vessel | None) -> bool:
+    return before is not None and now is not None and (before.where is now or now.where is before)
+
+
+def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:
+    if happening.does("close", "uncover", "open", "attach", "blend", "mix") or vessel.row.role == "storage":
+        return
+    happening.fault("W3", f"the {vessel.label} is closed, and {lump.label} enters or leaves it", *_nodes_of(happening))
+    vessel.covered = False
+
+
+def _switch(world: World, said: Said, node: ObjectNode, happening: Happening) -> None:
+    vessel = world.supply.appliance(said.label)
+    if vessel.row.always_on:
+        return
+    burner = burner_of(said) if vessel.row.power == "vessel" else ""
+    if not (said.on or said.off):
+        if happening.does("switch on"):
+            vessel.power[burner] = True
+        return
+    if said.on and not vessel.is_on(burner) and not happening.does(*_SWITCHES):
+        happening.fault("W3", f"the {vessel.label} is on afterwards, and nobody turned it on", node)
+    vessel.power[burner] = said.on
+    if said.off and not burner:
+        vessel.power = dict.fromkeys(vessel.power, False)

@@ -1,0 +1,105 @@
+"""What an object node says, read once: whether it is food, what it holds, where it stands, what state it claims."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+from foon_kg.food import Tables, Utensil, singular
+from foon_kg.model import ObjectNode
+
+_NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
+"""Relations whose ``[]`` is not where a thing is, but what is on it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Said:
+    """What a node says. Names are in the singular; ``place`` is the label of the vessel or food it is in or on.
+
+    ``empty``, ``on``, ``off``, ``hot``, ``covered`` and ``uncovered`` are claims about a utensil. ``undivided`` says
+    that a food is one piece as it was bought or peeled, ``remains`` that it is what nobody eats.
+    """
+
+    node: ObjectNode
+    label: str
+    utensil: Utensil | None
+    names: frozenset[str]
+    place: str | None
+    place_utensil: Utensil | None
+    covers: str | None
+    empty: bool
+    on: bool
+    off: bool
+    hot: bool
+    covered: bool
+    uncovered: bool
+    undivided: bool
+    remains: bool
+    fine: int | None
+    earns: frozenset[str]
+
+    @property
+    def is_food(self) -> bool:
+        """Whether it is a food."""
+        return self.utensil is None
+
+    @property
+    def is_appliance(self) -> bool:
+        """Whether it is an appliance."""
+        return self.utensil is not None and self.utensil.role == "appliance"
+
+
+class Reader:
+    """Reads nodes with one set of tables; ``foods`` are names that are food here though they are utensils elsewhere."""
+
+    def __init__(self, known: Tables, foods: frozenset[str] = frozenset()) -> None:
+        self.tables = known
+        self.foods = foods
+        self._read: dict[ObjectNode, Said] = {}
+
+    def read(self, node: ObjectNode) -> Said:
+        """Return what ``node`` says."""
+        said = self._read.get(node)
+        if said is None:
+            said = self._read[node] = self._said(node)
+        return said
+
+    def utensil(self, label: str) -> Utensil | None:
+        """Return the utensil called ``label``, in the singular; ``None`` for a food."""
+        return None if label in self.foods else self.tables.utensil(label)
+
+    def _said(self, node: ObjectNode) -> Said:
+        label = singular(node.label)
+        utensil = self.utensil(label)
+        names = frozenset(name for name in map(singular, node.ingredients) if self.utensil(name) is None)
+        held = node.container is not None and (node.relation in _NOT_IN or (utensil and node.relation == "under"))
+        place = None if node.container is None or held else singular(node.container)
+        states = [state.lower() for state in node.states]
+        claims = self.tables.utensil_states
+        rows = [self.tables.state(state) for state in node.states] if utensil is None else []
+        fine = [row.fine for row in rows if row.fine is not None]
+        return Said(
+            node,
+            label,
+            utensil,
+            names,
+            place,
+            None if place is None else self.utensil(place),
+            singular(node.container) if held and node.container is not None else None,
+            empty=not names and any("empty" in state for state in states),
+            on=any(state in claims["on"] for state in states),
+            off=any(state in claims["off"] for state in states),
+            hot=any(state in claims["hot"] for state in states),
+            covered=any(state.partition(" [")[0] in claims["closed"] for state in states) or node.relation == "covered",
+            uncovered=any(state in claims["open"] for state in states),
+            undivided=bool(rows) and any(row.undivided for row in rows) and not any(fine),
+            remains=any("remains" in row.earns for row in rows),
+            fine=max(fine, default=None),
+            earns=frozenset().union(*(row.earns for row in rows)) - {"remains"},
+        )
+
+
+@lru_cache(maxsize=8)
+def reader(known: Tables, foods: frozenset[str] = frozenset()) -> Reader:
+    """Return a reader that many trees share: nodes come up again and again."""
+    return Reader(known, foods)

@@ -1,0 +1,301 @@
+"""Which thing of the world an input node is, and what is fetched from the kitchen where it is none.
+
+A node that carries a number is that thing. Of nodes without numbers the thing is taken that says the same: the last
+step that put it out so, else the one with the same name in the same place in the same state. Clean vessels and tools of
+which a kitchen has several may be fresh ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import Food, Utensil
+from foon_kg.model import ObjectNode
+from foon_kg.world.happening import Happening
+from foon_kg.world.reading import Reader, Said
+from foon_kg.world.step import Mention
+from foon_kg.world.things import Lump, Part, Vessel
+
+_PLACE = Utensil("", "place", "places")
+"""What anything is that somebody puts something on and that no table lists."""
+
+
+class Supply:
+    """All things that are there, and how nodes are told to be one of them.
+
+    ``asked`` says how often each food was asked for, which is how many undivided ones a kitchen has; one of each where
+    nobody asked.
+    """
+
+    def __init__(self, reader: Reader, asked: dict[str, int]) -> None:
+        self.reader = reader
+        self.asked = asked
+        self.lumps: dict[str, list[Lump]] = {}
+        self.vessels: dict[str, list[Vessel]] = {}
+        self.known_lumps: dict[ObjectNode, Lump] = {}
+        self.known_vessels: dict[ObjectNode, Vessel] = {}
+        self.numbered_lumps: dict[int, Lump] = {}
+        self.numbered_vessels: dict[int, Vessel] = {}
+        self.taken_whole: dict[str, int] = {}
+        self.parts: list[Part] = []
+
+    # --- vessels ---
+
+    def vessel(self, mention: Mention, said: Said, happening: Happening) -> Vessel:
+        """Return the vessel, tool or appliance that an input node is."""
+        if mention.thing is not None:
+            return self._numbered_vessel(mention.thing, said, happening)
+        if said.is_appliance:
+            return self.appliance(said.label)
+        known = self.known_vessels.get(said.node)
+        if known is not None and known not in happening.vessels and self._still_says(known, said):
+            return known
+        there = [v for v in self.vessels.get(said.label, ()) if v not in happening.vessels and v.number is None]
+        if said.names:
+            return self._filled(there, said, happening)
+        return self._empty(there, said, happening)
+
+    def appliance(self, label: str) -> Vessel:
+        """Return the appliance called ``label``: a kitchen has one of each kind."""
+        known = self.vessels.get(label)
+        return known[0] if known else self.fresh(label)
+
+    def fresh(self, label: str, number: int | None = None) -> Vessel:
+        """Return another vessel from the cupboard."""
+        row = self.reader.utensil(label)
+        if row is None:  # a food that something lies on, or a place that nobody lists
+            row = _PLACE
+        vessel = Vessel(label, row, number=number)
+        self.vessels.setdefault(label, []).append(vessel)
+        if number is not None:
+            self.numbered_vessels[number] = vessel
+        return vessel
+
+    def _numbered_vessel(self, number: int, said: Said, happening: Happening) -> Vessel:
+        vessel = self.numbered_vessels.get(number)
+        if vessel is None:
+            vessel = self.fresh(said.label, number)
+            if said.names:
+                self._stock(vessel, said, happening)
+        elif vessel.label != said.label:
+            happening.fault("W2", f"the {vessel.label} has become a {said.label}", said.node)
+        elif said.names and not vessel.lumps:
+            happening.fault("W1", f"the {said.label} is empty: its {_names(said.names)} went elsewhere", said.node)
+        elif said.empty and vessel.lumps:
+            happening.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
+        return vessel
+
+    def _still_says(self, vessel: Vessel, said: Said) -> bool:
+        if said.names:
+            return not vessel.names.isdisjoint(said.names)
+        return not (said.empty and vessel.lumps)
+
+    def _filled(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
+        best = max(there, key=lambda v: (len(said.names & v.names), -len(v.names - said.names), v.last), default=None)
+        if best is not None and not said.names.isdisjoint(best.names):
+            return best
+        emptied = next((v for v in there if not v.lumps and not said.names.isdisjoint(v.had)), None)
+        if emptied is not None and not self._is_storage(said):
+            happening.fault("W1", f"its {_names(said.names & emptied.had)} was taken out before", said.node)
+        vessel = self.fresh(said.label)
+        self._stock(vessel, said, happening)
+        return vessel
+
+    def _empty(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
+        placed = [v for v in there if said.place is None or (v.where is not None and v.where.label == said.place)]
+        if said.empty:
+            clean = [v for v in placed if not v.lumps] or [v for v in there if not v.lumps and said.place is None]
+            if clean:
+                return max(clean, key=lambda v: v.last)
+            on_heat = next((v for v in placed if said.place and v.lumps and v.where and v.where.is_appliance), None)
+            if on_heat is not None:
+                happening.fault("W1", f"it holds {_names(on_heat.names)} there, and is said to be empty", said.node)
+            return self._stand(self.fresh(said.label), said)
+        if placed:
+            return max(placed, key=lambda v: v.last)
+        return self._stand(self.fresh(said.label), said)
+
+    def _stand(self, vessel: Vessel, said: Said) -> Vessel:
+        if said.place is not None and said.place_utensil is not None:
+            vessel.where = self.holder(said.place)
+        return vessel
+
+    def holder(self, label: str) -> Vessel:
+        """Return what a thing stands on or in, by its label: an appliance, else the last vessel of that name."""
+        known = self.vessels.get(label)
+        return max(known, key=lambda v: v.last) if known else self.fresh(label)
+
+    def _stock(self, vessel: Vessel, said: Said, happening: Happening) -> None:
+        """Fill a vessel as the kitchen has it: a jar of salt; for any other vessel C6 says that nobody filled it."""
+        for name in sorted(said.names):
+            self.name_lump(name, happening.number, vessel)
+        self._stand(vessel, said)
+
+    def _is_storage(self, said: Said) -> bool:
+        return said.utensil is not None and said.utensil.role == "storage"
+
+    # --- foods ---
+
+    def food(self, mention: Mention, said: Said, happening: Happening) -> Lump:
+        """Return the lump that an input node is; a new one from the kitchen where nothing there can be it."""
+        if mention.thing is not None and mention.thing in self.numbered_lumps:
+            return self._numbered_lump(self.numbered_lumps[mention.thing], said, happening)
+        if mention.thing is not None:
+            return self._from_kitchen(said, happening, mention.thing)
+        known = self.known_lumps.get(said.node)
+        if known is not None and not known.gone and known not in happening.inputs:
+            return known
+        best = max(self._candidates(said, happening), key=lambda row: row[0], default=None)
+        if best is not None:
+            return best[1]
+        return self._from_kitchen(said, happening)
+
+    def _numbered_lump(self, lump: Lump, said: Said, happening: Happening) -> Lump:
+        if lump.gone:
+            happening.fault("W1", f"this {said.label} was used up before", said.node)
+        elif said.place is not None and lump.where is not None and not _same_place(said.place, lump.where):
+            happening.fault("W1", f"it is in the {lump.where.label} and not in the {said.place}", said.node)
+        elif said.undivided and (lump.fine > 0 or lump.mixed):
+            happening.fault("W1", f"it is {', '.join(lump.states) or 'mixed'} by now", said.node)
+        return lump
+
+    def _candidates(self, said: Said, happening: Happening) -> Iterator[tuple[tuple[int, ...], Lump]]:
+        there = [vessel.label for vessel in happening.vessels]
+        for lump in self.lumps.get(said.label, ()):
+            if lump.gone or lump.number is not None or lump in happening.inputs:
+                continue
+            if said.undivided and (lump.fine > 0 or lump.mixed):
+                continue
+            if said.fine and lump.fine > said.fine and not set(said.node.states) & set(lump.states):
+                continue
+            if lump.parts and all(part.remains for part in lump.parts) != said.remains and not said.undivided:
+                continue
+            place = self._fit(said, lump, there)
+            if place == 0:
+                continue
+            alike = len(set(said.node.states) & set(lump.states)) - len(set(said.node.states) ^ set(lump.states))
+            yield (place, int(lump.label == said.label), alike, lump.last), lump
+
+    def _fit(self, said: Said, lump: Lump, there: list[str]) -> int:
+        """Return how well the place of a lump is the one that a node says: 0 not at all, 3 the same."""
+        if said.place is None:
+            if lump.where is None:
+                return 3
+            if lump.where.label in there:
+                return 2
+            return 1 if "cut" in lump.where.row.can or lump.where.row.role == "place" or not said.undivided else 0
+        if lump.where is None:
+            return 2 if said.place_utensil is None or said.place_utensil.role in {"place", "storage"} else 0
+        return 3 if _same_place(said.place, lump.where) else 0
+
+    def _from_kitchen(self, said: Said, happening: Happening, number: int | None = None) -> Lump:
+        """Fetch a food. What is undivided is there as often as it was asked; what is divided may be a rest of it."""
+        holder = self._holder_of(said, happening)
+        if said.label in self.lumps:
+            self._again(said, happening)
+        lump = self.new_lump(said.label, said.node.states, happening.number, holder, number, said.names)
+        for part in lump.parts:
+            happening.taken.append(part)
+        if said.undivided and not _in_storage(said) and not lump.parts[0].food.is_a("stock"):
+            self.taken_whole[said.label] = self.taken_whole.get(said.label, 0) + 1
+        return lump
+
+    def _again(self, said: Said, happening: Happening) -> None:
+        facts = self.reader.tables.foods.food(said.label, said.node.states)
+        if facts.is_a("stock", "water") or _in_storage(said):
+            return
+        finer = [lump for lump in self.lumps[said.label] if not lump.gone and said.fine and lump.fine > said.fine]
+        if finer and len(finer) == sum(not lump.gone for lump in self.lumps[said.label]):
+            happening.fault("W1", f"none is so any more: {self._fate(said.label)}", said.node)
+        elif said.undivided:
+            if self.taken_whole.get(said.label, 0) >= max(1, self.asked.get(said.label, 1)):
+                happening.fault("W1", f"there is no second {said.label}: {self._fate(said.label)}", said.node)
+        elif said.place is not None or said.earns:
+            happening.fault("W1", f"more of it is used than is left: {self._fate(said.label)}", said.node, minor=True)
+
+    def _fate(self, label: str) -> str:
+        lump = max(self.lumps[label], key=lambda lump: lump.last)
+        where = f" in the {lump.where.label}" if lump.where is not None else ""
+        state = ", ".join(lump.states) or "used"
+        return f"it is {state}{where} since step {lump.last + 1}"
+
+    def _holder_of(self, said: Said, happening: Happening) -> Vessel | None:
+        if said.place is None:
+            return None
+        inside = next((vessel for vessel in happening.vessels if vessel.label == said.place), None)
+        if _carries(said.place_utensil) and (inside is None or not inside.lumps):
+            happening.fault("W2", f"nobody put {said.label} into the {said.place}", said.node)
+        return inside or self.fresh(said.place)
+
+    # --- new things ---
+
+    def new_lump(
+        self,
+        label: str,
+        states: tuple[str, ...],
+        step: int,
+        where: Vessel | None,
+        number: int | None = None,
+        names: frozenset[str] = frozenset(),
+    ) -> Lump:
+        """Return a food that is there from the start, with the history that its states tell."""
+        parts = [self.new_part(label, states, step)]
+        parts += [self.new_part(name, (), step) for name in sorted(names - {label}) if parts[0].food.is_a("made")]
+        lump = Lump(label, {label}, states, parts, number=number, last=step)
+        self.keep(lump, where)
+        return lump
+
+    def name_lump(self, name: str, step: int, where: Vessel | None) -> Lump:
+        """Return a food that only a name in a ``{}`` tells of."""
+        lump = self.new_lump(name, (), step, where)
+        for part in lump.parts:
+            part.untold = True
+        return lump
+
+    def new_part(self, label: str, states: tuple[str, ...], step: int) -> Part:
+        """Return a part of a food as it comes from the kitchen; its states tell what was done to it before."""
+        rows = [self.reader.tables.state(state) for state in states]
+        done = {treatment: -1 for row in rows for treatment in row.earns}
+        fine = max((row.fine for row in rows if row.fine is not None), default=0)
+        food: Food = self.reader.tables.foods.food(label, states)
+        part = Part(food, states, step, done, fine, remains="remains" in done or food.is_a("remains"))
+        self.parts.append(part)
+        return part
+
+    def keep(self, lump: Lump, where: Vessel | None) -> None:
+        """Let a lump be found under its names, and stand where it is."""
+        for name in (*lump.names, *(part.name for part in lump.parts)):
+            found = self.lumps.setdefault(name, [])
+            if lump not in found:
+                found.append(lump)
+        if lump.number is not None:
+            self.numbered_lumps[lump.number] = lump
+        self.put(lump, where)
+
+    def put(self, lump: Lump, where: Vessel | None) -> None:
+        """Bring a lump to another place."""
+        if lump.where is not None and lump in lump.where.lumps:
+            lump.where.lumps.remove(lump)
+        lump.where = where
+        if where is not None:
+            where.lumps.append(lump)
+            where.had |= lump.names
+            where.had.update(part.name for part in lump.parts)
+
+
+def _names(names: set[str] | frozenset[str]) -> str:
+    return ", ".join(sorted(names))
+
+
+def _same_place(label: str, vessel: Vessel) -> bool:
+    """Whether a place is a vessel: annotators write *in pan* of what lies in the cooking pan."""
+    return label == vessel.label or label == vessel.label.split()[-1] or vessel.label == label.split()[-1]
+
+
+def _carries(utensil: Utensil | None) -> bool:
+    """Whether it is a tool that carries a portion: what is in it was scooped up before."""
+    return utensil is not None and utensil.role == "tool" and "scoop" in utensil.can
+
+
+def _in_storage(said: Said) -> bool:
+    return said.place_utensil is not None and said.place_utensil.role == "storage"

@@ -1,0 +1,122 @@
+"""The things of a kitchen: foods with a history, and vessels, tools and appliances that hold them.
+
+A *part* is what was once taken from the kitchen (an onion, some salt). A *lump* is one food thing in one place: one
+part, or many that were mixed. A *vessel* is whatever holds lumps or other vessels; an appliance is a vessel with power.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from foon_kg.food import Food, Utensil
+
+
+@dataclass(eq=False, slots=True)
+class Part:
+    """A food as it was taken from the kitchen, and what was done to it since.
+
+    ``done`` maps each treatment (cut, peel, cook, boil, shell …) to the step that gave it, -1 where it was bought or
+    assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
+    skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
+    ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a ``{}``), so that
+    it is not judged raw or whole.
+    """
+
+    food: Food
+    states: tuple[str, ...]
+    taken: int
+    done: dict[str, int]
+    fine: int
+    remains: bool = False
+    joined: int | None = None
+    mixed: int | None = None
+    heated: int | None = None
+    untold: bool = False
+
+    @property
+    def name(self) -> str:
+        """The food's name, in the singular."""
+        return self.food.name
+
+    def copy(self, *, remains: bool = False) -> Part:
+        """Return another portion of it."""
+        return Part(
+            self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
+            self.joined, self.mixed, self.heated, self.untold,
+        )  # fmt: skip
+
+
+@dataclass(eq=False, slots=True)
+class Lump:
+    """One food thing: its names (what trees called it), its states, its parts and where it is.
+
+    ``joined``: other foods were mixed into it, so that no whole food is in it any more. ``gone``: it is part of
+    another lump now, or was thrown away. ``number`` is the thing's number in a tree that numbers them.
+    """
+
+    label: str
+    names: set[str]
+    states: tuple[str, ...]
+    parts: list[Part]
+    where: Vessel | None = None
+    number: int | None = None
+    made: bool = False
+    gone: bool = False
+    last: int = 0
+
+    @property
+    def mixed(self) -> bool:
+        """Whether it is made of more than one food."""
+        return len({part.name for part in self.parts}) > 1
+
+    @property
+    def fine(self) -> int:
+        """How small its pieces are; of several parts the coarsest counts."""
+        return min((part.fine for part in self.parts), default=0)
+
+
+@dataclass(eq=False, slots=True)
+class Vessel:
+    """A vessel, tool or appliance with what it holds. ``where`` is what it stands on, in or is attached to.
+
+    ``power`` of an appliance is by burner: the label of the vessel that stands there, ``""`` for all others.
+    """
+
+    label: str
+    row: Utensil
+    lumps: list[Lump] = field(default_factory=list)
+    where: Vessel | None = None
+    number: int | None = None
+    covered: bool = False
+    power: dict[str, bool] = field(default_factory=dict)
+    had: set[str] = field(default_factory=set)
+    last: int = 0
+
+    @property
+    def is_appliance(self) -> bool:
+        """Whether it has power."""
+        return self.row.role == "appliance"
+
+    @property
+    def names(self) -> set[str]:
+        """The names of all foods in it: of its lumps and of their parts."""
+        found: set[str] = set()
+        for lump in self.lumps:
+            found |= lump.names
+            found.update(part.name for part in lump.parts)
+        return found
+
+    @property
+    def is_many(self) -> bool:
+        """Whether a kitchen has more of its kind."""
+        return self.row.many
+
+    def is_on(self, burner: str = "") -> bool:
+        """Return whether it is on, for the vessel called ``burner`` where it has a burner for each."""
+        if self.row.always_on:
+            return True
+        if self.row.power != "vessel":
+            return any(self.power.values())
+        if burner and burner in self.power:
+            return self.power[burner]
+        return self.power.get("", False) if burner else any(self.power.values())

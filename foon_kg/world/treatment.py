@@ -1,0 +1,155 @@
+"""What a motion does to the foods it works on: which treatments they have had after it.
+
+A new state name does nothing by itself: peeled is what somebody peeled, cooked what stood over heat while somebody
+cooked. Mixing in a hot pot does not cook.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from foon_kg.world import power
+from foon_kg.world.happening import Happening
+from foon_kg.world.reading import Said
+from foon_kg.world.things import Lump, Part, Vessel
+
+if TYPE_CHECKING:
+    from foon_kg.world.world import World
+
+GIVES = {
+    "cut": ("cut",), "grate": ("cut", "grate"), "grind": ("cut", "grind"), "blend": ("cut", "blend"),
+    "mash": ("cut", "mash"), "peel": ("peel",), "core": ("core",), "stone": ("stone",), "shell": ("shell",),
+    "husk": ("husk",), "open": ("open",), "clean": ("wash",), "wait": ("soak",),
+    "squeeze": ("peel", "core", "stone", "shell", "cut"),
+}  # fmt: skip
+"""What each class of motion earns for a food that it works on."""
+
+FINE = {"grate": 4, "grind": 5, "blend": 5, "mash": 5, "cut": 2}
+_BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "husk", "open", "clean", "squeeze")
+_GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
+
+
+def apply(world: World, happening: Happening) -> None:
+    """Write down what the step did to its foods."""
+    happening.treated = _treated(happening)
+    for lump in happening.treated:
+        for part in lump.parts:
+            _treat(part, lump, world, happening)
+    if happening.does("heat", "warm"):
+        happening.heated = power.heated_vessels(world, happening)
+        _heat(world, happening)
+    _join(happening)
+    for mention in happening.step.outputs:
+        said = world.reader.read(mention.node)
+        if said.is_food:
+            _claimed(said, happening.outputs.get(mention.node), world, happening)
+
+
+def _treated(happening: Happening) -> list[Lump]:
+    """Return what the hands work on: the foods that came out in another form, else those that went in."""
+    out = [lump for lump in happening.outputs.values() if not lump.gone]
+    went_in = [lump for lump in happening.inputs if not lump.gone and lump not in out]
+    if not out and not went_in:
+        return [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role == "vessel"]
+    if not happening.does(*_BY_HAND):
+        return [*out, *went_in]
+    before = {mention.node for mention in happening.step.inputs}
+    changed = [lump for node, lump in happening.outputs.items() if node not in before]
+    return changed or [*out, *went_in]
+
+
+def _treat(part: Part, lump: Lump, world: World, happening: Happening) -> None:
+    if part.remains:
+        return
+    for name in sorted(happening.motion.does):
+        for treatment in GIVES.get(name, ()):
+            part.done.setdefault(treatment, happening.number)
+        part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
+    if happening.does("cut"):
+        told = [world.tables.state(state).fine for state in lump.states]
+        fine = max((one for one in told if one is not None), default=FINE["cut"])
+        part.fine = max(part.fine, fine)
+
+
+def _told_cooked(world: World, happening: Happening) -> bool:
+    """Whether a step that only makes hot says that its food is cooked then: people heat until it is."""
+    states = [state for lump in happening.outputs.values() for state in lump.states]
+    return any("cook" in world.tables.state(state).earns for state in states)
+
+
+def _heat(world: World, happening: Happening) -> None:
+    lumps = [lump for vessel in happening.heated for lump in vessel.lumps]
+    lumps += [lump for lump in (*happening.inputs, *happening.outputs.values()) if lump not in lumps and not lump.gone]
+    liquid = any(part.food.is_a("liquid", "water") and not part.food.is_a("fat") for l in lumps for part in l.parts)
+    cooked = happening.does("warm") and _told_cooked(world, happening)
+    for lump in lumps:
+        for part in lump.parts:
+            part.heated = happening.number
+            if happening.does("heat") or cooked:
+                part.done.setdefault("cook", happening.number)
+                if liquid and not happening.does("dry"):
+                    part.done.setdefault("boil", happening.number)
+
+
+def _join(happening: Happening) -> None:
+    """Note which parts come to others, and which are mixed with them."""
+    places = {id(vessel): vessel for vessel in happening.vessels}
+    for lump in (*happening.inputs, *happening.outputs.values()):
+        if lump.where is not None:
+            places[id(lump.where)] = lump.where
+    origin = {id(lump): before for lump, before, _ in happening.moved}
+    for vessel in places.values():
+        parts = [part for lump in vessel.lumps for part in lump.parts]
+        if len({part.name for part in parts}) < 2 or vessel.row.role == "storage":
+            continue
+        origins = {id(origin.get(id(lump), vessel)) for lump in vessel.lumps}
+        for lump in vessel.lumps:
+            for part in lump.parts:
+                if (id(lump) in origin and len(origins) > 1) or part.joined is None:
+                    part.joined = happening.number
+                if happening.does("mix", "blend", "knead", "mash", "whip"):
+                    part.mixed = happening.number
+    for lump in happening.outputs.values():
+        if lump.mixed and happening.does(*_GATHERS):
+            for part in lump.parts:
+                part.joined = part.joined if part.joined is not None else happening.number
+                if not happening.does("heat") or happening.does("mix"):
+                    part.mixed = happening.number
+
+
+def _claimed(said: Said, lump: Lump | None, world: World, happening: Happening) -> None:
+    """Tell states that this motion cannot give (K4), and that nothing earned (K7)."""
+    if lump is None or lump in happening.made:
+        return
+    before = {state for mention in happening.step.inputs for state in mention.node.states}
+    for state in said.node.states:
+        row = world.tables.state(state)
+        if state in before or row.sold or not (row.earns or row.fine):
+            continue
+        missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
+        if missing and happening.does("heat", "warm") and row.needs_heat:
+            continue
+        if missing:
+            happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
+        elif happening.motion.known and happening.motion.gives and not _can_give(state, happening, world):
+            happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
+        if row.before and not any(one in part.states for part in lump.parts for one in row.before):
+            happening.fault(
+                "K7", f"it is {state}, and it was never {' or '.join(sorted(row.before))}", said.node, minor=True
+            )
+
+
+def _can_give(state: str, happening: Happening, world: World) -> bool:
+    own = set(state.lower().replace("-", " ").split())
+    return any(state.lower() == given or set(given.split()) & own for given in happening.motion.gives)
+
+
+def hot_vessels(world: World) -> list[Vessel]:
+    """Return the vessels that hold food and stand over heat that is on."""
+    found = []
+    for vessels in world.supply.vessels.values():
+        for vessel in vessels:
+            source = vessel.where
+            if vessel.lumps and source is not None and source.row.source == "heat" and source.is_on(vessel.label):
+                found.append(vessel)
+    return found
