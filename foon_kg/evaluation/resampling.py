@@ -1,9 +1,14 @@
-"""How sure a mean is: bootstrap intervals, alone and paired (Efron's percentile method), from a given seed."""
+"""How sure a mean is: bootstrap intervals, alone and paired (Efron's percentile method), from a given seed.
+
+A share of few trees has an interval of its own (:func:`share`), which needs no draw.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import sqrt
+from statistics import NormalDist
 
 import numpy as np
 import numpy.typing as npt
@@ -19,7 +24,11 @@ _AT_ONCE = 1_000_000
 
 @dataclass(frozen=True)
 class Interval:
-    """A mean with the bounds that hold ``LEVEL`` of the means of samples drawn again from the same values."""
+    """A mean with its bounds at ``LEVEL``.
+
+    Of a bootstrap they hold that much of the means of samples drawn again from the same values; of a share they are
+    Wilson's.
+    """
 
     mean: float
     low: float
@@ -56,6 +65,20 @@ def paired_difference(ours: Sequence[float], theirs: Sequence[float], seed: int)
     Raises ValueError where they are not equally many.
     """
     return bootstrap_mean([one - other for one, other in zip(ours, theirs, strict=True)], seed)
+
+
+def share(count: int, of: int) -> Interval:
+    """Return the share ``count / of`` with its score interval (Wilson 1927), which is sound for few and for none, too.
+
+    Raises ValueError where there is nothing of which it could be a share.
+    """
+    if not 0 <= count <= of or not of:
+        raise ValueError(f"{count} of {of} is no share")
+    z = NormalDist().inv_cdf((1 + LEVEL) / 2)
+    mean, pull = count / of, z * z / of
+    middle = (mean + pull / 2) / (1 + pull)
+    half = sqrt(pull * (mean * (1 - mean) + pull / 4)) / (1 + pull)
+    return Interval(mean, min(mean, max(0.0, middle - half)), max(mean, min(1.0, middle + half)))
 
 
 def _means(values: npt.NDArray[np.float64], weights: npt.NDArray[np.float64], seed: int) -> npt.NDArray[np.float64]:

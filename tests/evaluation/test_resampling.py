@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.stats import binomtest
 
-from foon_kg.evaluation.resampling import bootstrap_mean, paired_difference
+from foon_kg.evaluation.resampling import bootstrap_mean, paired_difference, share
 
 shares = st.lists(st.floats(0, 1), min_size=1, max_size=8)
 
@@ -70,3 +71,18 @@ def test_intervals_hold_the_truth_about_as_often_as_they_say():
         for seed in range(100)
     ]
     assert 88 <= sum(held) <= 100
+
+
+@given(st.integers(1, 400).flatmap(lambda of: st.tuples(st.integers(0, of), st.just(of))))
+def test_the_interval_of_a_share_is_wilson_s(counted):
+    count, of = counted
+    found, known = share(count, of), binomtest(count, of).proportion_ci(0.95, method="wilson")
+    assert found.mean == count / of
+    assert (found.low, found.high) == pytest.approx((known.low, known.high), abs=1e-9)
+    assert 0 <= found.low <= found.mean <= found.high <= 1
+
+
+@pytest.mark.parametrize(("count", "of"), [(0, 0), (3, 2), (-1, 4)])
+def test_what_is_no_share_has_no_interval(count, of):
+    with pytest.raises(ValueError, match="is no share"):
+        share(count, of)
