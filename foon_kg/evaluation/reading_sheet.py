@@ -1,0 +1,93 @@
+"""What readers say of trees: one line a tree, ``number | yes or no | yes, or yes, but, or no | faults``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from foon_kg.errors import ReadError
+from foon_kg.evaluation.reading import read_text
+
+YES, YES_BUT, NO = "yes", "yes, but", "no"
+
+_HINT = "Write: number | yes or no | yes, or yes, but, or no | the worst faults."
+_COLUMNS = 4
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What one rater says of a tree, as a robot and as a cook; ``words`` name the faults.
+
+    ``plain`` is whether the cook has no reservation: ``None`` where the rater (the judge) makes no such difference.
+    """
+
+    robot: bool
+    cook: bool
+    plain: bool | None
+    words: str = ""
+
+    @property
+    def accepted(self) -> bool:
+        """Whether it is accepted in both roles."""
+        return self.robot and self.cook
+
+    def __str__(self) -> str:
+        cook = NO if not self.cook else YES_BUT if self.plain is False else YES
+        return f"{YES if self.robot else NO} | {cook} | {self.words}".rstrip()
+
+
+Sheet = tuple[Verdict, ...]
+"""The verdicts of one reader, in the order of the trees."""
+
+
+def write_sheet(sheet: Sheet) -> str:
+    """Return the lines of a sheet."""
+    return "".join(f"{number} | {verdict}\n" for number, verdict in enumerate(sheet, start=1))
+
+
+def read_sheet(path: Path, trees: int) -> Sheet:
+    """Read what a reader says of the trees numbered 1 to ``trees``, in any order.
+
+    Behind a line of dashes, or behind the last tree, a reader may go on in words. Raises ReadError with file and line
+    for any other line that names no tree and verdict, for a number that there is not or that is there twice, and
+    where trees are missing.
+    """
+    found: dict[int, Verdict] = {}
+    for place, line in enumerate(read_text(path).split("\n"), start=1):
+        if line.strip() and not line.strip("-\r\t "):
+            break
+        if not line.strip() or (len(found) == trees and not _names_a_tree(line)):
+            continue
+        number, verdict = _entry(line, f"{path}:{place}")
+        if not 1 <= number <= trees:
+            raise ReadError(f"{path}:{place}: there is no tree {number}", hint=f"The trees are 1 to {trees}.")
+        if number in found:
+            raise ReadError(f"{path}:{place}: tree {number} is there twice", hint="Take one of the lines away.")
+        found[number] = verdict
+    missing = [str(number) for number in range(1, trees + 1) if number not in found]
+    if missing:
+        raise ReadError(f"{path}: nothing is said of trees {', '.join(missing)}", hint=_HINT)
+    return tuple(found[number] for number in range(1, trees + 1))
+
+
+def _names_a_tree(line: str) -> bool:
+    columns = _columns(line)
+    return len(columns) == _COLUMNS and columns[0].isdecimal()
+
+
+def _columns(line: str) -> Sequence[str]:
+    return [column.strip() for column in line.split("|", _COLUMNS - 1)]
+
+
+def _entry(line: str, where: str) -> tuple[int, Verdict]:
+    columns = _columns(line)
+    if len(columns) != _COLUMNS or not columns[0].isdecimal():
+        raise ReadError(f"{where}: no line of a tree", hint=_HINT)
+    number, robot, cook, words = columns
+    robot, cook = (" ".join(said.lower().split()) for said in (robot, cook))
+    if robot not in {YES, NO}:
+        raise ReadError(f"{where}: robot says “{robot}”", hint=_HINT)
+    if cook not in {YES, YES_BUT, NO}:
+        raise ReadError(f"{where}: cook says “{cook}”", hint=_HINT)
+    return int(number), Verdict(robot == YES, cook != NO, cook == YES, words)
