@@ -1,4 +1,4 @@
-"""``foon check``: whether task trees keep the contract, and, with ``--sense``, whether they make sense."""
+"""``foon check``: whether a robot can carry task trees out, and a cook would serve what comes of them."""
 
 from __future__ import annotations
 
@@ -12,51 +12,86 @@ import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
 from foon_kg.cli.kitchen import KitchenFile
+from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
-    from foon_kg.form import Report
-    from foon_kg.model import Recipe
+    from foon_kg.json_fields import JsonObject
+    from foon_kg.kitchen import Kitchen
+    from foon_kg.model import ObjectNode, Recipe
     from foon_kg.snapshot import Snapshot
+    from foon_kg.validation import Finding, KnownFoon, Report, TaskTree
 
 EXAMPLES = examples(
     "foon plan recipe.json --json | foon check -",
-    "foon check plans.jsonl --sense --files subgraphs/",
+    "foon check plans.jsonl --files subgraphs/",
     "foon check tree.txt --recipe recipe.json --json",
     "foon check plans.jsonl --kitchen kitchen.txt",
+    "foon check --rules",
+    "foon check --rule W3",
 )
 
 
-def check(
+def check(  # noqa: PLR0917 - each parameter is an option of its own
     trees: Annotated[
-        list[Path],
+        list[Path] | None,
         typer.Argument(metavar="FILE...", help="Plan results (JSON, JSON Lines) or FOON text; - is standard input."),
-    ],
-    *,
+    ] = None,
     recipe: Annotated[
         Path | None, typer.Option("--recipe", metavar="FILE", help="The recipe (JSON) that the trees answer.")
     ] = None,
     kitchen: KitchenFile = None,
-    sense: Annotated[bool, typer.Option("--sense", help="Ask the sense measures S1 to S8 as well.")] = False,
+    rules: Annotated[bool, typer.Option("--rules", help="Print the rules, and ask nothing of any tree.")] = False,
+    rule: Annotated[
+        str | None, typer.Option("--rule", metavar="RULE", help="Print this rule with its two examples.")
+    ] = None,
     as_json: Json = False,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
-    """Check task trees against the contract C1 to C9.
+    """Play task trees in a kitchen: what breaks the contract?
 
-    Every failure is told with its rule, the unit (from 0), the object node and the reason. A rule that lacks what
-    it would need (FOON text carries no recipe: give one) is named as not asked. Several answers to one recipe are
-    compared with the first (C9). With --kitchen every leaf must be something that the file names (C6).
+    A tree is accepted where a robot can carry it out (W1 to W5, K4) and a cook would serve what comes of it (K1 to
+    K7). C1 to C9 ask of its form. Every finding says its rule, the step (from 1), the object nodes and the reason.
+    Fatal findings come first, then minor ones: odd, yet it can be done. A rule that lacks what it would need (FOON
+    text carries no recipe: give one) is named as not asked. Several trees for one recipe are compared with the first
+    (C9). With --kitchen every leaf must be something that the file names (C6).
 
-    Exits with 0 when every tree is sound (with --sense: clean, that is sound and sensible), otherwise with 1.
+    Exits with 0 when every tree is accepted and no rule has a fatal finding, otherwise with 1.
     """
+    if rules or rule is not None:
+        _tell_rules(rule, trees or [], both=rules and rule is not None, as_json=as_json)
+        return
+    if not trees:
+        raise UsageError("there is no tree to check", hint="Name files, - for standard input, or --rules.")
+    judged = _judged(trees, recipe, kitchen, files, sayer(quiet=quiet))
+    for document, report in judged:
+        _show(document.tree, report, as_json=as_json)
+    if any(document.tree.error is not None or report.fatal or not report.accepted for document, report in judged):
+        raise typer.Exit(1)
+
+
+def _tell_rules(name: str | None, trees: Sequence[Path], *, both: bool, as_json: bool) -> None:
+    from foon_kg.cli.rules import show_rule, show_rules
+
+    if trees or both:
+        raise UsageError(
+            "--rules and --rule stand alone", hint="Check trees by another command: foon check plans.jsonl"
+        )
+    if name is None:
+        show_rules(as_json=as_json)
+    else:
+        show_rule(name, as_json=as_json)
+
+
+def _judged(
+    trees: Sequence[Path], recipe: Path | None, kitchen: Path | None, files: list[Path] | None, say: Say
+) -> list[tuple[TreeDocument, Report]]:
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.cli.tree_files import read_trees
-    from foon_kg.form import KnownFoon
-    from foon_kg.form import check as judge
+    from foon_kg.validation import KnownFoon
 
-    say = sayer(quiet=quiet)
     snapshot = whole_foon(files, say)  # what the judge looks up may be anywhere in it
     asked = _recipe(recipe, snapshot, say)
     documents = [document for path in trees for document in read_trees(path, asked)]
@@ -64,11 +99,8 @@ def check(
         say(str(notice))
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
     at_hand = kitchen_of(kitchen, snapshot.vocabulary(), say)
-    reports = list(_with_repetition(documents, [judge(document.tree, foon, at_hand) for document in documents]))
-    for report in reports:
-        _show(report if sense else _contract_only(report), sense=sense, as_json=as_json)
-    if not all(report.clean if sense else report.sound for report in reports):
-        raise typer.Exit(1)
+    reports = [_report(document.tree, foon, at_hand) for document in documents]
+    return list(zip(documents, _with_repetition(documents, reports), strict=True))
 
 
 def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:
@@ -83,9 +115,39 @@ def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:
     return read.recipe
 
 
+def _report(tree: TaskTree, foon: KnownFoon, kitchen: Kitchen) -> Report:
+    """Judge a tree; what a person named as being at hand is a leaf as it was named, be it chopped already."""
+    from foon_kg.validation import check as judge
+
+    asked = (wanted.object for wanted in (tree.recipe.ingredients if tree.recipe else ()))
+    own = kitchen.with_foods(asked)
+    report = judge(tree, foon, own.free_foods, own.lacks)
+    return replace(report, findings=tuple(finding for finding in report.findings if not _at_hand_so(finding, own)))
+
+
+def _at_hand_so(finding: Finding, kitchen: Kitchen) -> bool:
+    from foon_kg.stock import StockedKitchen
+
+    if finding.rule != "C6" or finding.step is None or not isinstance(kitchen, StockedKitchen):
+        return False
+    named = [*(kitchen.utensils_named or ()), *(kitchen.foods_named or ())]
+    return any(_is_as_named(node, thing) for node in finding.nodes for thing in named)
+
+
+def _is_as_named(node: ObjectNode, thing: ObjectNode) -> bool:
+    from foon_kg.food import singular
+
+    return (
+        singular(node.label) == singular(thing.label)
+        and bool(thing.states or thing.container)
+        and set(node.states) <= set(thing.states)
+        and (thing.container is None or node.container in {None, thing.container})
+    )
+
+
 def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report]) -> Iterator[Report]:
-    """Add what C9 says of several answers to one recipe: each is compared with the first."""
-    from foon_kg.form import repeatable
+    """Add what C9 says of several trees for one recipe: each is compared with the first."""
+    from foon_kg.validation import repeatable
 
     first: dict[str, object] = {}
     for document, report in zip(documents, reports, strict=True):
@@ -93,29 +155,59 @@ def _with_repetition(documents: Sequence[TreeDocument], reports: Sequence[Report
             yield report
             continue
         question = json.dumps([document.value.get(asked) for asked in ("recipe", "asked")], sort_keys=True)
-        earlier = first.setdefault(question, document.value)
-        yield replace(report, findings=(*report.findings, *repeatable([earlier, document.value])))
+        earlier = first.get(question)
+        if earlier is None:
+            first[question] = document.value
+            yield report
+            continue
+        not_asked = tuple((rule, why) for rule, why in report.not_asked if rule != "C9")
+        findings = (*report.findings, *repeatable([earlier, document.value]))
+        yield replace(report, findings=findings, not_asked=not_asked)
 
 
-def _contract_only(report: Report) -> Report:
-    from foon_kg.form import CONTRACT
-
-    not_asked = tuple((rule, why) for rule, why in report.not_asked if rule in CONTRACT)
-    return replace(report, findings=report.of(CONTRACT), not_asked=not_asked)
-
-
-def _show(report: Report, *, sense: bool, as_json: bool) -> None:
+def _show(tree: TaskTree, report: Report, *, as_json: bool) -> None:
     if as_json:
-        print_json(report.to_json())
-        return
-    typer.echo("\n".join(_lines(report, sense=sense)))
+        print_json(_json(tree, report))
+    else:
+        typer.echo("\n".join(_lines(tree, report)))
 
 
-def _lines(report: Report, *, sense: bool) -> Iterator[str]:
-    verdict = "sound" if report.sound else "not sound"
-    if sense:
-        verdict = "clean" if report.clean else f"{verdict}, not clean"
-    yield f"{report.name}: {verdict}" + (f" ({', '.join(report.broken)})" if report.broken else "")
-    yield from (f"  {finding}" for finding in report.findings)
+def _json(tree: TaskTree, report: Report) -> JsonObject:
+    value = report.to_json()
+    # no rule is asked of a tree that is not there, so none objects to it; nobody can accept it all the same
+    return value if tree.error is None else value | dict.fromkeys(("accepted", "robot", "cook", "form"), False)
+
+
+def _lines(tree: TaskTree, report: Report) -> Iterator[str]:
+    yield f"{report.name}: {_verdict(tree, report)}"
+    for level, minor in (("fatal", False), ("minor", True)):
+        findings = [finding for finding in report.findings if finding.minor is minor]
+        if findings:
+            yield f"  {level}:"
+            yield from (f"    {_told(finding)}" for finding in findings)
     yield from (f"  {note}" for note in report.notes)
-    yield from (f"  {rule} not asked: {why}" for rule, why in report.not_asked if rule != "C9")
+    for why in dict.fromkeys(why for rule, why in report.not_asked if rule != "C9"):
+        yield f"  not asked: {', '.join(rule for rule, other in report.not_asked if other == why)} ({why})"
+
+
+def _verdict(tree: TaskTree, report: Report) -> str:
+    from foon_kg.validation import FORM
+
+    if tree.error is not None:
+        return "no tree"
+    broken = [rule for rule in report.fatal if rule in FORM]
+    form = f"form broken: {', '.join(broken)}" if broken else "form kept"
+    if tree.level is not None:  # a reference tree keeps the paper's own terms, which know neither robot nor cook
+        return form
+    said = "accepted" if report.accepted else "not accepted"
+    return f"{said} (robot {_yes(report.robot)}, cook {_yes(report.cook)}, {form})"
+
+
+def _yes(is_so: bool) -> str:
+    return "yes" if is_so else "no"
+
+
+def _told(finding: Finding) -> str:
+    place = "" if finding.step is None else f" step {finding.step + 1}"
+    about = "; ".join(map(str, finding.nodes))
+    return f"{finding.rule}{place}{',' if place and about else ''}{' ' if about else ''}{about}: {finding.reason}"
