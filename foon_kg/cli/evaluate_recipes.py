@@ -68,8 +68,9 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     without a tree has 0 for each ingredient, and is named.
 
     Told by dish type: the share correct (the sum of scores by twice the lines; the interval is a bootstrap over
-    recipes), the share of recipes that are at least so correct, the confidences of substitutions, and how many trees
-    keep each rule of contract and sense. Dish types with fewer than three goals in the FOON are left out and named.
+    recipes), the share of recipes that are at least so correct, the confidences of substitutions, how many trees the
+    judge of foon check accepts (robot, cook, both; of all recipes asked), and how many break each of its rules. Dish
+    types with fewer than three goals in the FOON are left out and named.
 
     With --compare, recipes of both evaluations are compared in pairs: a difference is more than chance where the 95 %
     interval of its mean does not hold 0. --scores answers Cohen's kappa, linearly weighted. The same FOON, recipes and

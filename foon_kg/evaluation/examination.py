@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.evaluation.scores import Rule, without_tree
-from foon_kg.form import CONTRACT, SENSE, KnownFoon, TaskTree, check
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Goal, KnownUnit
 from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.validation import KnownFoon, TaskTree, check
 
 
 class Examiner:
@@ -19,22 +19,19 @@ class Examiner:
     def __init__(
         self, units: Sequence[KnownUnit], goals: Sequence[Goal], vocabulary: Vocabulary, kitchen: Kitchen
     ) -> None:
-        self.kitchen = kitchen
+        self.free = kitchen.free_foods
         self.foon = KnownFoon.of(units, goals)
         self.rule = Rule(vocabulary, kitchen)
 
     def examine(self, outcome: PlanResult | PlanFailure) -> RecipeFigures:
-        """Answer the figures of one answer; a recipe without a tree has nothing correct."""
+        """Return the figures of one answer; a recipe without a tree has nothing correct, and nobody accepts it."""
         recipe = outcome.recipe
         if isinstance(outcome, PlanFailure):
             return RecipeFigures(recipe, without_tree(recipe.ingredients), error=outcome.message)
-        report = check(TaskTree.from_json(outcome.to_json()), self.foon, self.kitchen)
-        left = {rule for rule, why in report.not_asked if not why.startswith("in part")}
         return RecipeFigures(
             recipe,
             self.rule.scores(outcome),
             tuple(substitution.confidence for substitution in outcome.substitutions),
-            tuple(rule for rule in (*CONTRACT, *SENSE) if rule not in left),
-            report.broken,
+            check(TaskTree.from_json(outcome.to_json()), self.foon, self.free),
             result=outcome,
         )

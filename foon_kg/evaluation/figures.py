@@ -11,10 +11,11 @@ from foon_kg.evaluation.curves import THRESHOLDS, histogram, recipes_over
 from foon_kg.evaluation.resampling import Interval, bootstrap_mean
 from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.scores import LineScore, Reason, share_correct
-from foon_kg.form import CONTRACT, SENSE
+from foon_kg.evaluation.verdicts import ALL, Verdicts, verdict_json
 from foon_kg.json_fields import JsonObject
 from foon_kg.model import Recipe
 from foon_kg.result import PlanResult
+from foon_kg.validation import Report
 
 _DECIMALS = 6
 
@@ -23,15 +24,13 @@ _DECIMALS = 6
 class RecipeFigures:
     """One recipe: the score of each line, the confidence of each substitution, and what the judge says of its tree.
 
-    ``asked`` are the rules of contract and sense that could be asked, ``broken`` those with a finding. ``error`` says
-    why there is no tree; then there are no rules, and no ``result``.
+    ``error`` says why there is no tree; then there is no ``report``, and no ``result``.
     """
 
     recipe: Recipe
     scores: tuple[LineScore, ...]
     confidences: tuple[float, ...] = ()
-    asked: tuple[str, ...] = ()
-    broken: tuple[str, ...] = ()
+    report: Report | None = field(default=None, repr=False)
     error: str = ""
     result: PlanResult | None = field(default=None, repr=False)
 
@@ -46,7 +45,7 @@ class RecipeFigures:
         return share_correct([line.score for line in self.scores])
 
     def to_json(self) -> JsonObject:
-        """Answer the recipe's entry under ``recipes``."""
+        """Return the recipe's entry under ``recipes``."""
         lines = [
             {"object": s.ingredient.object, "state": s.ingredient.state, "score": s.score, "reason": s.reason.value}
             for s in self.scores
@@ -57,7 +56,7 @@ class RecipeFigures:
             "correct": round(self.correct, _DECIMALS),
             "lines": lines,
             "confidences": [round(confidence, _DECIMALS) for confidence in self.confidences],
-            "broken": list(self.broken),
+            **verdict_json(self.report),
             "error": self.error or None,
         }
 
@@ -101,21 +100,9 @@ class DishFigures:
         return {reason: counts[reason] for reason in Reason if counts[reason]}
 
     @cached_property
-    def rules(self) -> dict[str, tuple[int, int]]:
-        """For each rule of contract and sense: how many trees keep it, of how many that it could be asked of."""
-        asked = Counter(rule for recipe in self.recipes for rule in recipe.asked)
-        broken = Counter(rule for recipe in self.recipes for rule in recipe.broken)
-        return {rule: (asked[rule] - broken[rule], asked[rule]) for rule in (*CONTRACT, *SENSE)}
-
-    @property
-    def sound(self) -> int:
-        """How many recipes have a tree that keeps the contract."""
-        return sum(not recipe.error and not set(recipe.broken) & set(CONTRACT) for recipe in self.recipes)
-
-    @property
-    def clean(self) -> int:
-        """How many recipes have a tree that keeps the contract and makes sense in all that is measured."""
-        return sum(not recipe.error and not recipe.broken for recipe in self.recipes)
+    def verdicts(self) -> Verdicts:
+        """What the judge says of the trees of all these recipes."""
+        return Verdicts(tuple(recipe.report for recipe in self.recipes))
 
     @property
     def without_tree(self) -> tuple[RecipeFigures, ...]:
@@ -123,7 +110,7 @@ class DishFigures:
         return tuple(recipe for recipe in self.recipes if recipe.error)
 
     def to_json(self) -> JsonObject:
-        """Answer the entry under ``dish_types``."""
+        """Return the entry under ``dish_types``."""
         return {
             "dish_type": self.name,
             "recipes": len(self.recipes),
@@ -132,20 +119,14 @@ class DishFigures:
             "curve": [{"threshold": at, "recipes": round(share, _DECIMALS)} for at, share in self.curve.items()],
             "confidences": list(self.confidences),
             "reasons": {reason.value: count for reason, count in self.reasons.items()},
-            "sound": self.sound,
-            "clean": self.clean,
-            "rules": {rule: {"kept": kept, "asked": asked} for rule, (kept, asked) in self.rules.items()},
+            **self.verdicts.to_json(),
             "without_tree": [recipe.name for recipe in self.without_tree],
         }
 
 
-ALL = "all"
-"""The name under which all recipes are taken together."""
-
-
 @dataclass(frozen=True)
 class RecipeEvaluation:
-    """The answer of ``foon evaluate recipes``: ``foon`` names the FOON by its content."""
+    """What ``foon evaluate recipes`` found: ``foon`` names the FOON by its content."""
 
     foon: str
     seed: int
@@ -167,7 +148,7 @@ class RecipeEvaluation:
         return DishFigures.of(ALL, self.recipes, self.seed)
 
     def to_json(self) -> JsonObject:
-        """Answer the evaluation as ``--json`` prints it and ``--compare`` reads it."""
+        """Return the evaluation as ``--json`` prints it and ``--compare`` reads it."""
         return {
             "evaluation": "recipes",
             "foon": self.foon,

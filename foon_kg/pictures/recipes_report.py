@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from foon_kg.evaluation.agreement import Agreement
 from foon_kg.evaluation.comparison import Comparison
 from foon_kg.evaluation.figures import DishFigures, RecipeEvaluation, RecipeFigures
-from foon_kg.form import CONTRACT, SENSE
+from foon_kg.evaluation.verdicts import RuleCount
 from foon_kg.kitchen import Kitchen
 from foon_kg.pictures.charts import curve_chart, histogram_chart, interval_chart
 from foon_kg.pictures.report import (
@@ -25,22 +25,17 @@ from foon_kg.pictures.report import (
     without_tree_section,
     words,
 )
+from foon_kg.validation import FORM, TABLE, WORLD
 from foon_kg.views.evaluation import interval_words, per_cent
 from foon_kg.views.shown_tree import ShownTree
 
 _QUOTED = (100, 95, 90, 85, 75, 50)
-_CALLED = (
-    "executable, goal, connected, complete, nothing else, kitchen, honest, grounded, repeatable, "
-    "fresh, in time, opened, thrifty, close, true name, state kept, kept"
-)
-_NAMES = dict(zip((*CONTRACT, *SENSE), _CALLED.split(", "), strict=True))
-"""What the rules of contract and sense are called."""
 
 
 def recipes_report(
     evaluation: RecipeEvaluation, agreement: Agreement | None = None, comparison: Comparison | None = None
 ) -> str:
-    """Answer the text of an HTML file: tables, charts, and the worst recipes with their trees."""
+    """Return the text of an HTML file: tables, charts, and the worst recipes with their trees."""
     dishes = [*evaluation.dishes, *([evaluation.all] if len(evaluation.dishes) > 1 else [])]
     every = evaluation.all
     parts = [
@@ -50,6 +45,7 @@ def recipes_report(
             "by motions that make it in the FOON, and ends in the dish; 1 when only its preparation is missing; else 0."
         ),
         _correct(dishes),
+        _accepted(dishes),
         *([comparison_section(comparison)] if comparison else []),
         *([agreement_section(agreement)] if agreement else []),
         _curves(dishes),
@@ -64,16 +60,17 @@ def recipes_report(
 
 
 def worst(recipes: Sequence[RecipeFigures]) -> tuple[RecipeFigures, ...]:
-    """Answer the recipes with a tree that are least correct; of equals those that break more rules, then by name."""
+    """Return the recipes with a tree that are least correct; of equals those that break more rules, then by name."""
 
     def rank(recipe: RecipeFigures) -> tuple[object, ...]:
-        return round(recipe.correct, 9), -len(recipe.broken), recipe.recipe.dish_type, recipe.name
+        fatal = len(recipe.report.fatal) if recipe.report else 0
+        return round(recipe.correct, 9), -fatal, -len(_broken(recipe)), recipe.recipe.dish_type, recipe.name
 
     return tuple(sorted((recipe for recipe in recipes if recipe.result is not None), key=rank)[:WORST])
 
 
 def _correct(dishes: Sequence[DishFigures]) -> str:
-    head = ("", "recipes", "lines", "correct", "95 % interval", "at 85 %", "sound", "clean", "no tree")
+    head = ("", "recipes", "lines", "correct", "95 % interval", "at 85 %", "no tree")
     rows = [
         (
             words(dish.name),
@@ -82,15 +79,28 @@ def _correct(dishes: Sequence[DishFigures]) -> str:
             f"<b>{per_cent(dish.correct.mean)}</b>",
             interval_words(dish.correct),
             per_cent(dish.curve[85]),
-            str(dish.sound),
-            str(dish.clean),
             str(len(dish.without_tree)),
         )
         for dish in dishes
     ]
     chart = interval_chart([(dish.name, dish.correct) for dish in dishes], "Share correct by dish type")
-    told = "Share correct with its 95 % interval (recipes drawn again). Sound: no rule of the contract is broken."
+    told = "Share correct with its 95 % interval (recipes drawn again)."
     return section("correct", "Correct, by the rule", table(head, rows), charts((chart, told)))
+
+
+def _accepted(dishes: Sequence[DishFigures]) -> str:
+    head = ("", "recipes", "robot", "cook", "accepted", "form kept", "no tree")
+    rows = []
+    for dish in dishes:
+        found = dish.verdicts
+        counts = [f"{count} ({per_cent(found.share(count))})" for count in found.named.values()]
+        counts[2] = f"<b>{counts[2]}</b>"
+        rows.append((words(dish.name), str(len(dish.recipes)), *counts, str(len(dish.without_tree))))
+    told = (
+        "Robot: it can be carried out (W1 to W5, K4). Cook: what comes of it would be served (K1 to K7). Accepted: "
+        "both. Shares are of all recipes asked: one without a tree is not accepted."
+    )
+    return section("accepted", "Accepted by the judge", table(head, rows), paragraph(told))
 
 
 def _curves(dishes: Sequence[DishFigures]) -> str:
@@ -116,16 +126,21 @@ def _confidences(dishes: Sequence[DishFigures]) -> str:
 
 def _rules(dishes: Sequence[DishFigures]) -> str:
     parts = []
-    for title, rules in (("contract", CONTRACT), ("sense", SENSE)):
-        rows = [(f"{rule} {_NAMES[rule]}", *(_kept(*dish.rules[rule]) for dish in dishes)) for rule in rules]
+    for title, rules in (("form", FORM), ("world", WORLD), ("table", TABLE)):
+        rows = [(rule, *(_found(dish.verdicts.rules[rule]) for dish in dishes)) for rule in rules]
         parts.append(table((title, *(dish.name for dish in dishes)), rows))
-    return section("rules", "Trees that keep each rule", *parts)
+    told = "Trees with a fatal finding / with any. foon check --rule W3 tells what a rule asks."
+    return section("rules", "Trees that break each rule", paragraph(told), *parts)
 
 
-def _kept(kept: int, asked: int) -> str:
-    if not asked:
+def _found(count: RuleCount) -> str:
+    if not count.asked:
         return '<span class="aside">not asked</span>'
-    return f'<span class="{"kept" if kept == asked else "broken"}">{kept}</span> of {asked}'
+    return f'<span class="{"broken" if count.fatal else "kept"}">{count.fatal}</span> / {count.broken}'
+
+
+def _broken(recipe: RecipeFigures) -> tuple[str, ...]:
+    return recipe.report.broken if recipe.report else ()
 
 
 def _reasons(dishes: Sequence[DishFigures]) -> str:
@@ -151,7 +166,7 @@ def _trees(recipes: Sequence[RecipeFigures]) -> Iterator[str]:
             (words(s.ingredient.object), words(s.ingredient.state), str(s.score), words(s.reason.value))
             for s in recipe.scores
         ]
-        broken = f"; breaks {', '.join(recipe.broken)}" if recipe.broken else ""
+        broken = f"; breaks {', '.join(_broken(recipe))}" if _broken(recipe) else ""
         which = recipe.recipe.dish_type + (f" {recipe.name}" if recipe.name != tree.title else "")
         told = f"{which}: {per_cent(recipe.correct)} correct, {len(tree.units)} units{broken}"
         yield unfolded(

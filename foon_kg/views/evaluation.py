@@ -14,22 +14,27 @@ from foon_kg.evaluation.comparison import Change, Comparison
 from foon_kg.evaluation.figures import DishFigures, RecipeEvaluation
 from foon_kg.evaluation.resampling import Interval
 from foon_kg.evaluation.sampling import FEWEST_GOALS, LeftOut
-from foon_kg.form import CONTRACT, SENSE
+from foon_kg.evaluation.trees import TreesEvaluation
+from foon_kg.evaluation.verdicts import Verdicts
+from foon_kg.validation import RULES
 from foon_kg.views.words import ASIDE
 
 _QUOTED = (100, 95, 90, 85, 75, 50)
 _MOST_CHANGES = 10
+_BROKEN = "Trees that break each rule: with a fatal finding / with any"
 
 
 def recipe_evaluation_view(evaluation: RecipeEvaluation) -> RenderableType:
-    """Answer what is correct by dish type, the curve, the confidences, the rules kept, and what was left out."""
+    """Return what is correct, what is accepted, the curve, the confidences, the rules broken, and what was left out."""
     dishes = [*evaluation.dishes, *([evaluation.all] if len(evaluation.dishes) > 1 else [])]
+    verdicts = [(dish.name, dish.verdicts) for dish in dishes]
     parts = [
         section("Correct, by the rule", _correct(dishes)),
+        section("Accepted, of all recipes asked", accepted_table("recipes", verdicts)),
         section("Recipes at least so correct", _curve(dishes)),
         section("Why lines have their score", _reasons(dishes)),
         section("Substitutions by confidence", _confidences(dishes)),
-        section("Trees that keep each rule", _rules(dishes)),
+        section(_BROKEN, broken_table(verdicts)),
     ]
     failed = evaluation.all.without_tree
     if failed:
@@ -38,8 +43,36 @@ def recipe_evaluation_view(evaluation: RecipeEvaluation) -> RenderableType:
     return Group(*parts, *left_out_view(evaluation.left_out))
 
 
+def trees_evaluation_view(evaluation: TreesEvaluation) -> RenderableType:
+    """Return what robot and cook accept by dish type, which rules are broken, and what has no tree."""
+    verdicts = evaluation.verdicts if len(evaluation.verdicts) > 2 else evaluation.verdicts[-1:]  # noqa: PLR2004
+    parts = [section("Accepted", accepted_table("trees", verdicts)), section(_BROKEN, broken_table(verdicts[-1:]))]
+    if evaluation.without_tree:
+        rows = [(tree.name, tree.dish_type, tree.error) for tree in evaluation.without_tree]
+        parts.append(section("Without a tree, accepted by nobody", grid(rows)))
+    return Group(*parts)
+
+
+def accepted_table(asked: str, verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
+    """Return for each dish type how many of what was ``asked`` robot and cook accept, and the shares."""
+    table = columns("", asked, "robot", "cook", "accepted", "form kept", "no tree")
+    for name, found in verdicts:
+        counts = (f"{count} ({100 * found.share(count):.0f} %)" for count in found.named.values())
+        table.add_row(name, str(len(found.reports)), *counts, str(len(found.reports) - len(found.trees)))
+    return table
+
+
+def broken_table(verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
+    """Return for each rule how many trees have a fatal finding, and how many have any."""
+    table = columns("", *(name for name, _ in verdicts))
+    for rule in RULES:
+        counts = [found.rules[rule] for _, found in verdicts]
+        table.add_row(rule, *(f"{one.fatal} / {one.broken}" if one.asked else "not asked" for one in counts))
+    return table
+
+
 def left_out_view(left_out: Sequence[LeftOut]) -> list[RenderableType]:
-    """Answer a section that names the dish types that the FOON knows too little of; nothing where there are none."""
+    """Return a section that names the dish types that the FOON knows too little of; nothing where there are none."""
     if not left_out:
         return []
     rows = [(dish.dish_type or "no dish type", f"{dish.goals} goals", f"{dish.asked} asked") for dish in left_out]
@@ -47,7 +80,7 @@ def left_out_view(left_out: Sequence[LeftOut]) -> list[RenderableType]:
 
 
 def comparison_view(comparison: Comparison) -> RenderableType:
-    """Answer what got better or worse since another evaluation."""
+    """Return what got better or worse since another evaluation."""
     both, difference = len(comparison.changes), comparison.difference
     head = Text.assemble(
         (comparison.verdict, "bold"),
@@ -64,7 +97,7 @@ def comparison_view(comparison: Comparison) -> RenderableType:
 
 
 def agreement_view(agreement: Agreement, left_open: int) -> RenderableType:
-    """Answer how far people and the rule agree."""
+    """Return how far people and the rule agree."""
     kappa = "not defined: both gave one score throughout" if agreement.kappa is None else f"{agreement.kappa:.2f}"
     rows = [
         ("linearly weighted Cohen's kappa", kappa),
@@ -78,12 +111,12 @@ def agreement_view(agreement: Agreement, left_open: int) -> RenderableType:
 
 
 def section(title: str, body: RenderableType) -> RenderableType:
-    """Answer ``body`` under a title."""
+    """Return ``body`` under a title."""
     return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
 
 
 def columns(first: str, *others: str) -> Table:
-    """Answer an empty table: the first column names, the others are figures."""
+    """Return an empty table: the first column names, the others are figures."""
     table = Table(box=None, pad_edge=False, header_style=ASIDE)
     table.add_column(first)
     for name in others:
@@ -92,7 +125,7 @@ def columns(first: str, *others: str) -> Table:
 
 
 def grid(rows: Sequence[tuple[str, ...]]) -> Table:
-    """Answer rows without a heading."""
+    """Return rows without a heading."""
     table = Table.grid(padding=(0, 2))
     for row in rows:
         table.add_row(*map(Text, row))
@@ -100,12 +133,12 @@ def grid(rows: Sequence[tuple[str, ...]]) -> Table:
 
 
 def per_cent(share: float) -> str:
-    """Answer a share in per cent, as the paper gives it."""
+    """Return a share in per cent, as the paper gives it."""
     return f"{100 * share:.1f} %"
 
 
 def interval_words(interval: Interval) -> str:
-    """Answer the bounds of an interval of shares, in per cent."""
+    """Return the bounds of an interval of shares, in per cent."""
     return f"{100 * interval.low:.1f} to {100 * interval.high:.1f}"
 
 
@@ -137,17 +170,6 @@ def _confidences(dishes: Sequence[DishFigures]) -> Table:
     for dish in dishes:
         table.add_row(dish.name, *map(str, dish.confidences))
     return table
-
-
-def _rules(dishes: Sequence[DishFigures]) -> Table:
-    table = columns("", *(dish.name for dish in dishes))
-    for rule in (*CONTRACT, *SENSE):
-        table.add_row(rule, *(_kept(*dish.rules[rule]) for dish in dishes))
-    return table
-
-
-def _kept(kept: int, asked: int) -> str:
-    return f"{100 * kept / asked:.0f} %" if asked else "not asked"
 
 
 def _change(change: Change) -> tuple[str, ...]:

@@ -55,6 +55,20 @@ def test_figures_are_those_of_the_recipes(answer):
     assert [dish["dish_type"] for dish in value["left_out"]] == ["sausage"]
 
 
+def test_what_robot_and_cook_accept_is_counted_of_all_recipes_asked(answer):
+    value = printed(answer)
+    every = value["dish_types"][-1]
+    for verdict in ("robot", "cook", "accepted", "form"):
+        assert every[verdict] == sum(recipe[verdict] for recipe in value["recipes"])
+    for recipe in value["recipes"]:
+        assert recipe["accepted"] == (recipe["robot"] and recipe["cook"])
+        assert set(recipe["fatal"]) <= set(recipe["broken"]) <= set(every["rules"])
+    for rule, count in every["rules"].items():
+        assert count["fatal"] == sum(rule in recipe["fatal"] for recipe in value["recipes"])
+        assert count["fatal"] + count["minor"] == sum(rule in recipe["broken"] for recipe in value["recipes"])
+        assert count["kept"] == count["asked"] - count["fatal"] - count["minor"]
+
+
 def test_the_same_bytes_from_any_order_and_from_kept_plans(answer, salads, tmp_path):
     turned = tmp_path / "turned"
     turned.mkdir()
@@ -73,6 +87,8 @@ def test_the_tables_say_what_json_says(salads, answer):
     shown = evaluate(salads)
     every = printed(answer)["dish_types"][-1]
     assert f"{100 * every['correct']['mean']:.1f} %" in shown.stdout
+    accepted = shown.stdout.split("Accepted, of all recipes asked")[1].split("\n\n")[0].splitlines()
+    assert f"{every['accepted']} ({100 * every['accepted'] / every['recipes']:.0f} %)" in accepted[-1]
     assert "Left out: fewer than 3 goals in the FOON\n  sausage" in shown.stdout
 
 
@@ -109,6 +125,8 @@ def test_a_recipe_without_a_tree_counts_as_nothing_and_is_named(tmp_path):
     (tmp_path / "empty.json").write_text(json.dumps(empty))
     found = printed(evaluate(tmp_path, "--json"))
     assert found["recipes"][0]["correct"] == 0
+    assert not any(found["recipes"][0][verdict] for verdict in ("robot", "cook", "accepted", "form"))
+    assert all(count["asked"] == 0 for count in found["dish_types"][-1]["rules"].values())
     assert found["dish_types"][-1]["without_tree"] == ["empty"]
     assert "Without a tree, counted as 0\n  empty" in evaluate(tmp_path).stdout
 

@@ -55,6 +55,10 @@ def test_the_report_of_recipes_says_what_json_says_and_shows_a_tree_for_each_of_
     assert html.count('<div class="tree"') == html.count("<summary>") == len(value["recipes"])
     for recipe in value["recipes"]:
         assert recipe["id"] in html
+    accepted = every(value)["accepted"]
+    assert f"<b>{accepted} ({100 * accepted / every(value)['recipes']:.1f} %)</b>" in html
+    for rule in every(value)["rules"]:
+        assert f"<td>{rule}</td>" in html
 
 
 def test_the_report_of_videos_shows_both_trees_of_each_of_the_worst(reports):
