@@ -49,7 +49,7 @@ def check(  # noqa: PLR0917 - each parameter is an option of its own
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
-    """Play task trees in a kitchen: what breaks the contract?
+    """Play task trees in a kitchen, and say what breaks the contract.
 
     A tree is accepted where a robot can carry it out (W1 to W5, K4) and a cook would serve what comes of it (K1 to
     K7). C1 to C9 ask of its form. Every finding says its rule, the step (from 1), the object nodes and the reason.

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
@@ -106,18 +107,30 @@ def json_line(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def progress_bar(items: Iterable[T], total: int, done: int) -> Iterator[T]:
-    """Pass ``items`` on, and show on stderr, where that is a terminal, how many of ``total`` are done by now."""
+def progress_bar(items: Iterable[T], total: int, done: int, after: float = 0) -> Iterator[T]:
+    """Pass ``items`` on, and show on stderr, where that is a terminal, how many of ``total`` are done by now.
+
+    What takes no longer than ``after`` seconds shows nothing.
+    """
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
     console = messages()
     columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     hidden = not console.is_terminal
-    with Progress(*columns, console=console, transient=True, redirect_stdout=False, disable=hidden) as progress:
-        task = progress.add_task("", total=total, completed=done)
+    progress = Progress(*columns, console=console, transient=True, redirect_stdout=False, disable=hidden)
+    task = progress.add_task("", total=total, completed=done)
+    begun = monotonic()
+    try:
+        if not after:
+            progress.start()
         for item in items:
+            if monotonic() - begun > after:
+                progress.start()  # it does nothing where the bar is there already
             yield item
             progress.advance(task)
+    finally:
+        if progress.live.is_started:
+            progress.stop()
 
 
 def show_error(error: FoonError, about: str | None = None) -> None:

@@ -1,10 +1,10 @@
-"""``foon evaluate``: how good the trees are, on recipes and on videos that are left out one by one."""
+"""``foon evaluate``: how good the trees are: of recipes, of videos left out one by one, and of anybody."""
 
 from __future__ import annotations
 
 import typer
 
-from foon_kg.cli import evaluate_recipes, evaluate_videos
+from foon_kg.cli import evaluate_recipes, evaluate_trees, evaluate_videos
 from foon_kg.cli.console import ErrorsAtTheEdge
 
 app = typer.Typer(
@@ -23,3 +23,4 @@ def evaluate() -> None:
 
 app.command(epilog=evaluate_recipes.EXAMPLES)(evaluate_recipes.recipes)
 app.command("leave-one-out", epilog=evaluate_videos.EXAMPLES)(evaluate_videos.leave_one_out)
+app.command(epilog=evaluate_trees.EXAMPLES)(evaluate_trees.trees)
