@@ -1,12 +1,13 @@
-"""How good and how quick whole plans are: shares of sound and clean trees, their sizes, and the time a recipe takes.
+"""How good and how quick whole plans are: how many are accepted, their sizes, and the time a recipe takes.
 
     python benchmarks/plans.py [--files FOLDER] [--recipes PATH ...] [--every N] [--time-limit S] [--findings] [--own]
 
 Plans recipes from one snapshot in memory, by default those beside the checkout, and asks the judge about each tree
 against the whole FOON. Printed, for each dish type and for all: recipes, median and 95 % time in ms (planning alone;
-what is derived for one recipe serves the next), shares sound and clean (a failure is neither), means of units,
-substitutions and assumptions; then which rules are broken how often. ``--findings`` prints every finding, and why
-there is no tree. ``--own`` asks instead for every goal of the FOON itself, as its dish type with its own foods.
+what is derived for one recipe serves the next), shares that a robot can carry out, that a cook would serve, that both
+accept, and that keep the form (a failure counts as none of these), means of units, substitutions and assumptions; then
+how many trees break each rule. ``--findings`` prints every finding, and why there is no tree. ``--own`` asks instead
+for every goal of the FOON itself, as its dish type with its own foods.
 """
 
 import argparse
@@ -20,7 +21,7 @@ from pathlib import Path
 from own_goals import own_goals
 
 from foon_kg.errors import NoTreeError
-from foon_kg.form import CONTRACT, SENSE, KnownFoon, Report, TaskTree, check
+from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -30,19 +31,23 @@ from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
+from foon_kg.validation import KnownFoon, Report, TaskTree, check
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
-HEAD = f"{'':<14}{'recipes':>8}{'median':>9}{'95 %':>9}{'sound':>8}{'clean':>8}{'units':>7}{'subst.':>8}{'assumed':>9}"
+HEAD = (
+    f"{'':<14}{'recipes':>8}{'median':>9}{'95 %':>9}{'robot':>8}{'cook':>8}{'accepted':>10}{'form':>8}"
+    f"{'units':>7}{'subst.':>8}{'assumed':>9}"
+)
 
 
 @dataclass(frozen=True)
 class Planned:
-    """One recipe: its answer, how long it took (seconds), and what the judge says."""
+    """One recipe: its answer, how long it took (seconds), and what the judge says of its tree."""
 
     recipe: Recipe
     answer: PlanResult | PlanFailure
     seconds: float
-    report: Report
+    report: Report | None
 
 
 def main() -> None:
@@ -61,13 +66,8 @@ def main() -> None:
     show(done)
     if options.findings:
         for planned in done:
-            if isinstance(planned.answer, PlanFailure):
-                print(
-                    f"{planned.recipe.dish_type} {planned.recipe.id}: {planned.answer.code}: {planned.answer.message}"
-                )
-                continue
-            for finding in planned.report.findings:
-                print(f"{planned.recipe.dish_type} {planned.recipe.id}: {finding}")
+            for told in told_of(planned):
+                print(f"{planned.recipe.dish_type} {planned.recipe.id}: {told}")
 
 
 def asked(snapshot: Snapshot, paths: list[Path]) -> list[Recipe]:
@@ -97,7 +97,15 @@ def plan_one(planner: Planner, recipe: Recipe, foon: KnownFoon) -> Planned:
     except NoTreeError as error:
         answer = PlanFailure.of(recipe, error)
     seconds = time.perf_counter() - started
+    if isinstance(answer, PlanFailure):
+        return Planned(recipe, answer, seconds, None)
     return Planned(recipe, answer, seconds, check(TaskTree.from_json(answer.to_json()), foon))
+
+
+def told_of(planned: Planned) -> list[str]:
+    if isinstance(planned.answer, PlanFailure):
+        return [f"{planned.answer.code}: {planned.answer.message}"]
+    return list(map(str, planned.report.findings if planned.report else ()))
 
 
 def show(done: list[Planned]) -> None:
@@ -109,25 +117,28 @@ def show(done: list[Planned]) -> None:
         print(row(dish_type, by_dish[dish_type]))
     print(row("all", done))
     failures = Counter(planned.answer.code for planned in done if isinstance(planned.answer, PlanFailure))
-    broken = Counter(
-        rule for planned in done if isinstance(planned.answer, PlanResult) for rule in planned.report.broken
-    )
     print("no tree: ", ", ".join(f"{code} {count}" for code, count in sorted(failures.items())) or "none")
-    print("broken by trees: ", ", ".join(f"{rule} {broken[rule]}" for rule in (*CONTRACT, *SENSE) if broken[rule]))
+    print("trees with a fatal finding / with any: ", end="")
+    found = verdicts(done).rules.items()
+    print(", ".join(f"{rule} {count.fatal} / {count.broken}" for rule, count in found if count.broken) or "none")
+
+
+def verdicts(done: list[Planned]) -> Verdicts:
+    return Verdicts(tuple(planned.report for planned in done))
 
 
 def row(name: str, done: list[Planned]) -> str:
     times = sorted(1000 * planned.seconds for planned in done)
     trees = [planned.answer for planned in done if isinstance(planned.answer, PlanResult)]
-    sound = sum(planned.report.sound for planned in done) / len(done)
-    clean = sum(planned.report.clean for planned in done) / len(done)
+    found = verdicts(done)
+    robot, cook, accepted, form = map(found.share, found.named.values())
     means = [
         statistics.fmean(len(part(tree)) for tree in trees) if trees else 0.0
         for part in (lambda t: t.units, lambda t: t.substitutions, lambda t: t.assumptions)
     ]
     return (
         f"{name:<14}{len(done):>8}{times[len(times) // 2]:>6.0f} ms{times[int(len(times) * 0.95)]:>6.0f} ms"
-        f"{sound:>8.1%}{clean:>8.1%}{means[0]:>7.1f}{means[1]:>8.2f}{means[2]:>9.2f}"
+        f"{robot:>8.1%}{cook:>8.1%}{accepted:>10.1%}{form:>8.1%}{means[0]:>7.1f}{means[1]:>8.2f}{means[2]:>9.2f}"
     )
 
 
