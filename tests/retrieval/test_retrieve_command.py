@@ -93,11 +93,11 @@ def test_foon_text_is_read_back_as_the_same_steps(retrieve):
 
 
 @pytest.mark.parametrize("level", [1, 2, 3])
-def test_foon_check_finds_the_tree_sound(retrieve, folder, level):
+def test_foon_check_finds_that_the_tree_keeps_its_form(retrieve, folder, level):
     tree = folder / "tree.json"
     tree.write_text(retrieve("salad", "--level", level, "--json").stdout, encoding="utf-8")
     judged = CliRunner().invoke(app, ["check", str(tree), str(tree), "--files", str(folder / "subgraphs")])
-    assert (judged.exit_code, judged.stdout.splitlines()[0]) == (0, "salad: sound")
+    assert (judged.exit_code, judged.stdout.splitlines()[0]) == (0, "salad: form kept")
 
 
 def test_foon_check_finds_what_was_changed_in_a_tree(retrieve, folder):
