@@ -14,6 +14,7 @@ from functools import lru_cache
 
 from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
 from foon_kg.dish_classes import DishClass, dish_classes
+from foon_kg.food.lists import word_list
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import DISH_TYPES
 from foon_kg.names import canonical
@@ -26,10 +27,7 @@ READING = 4
 
 _REMEMBERED = 200_000
 _IN_BRACKETS = re.compile(r"\([^()]*\)")
-_PARTS = frozenset(
-    {"assembly", "base", "batter", "coating", "crumble", "crust", "dough", "dressing", "filling", "frosting"}
-    | {"garnish", "glaze", "icing", "marinade", "optional", "pastry", "rub", "sauce", "stuffing", "topping"}
-)
+_PARTS = word_list("parts of a dish")
 """What cooks call the parts of a dish."""
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b")
 

@@ -15,6 +15,7 @@ from typing import Any
 from foon_kg.clauses import Clauses, Told
 from foon_kg.drafting.verbs import Verbs
 from foon_kg.errors import UsageError
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen
 from foon_kg.narration import Mention, NarratedAction, Narration, Place
 from foon_kg.states import state_in
@@ -31,41 +32,8 @@ _UNTIL = frozenset({"until", "till"})
 _MAKES = frozenset({"make", "form", "create", "get"})
 _NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
 _PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
-_MEASURES = frozenset(
-    {
-        "amount",
-        "bit",
-        "bunch",
-        "clove",
-        "cup",
-        "dash",
-        "drop",
-        "gram",
-        "half",
-        "handful",
-        "layer",
-        "lot",
-        "ounce",
-        "piece",
-    }
-    | {
-        "piece",
-        "pinch",
-        "pound",
-        "quarter",
-        "rest",
-        "slice",
-        "splash",
-        "spoonful",
-        "tablespoon",
-        "teaspoon",
-        "tbsp",
-        "tsp",
-    }
-)
-_COVERED_BY = frozenset(
-    {"brush", "coat", "cover", "drizzle", "dust", "fill", "garnish", "season", "sprinkle", "spread", "stuff", "top"}
-)
+_MEASURES = word_list("measures in speech")
+_COVERED_BY = word_list("covers with")
 
 Token = Any  # spaCy says nothing of its types
 

@@ -1,27 +1,26 @@
-"""What is at hand before the first step: the kitchen of the contract (design.md section 4, C6).
+"""What is at hand before the first step: the kitchen of the contract (C6).
 
 Two notions live here. The kitchen of a *search* is decided by the form of a node alone (:meth:`Kitchen.has`) and is
 narrow: what it has is never made. The leaves that a *final* tree may have (:meth:`Kitchen.leaf_fault`) are a wider
 set, because C6 lets a food in a start state be anywhere and a vessel stand beside the food that it holds.
+
+Which names are utensils and which states are starts is data: the tables of :mod:`foon_kg.food`.
 """
 
 from __future__ import annotations
 
 import functools
-import json
 import re
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from importlib import resources
 
+from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 
-_WORD = re.compile(r"[^\W\d_]+")
-_IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
-_PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
-_NO_PLURAL = ("ss", "us", "is")
-_SHORT = 3
+__all__ = ["Kitchen", "LeafFault", "is_place", "singular", "words"]
+
 _PLACE_KEPT_AS_STATE = re.compile(r"\[[^\]]*\]$")
 _INSIDE = frozenset({None, "in", "from"})
 
@@ -40,14 +39,15 @@ class LeafFault(StrEnum):
 class Kitchen:
     """Which labels are utensils, which states are starts, and so what is at hand.
 
-    Labels and states compare without regard to case. ``sold_so`` maps a state to the words of the foods that are
-    sold in it (``ground`` → pepper, beef, …). ``free_foods`` may be added to any dish unasked (C5).
+    Names of utensils compare in the singular, states without regard to case. ``storage`` are the utensils in which
+    shops sell food. ``sold_so`` maps a state to the words of the foods that are sold in it (``ground`` → pepper, beef,
+    …). ``free_foods`` may be added to any dish unasked (C5).
 
     This one has every utensil and whatever shops sell; :class:`~foon_kg.stock.StockedKitchen` has what a person named.
     """
 
     utensils: frozenset[str]
-    storage_words: frozenset[str]
+    storage: frozenset[str]
     start_states: frozenset[str]
     sold_so: Mapping[str, frozenset[str]]
     rest_states: frozenset[str]
@@ -57,16 +57,25 @@ class Kitchen:
 
     @staticmethod
     def default(free_foods: Iterable[str] | None = None) -> Kitchen:
-        """Answer the kitchen of the project's own data; ``free_foods`` replaces the free foods (water)."""
-        return _from_data(None if free_foods is None else frozenset(map(_fold, free_foods)))
+        """Return the kitchen of the tables and of a user's own; ``free_foods`` replaces the free foods (water).
+
+        Raises ReadError where a table that a user named cannot be read.
+        """
+        return _from_tables(tables(), None if free_foods is None else frozenset(map(_fold, free_foods)))
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
-        """Answer the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
-        foods = frozenset(map(_fold, names)) & self.utensils
+        """Return the kitchen in which ``names`` are foods: a recipe may ask for a cooking spray."""
+        foods = frozenset(map(singular, names)) & self.utensils
         return replace(self, utensils=self.utensils - foods) if foods else self
 
+    def with_utensils(self, names: Iterable[str]) -> Kitchen:
+        """Return the kitchen in which ``names`` are utensils; one that is called after a storage is one (spice bag)."""
+        fresh = frozenset(map(singular, names)) - self.utensils
+        keep_food = {name for name in fresh if name.split()[-1] in self.storage}
+        return replace(self, utensils=self.utensils | fresh, storage=self.storage | keep_food)
+
     def with_every_food(self) -> Kitchen:
-        """Answer the kitchen in which every food that shops sell is at hand."""
+        """Return the kitchen in which every food that shops sell is at hand."""
         return self
 
     @property
@@ -88,15 +97,15 @@ class Kitchen:
 
     def is_utensil(self, label: str) -> bool:
         """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""
-        return _fold(label) in self.utensils
+        return singular(label) in self.utensils
 
     def is_food(self, node: ObjectNode) -> bool:
         """Whether ``node`` is a food or a mixture of foods."""
         return not self.is_utensil(node.label)
 
     def is_storage(self, label: str) -> bool:
-        """Whether ``label`` is a utensil in which food is kept: its last word says so (tin can, pepper mill)."""
-        return self.is_utensil(label) and words(label)[-1] in self.storage_words
+        """Whether ``label`` is a utensil in which food is sold: a tin can, a pepper mill."""
+        return self.is_utensil(label) and singular(label) in self.storage
 
     def is_free(self, label: str) -> bool:
         """Whether the food ``label`` may be used without having been asked for (C5)."""
@@ -115,7 +124,7 @@ class Kitchen:
         return not self.sold_so.get(state, frozenset()).isdisjoint(words(label))
 
     def processed_states(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the states of a food node that somebody made: all but the start states."""
+        """Return the states of a food node that somebody made: all but the start states."""
         return tuple(state for state in node.states if not self.is_start_state(node.label, state))
 
     def at_rest(self, node: ObjectNode) -> bool:
@@ -124,10 +133,10 @@ class Kitchen:
 
     def is_running(self, node: ObjectNode) -> bool:
         """Whether a utensil node is on or hot; the fridge always is and does not count."""
-        return _fold(node.label) not in self.always_on and any(_fold(s) in self.running_states for s in node.states)
+        return singular(node.label) not in self.always_on and any(_fold(s) in self.running_states for s in node.states)
 
     def foods_in(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the ingredients of ``node`` that are foods (``potato contains {packet}`` holds none)."""
+        """Return the ingredients of ``node`` that are foods (``potato contains {packet}`` holds none)."""
         return tuple(name for name in node.ingredients if not self.is_utensil(name))
 
     def is_mixture(self, node: ObjectNode) -> bool:
@@ -155,7 +164,7 @@ class Kitchen:
         return node.container is None or (node.relation in _INSIDE and self.is_storage(node.container))
 
     def leaf_fault(self, node: ObjectNode, beside: Collection[ObjectNode] = ()) -> LeafFault | None:
-        """Answer why C6 does not let ``node`` be a leaf of a final tree, or ``None``.
+        """Return why C6 does not let ``node`` be a leaf of a final tree, or ``None``.
 
         ``beside`` are the other inputs of the unit that takes it. ``RUNNING`` is a fault only where some unit makes
         the node so: that needs the FOON, and is the caller's to decide. The order of the faults is the order of
@@ -186,7 +195,7 @@ class Kitchen:
         state = _fold(state)
         if state in self.rest_states or is_place(state):
             return True
-        return state in self.running_states and _fold(label) in self.always_on
+        return state in self.running_states and singular(label) in self.always_on
 
 
 def is_place(state: str) -> bool:
@@ -195,51 +204,20 @@ def is_place(state: str) -> bool:
 
 
 @functools.lru_cache(maxsize=1 << 16)
-def words(label: str) -> tuple[str, ...]:
-    """Answer the words of a label, in lower case and in the singular: ``Bell Peppers`` → bell, pepper."""
-    return tuple(_singular(word) for word in _WORD.findall(label.lower()))
-
-
-@functools.lru_cache(maxsize=1 << 16)
-def singular(label: str) -> str:
-    """Answer a label with every word in the singular: labels of a FOON are, its ``{}`` names often are not."""
-    return " ".join(words(label))
-
-
-def _singular(word: str) -> str:
-    if word in _IRREGULAR:
-        return _IRREGULAR[word]
-    for ending, one in _PLURALS:
-        if word.endswith(ending) and len(word) > max(_SHORT, len(ending) + 1) and not word.endswith(_NO_PLURAL):
-            word = word[: -len(ending)] + one
-            break
-    # cookies and cookie must meet somewhere, and the plural alone does not tell them from cherries
-    return word[:-2] + "y" if word.endswith("ie") and len(word) > _SHORT else word
-
-
-@functools.lru_cache(maxsize=1 << 16)
 def _fold(name: str) -> str:
     return " ".join(name.lower().split())
 
 
-@functools.cache
-def _from_data(free_foods: frozenset[str] | None) -> Kitchen:
-    data = json.loads(resources.files("foon_kg.data").joinpath("kitchen.json").read_text(encoding="utf-8"))
-    states = data["utensil states"]
+@functools.lru_cache(maxsize=8)
+def _from_tables(known: Tables, free_foods: frozenset[str] | None) -> Kitchen:
+    sold_for = {name: row.sold_for for name, row in known.states.items() if row.sold_for}
     return Kitchen(
-        utensils=_all(data["utensils"]),
-        storage_words=frozenset(data["storage words"]),
-        start_states=_all(data["food states"]),
-        sold_so={
-            state: frozenset(_singular(food) for food in _all(kinds))
-            for state, kinds in data["food states for some"].items()
-        },
-        rest_states=frozenset(states["at rest"]),
-        running_states=frozenset(states["on or hot"]),
-        always_on=frozenset(states["always on"]),
-        free_foods=frozenset(data["free foods"]) if free_foods is None else free_foods,
+        utensils=frozenset(known.utensils),
+        storage=frozenset(name for name, row in known.utensils.items() if row.keeps_food),
+        start_states=frozenset(name for name, row in known.states.items() if row.sold),
+        sold_so={state: frozenset(map(singular, foods)) for state, foods in sold_for.items()},
+        rest_states=known.utensil_states["rest"],
+        running_states=known.utensil_states["on"] | known.utensil_states["hot"],
+        always_on=frozenset(name for name, row in known.utensils.items() if row.always_on),
+        free_foods=word_list("free foods") if free_foods is None else free_foods,
     )
-
-
-def _all(groups: Mapping[str, list[str]]) -> frozenset[str]:
-    return frozenset(name for group in groups.values() for name in group)

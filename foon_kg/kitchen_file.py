@@ -17,6 +17,7 @@ from functools import cached_property
 from pathlib import Path
 
 from foon_kg.errors import ReadError, UsageError
+from foon_kg.food.spelling import utensil_names
 from foon_kg.json_fields import Fields
 from foon_kg.kitchen import singular
 from foon_kg.model import ObjectNode
@@ -64,8 +65,7 @@ def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitche
     said: dict[str, set[str]] = {kind: set() for kind in (*_FIELDS, "")}
     for entry, (thing, _) in zip(entries, read, strict=True):
         said[entry.kind].add(thing.label)
-    kitchen = words.kitchen.with_foods(said["foods"])
-    kitchen = replace(kitchen, utensils=kitchen.utensils | said["utensils"])
+    kitchen = words.kitchen.with_foods(said["foods"]).with_utensils(said["utensils"])
     return ReadKitchen(StockedKitchen.of(kitchen, [thing for thing, _ in read]), tuple(n for _, ns in read for n in ns))
 
 
@@ -133,22 +133,18 @@ class ThingReader:
     def _utensil(self, name: str) -> str | None:
         """Answer the utensil that is called ``name``, be it in the plural."""
         folded = " ".join(name.lower().split())
-        return folded if folded in self.words.kitchen.utensils else self._utensils.get(singular(name))
+        return utensil_names().get(singular(name), folded) if self.words.kitchen.is_utensil(folded) else None
 
     def _unknown(self, thing: ObjectNode, kind: str) -> Iterator[str]:
-        if thing.label in self.words.kitchen.utensils or (kind != "utensils" and canonical(thing.label) in self._foods):
+        if self.words.kitchen.is_utensil(thing.label) or (kind != "utensils" and canonical(thing.label) in self._foods):
             return
         what = "utensil" if kind == "utensils" else "food"
-        known = sorted(self.words.kitchen.utensils | (set() if kind == "utensils" else self._labels))
+        known = sorted({*utensil_names().values()} | (set() if kind == "utensils" else self._labels))
         near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE)
         if not near and kind != "utensils":
             alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)
             near = [found.name for found in alike if found.confidence >= _ALIKE]
         yield f"this FOON knows no {what} “{thing.label}”{_listed(near)}; it counts as a {what} at hand"
-
-    @cached_property
-    def _utensils(self) -> dict[str, str]:
-        return {singular(name): name for name in sorted(self.words.kitchen.utensils, reverse=True)}
 
     @cached_property
     def _labels(self) -> frozenset[str]:

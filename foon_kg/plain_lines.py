@@ -13,6 +13,7 @@ import unicodedata
 from fractions import Fraction
 from functools import lru_cache
 
+from foon_kg.food.lists import word_list
 from foon_kg.line_words import RecipeLine, is_another_food, split_name, states_of
 from foon_kg.names import canonical
 from foon_kg.similarity.groups import food_groups
@@ -39,14 +40,8 @@ _MANY |= {unit: f"{unit}s" for unit in _UNITS.split()} | {unit: unit for unit in
 _ONE = {many: one for one, many in _MANY.items()} | {one: one for one in _MANY}
 _SIZES = _all("small medium large")
 _ADVERBS = _all("finely coarsely roughly thinly thickly freshly")
-_SORTS = _all(
-    "all-purpose black bittersweet brown dark extra-virgin fat-free firm gluten-free green italian kosher lean light "
-    "low-fat low-sodium mild nonfat orange organic plain purple red ripe roma russet seedless self-rising sharp "
-    "unsalted unsweetened white yellow"
-)
-"""Words for a sort of a food; they stay in its name."""
-
-_AS_SOLD = _all("boneless canned dried fresh frozen raw skinless uncooked unpeeled")
+_SORTS = word_list("sorts")
+_AS_SOLD = word_list("sold as, in a line")
 _SEPARATED = frozenset({"coarsely separated", "finely separated", "powder"})
 _DONE = _SEPARATED | {"cleaned or peeled", "soft mass", "liquid", "mixed", "cooked"}
 _REMARKS = frozenset({"divided", "or to taste", "or more to taste", "or as needed", "or more as needed"})

@@ -15,17 +15,14 @@ from functools import cached_property
 
 from foon_kg.durations import Duration, Durations
 from foon_kg.errors import UsageError
+from foon_kg.food.lists import word_list
 from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.result import PlannedUnit
 from foon_kg.step_order import earlier_steps
 
-WITHOUT_HANDS = frozenset({
-    "bake", "boil", "brew", "broil", "chill", "cool", "cool down", "defrost", "ferment", "freeze", "heat", "marinate",
-    "melt", "microwave", "preheat", "refrigerate", "rest", "rise", "roast", "set", "simmer", "sit", "soak", "steam",
-    "thaw", "toast", "wait",
-})  # fmt: skip
+WITHOUT_HANDS = word_list("without hands")
 """Motions that go on by themselves: they need their vessel and device, but nobody's hands."""
 
 UNTIMED = 4.0

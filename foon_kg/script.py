@@ -11,6 +11,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 from foon_kg import motions
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.recent import Recent
@@ -18,7 +19,7 @@ from foon_kg.recent import Recent
 EMPTY = "empty"
 """The state of a vessel out of which everything was taken."""
 
-GIVEN = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})
+GIVEN = word_list("given by contents")
 """States that a vessel has from what is in it or on it."""
 
 MOST_SCENES = 8192

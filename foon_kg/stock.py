@@ -13,10 +13,11 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import Self
 
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen, is_place, singular
 from foon_kg.model import ObjectNode
 
-ALWAYS_THERE = frozenset({"bin", "faucet", "garbage", "hand", "item", "sink", "surface", "table", "trash bin"})
+ALWAYS_THERE = word_list("always there")
 """What is there though nobody names it: places, running water, and hands."""
 
 

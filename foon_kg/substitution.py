@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from foon_kg import motions
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
@@ -27,7 +28,7 @@ FAIR = 0.5
 SAME_CLASS = 0.5
 """States at least this similar may stand for one another."""
 
-_RAW = frozenset({"fresh", "ground", "meat", "processed raw", "raw", "small meat", "steaks", "uncooked"})
+_RAW = word_list("raw flesh")
 """States in which meat and fish are sold raw."""
 
 MOST_FOODS = 1024

@@ -13,12 +13,13 @@ from itertools import groupby
 from typing import Self, overload
 
 from foon_kg import motions
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import words
 from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.script import Casting, Step
 from foon_kg.substitution import Candidate
 
-_SPOILT = frozenset({"cored", "grated", "juiced", "remains", "slit", "slits", "squeezed", "zested"})
+_SPOILT = word_list("spoilt")
 """Words of states in which an opened food is as good as whole still, or in which little of it is left."""
 
 

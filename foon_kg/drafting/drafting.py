@@ -14,6 +14,7 @@ from foon_kg.drafting.precedents import FoonPrecedents
 from foon_kg.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
 from foon_kg.drafting.units import UnitDrafter
 from foon_kg.drafting.verbs import Reading
+from foon_kg.food.lists import word_list
 from foon_kg.line_words import split_name
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
 from foon_kg.names import canonical
@@ -24,14 +25,9 @@ _MOST_OBJECTS = 40
 
 _NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
 _ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
-_MIXED = frozenset(
-    {"batter", "dough", "dressing", "filling", "glaze", "marinade", MIXTURE, "paste", "puree", "sauce", "topping"}
-)
+_MIXED = word_list("called a mixture")
 """What cooks call a mixture that they just made."""
-_ROOM = frozenset(
-    {"cupboard", "dishwasher", "door", "drawer", "drainer", "floor", "hob", "light", "shelf", "sponge", "switch", "tap"}
-    | {"timer", "towel", "wall", "washing machine", "window", "worktop", "countertop", "counter", "phone", "recipe"}
-)
+_ROOM = word_list("belongs to the room")
 """What belongs to the room and not to the dish; no FOON has it."""
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from functools import cached_property
 
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen, is_place
 from foon_kg.model import FunctionalUnit, ObjectNode
 
@@ -17,7 +18,7 @@ _SAID_AS = {"pick-and-place": "put", "place": "put", "put inside": "put", "inser
 _AFTER_THE_OBJECT = frozenset({"in", "with", "into"})
 _PARTS = frozenset({"ends", "seeds", "skin", "slits"})
 _JOINED_BY = {"attach": "to", "detach": "from", "remove": "from", "take out": "from", "scrape": "from"}
-_FLAT = frozenset({"board", "griddle", "mat", "paper", "plate", "rack", "sheet", "table", "towel", "tray"})
+_FLAT = word_list("flat utensils")
 _SHAPES = {"leaf": "leaves"} | {
     shape: shape for shape in ("chunks", "cubes", "halves", "leaves", "pieces", "powder", "slices", "strips", "wedges")
 }

@@ -6,13 +6,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg import motions
+from foon_kg.food.lists import word_list
 from foon_kg.form.tree import Substituted, TreeUnit
-from foon_kg.form.words import takes_any
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import FunctionalUnit, NodeSortKey, ObjectNode
 
 EMPTY = "empty"
-APPLIED = frozenset({"buttered", "coated", "floured", "garnished", "greased", "oiled", "salted", "seasoned", "stuffed"})
+APPLIED = word_list("given by contents")
 """States that a food gives to what it is put on; they go with it."""
 
 Pair = tuple[ObjectNode, ObjectNode]
@@ -40,7 +41,7 @@ class Correspondence:
     @cached_property
     def any_number(self) -> bool:
         """Whether FOON's unit lets any number of foods enter."""
-        return takes_any(self.source.motion, star=self.source.accepts_any)
+        return motions.accepts_any(self.source.motion, star=self.source.accepts_any)
 
     @cached_property
     def inputs(self) -> tuple[Pair, ...]:

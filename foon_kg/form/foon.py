@@ -7,8 +7,8 @@ from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from foon_kg import motions
 from foon_kg.form.derivation import Derivation
-from foon_kg.form.words import OPENS, has_word
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.levels import Level, node_at, units_at
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
@@ -102,7 +102,7 @@ class KnownFoon:
     @cached_property
     def opened(self) -> frozenset[str]:
         """The labels of what some unit cracks, peels, opens or cuts, utensils (a can, a box) among them."""
-        units = [known.unit for known in self.units if has_word(known.unit.motion, OPENS)]
+        units = [known.unit for known in self.units if motions.opens(known.unit.motion)]
         return frozenset(node.label for unit in units for node in unit.input_nodes if node not in unit.output_nodes)
 
     @cached_property

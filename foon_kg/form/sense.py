@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg import motions
 from foon_kg.form.case import Case, Joining
 from foon_kg.form.report import Finding
 from foon_kg.form.tree import TreeUnit
-from foon_kg.form.words import HEATS, MIXES, OPENS, has_word
 from foon_kg.kitchen import singular, words
 from foon_kg.model import ObjectNode
 
@@ -60,7 +60,12 @@ def _stays(case: Case, unit: TreeUnit, node: ObjectNode) -> bool:
         names = {node.label, words(node.label)[-1]}
         return any(other.container in names for other in unit.output_nodes)
     holds = any(other.label == node.container and node.label in other.ingredients for other in unit.output_nodes)
-    return holds and not has_word(unit.motion, MIXES | HEATS)
+    return holds and not _works(unit)
+
+
+def _works(unit: TreeUnit) -> bool:
+    """Whether a unit mixes or heats: what joins after the last such unit joins too late (S2)."""
+    return motions.mixes(unit.motion) or motions.heats(unit.motion)
 
 
 def in_time(case: Case) -> Iterator[Finding]:
@@ -69,11 +74,7 @@ def in_time(case: Case) -> Iterator[Finding]:
     Free foods count neither as what joins nor as what is joined.
     """
     units = case.tree.units
-    working = [
-        place
-        for place, unit in enumerate(units)
-        if has_word(unit.motion, MIXES | HEATS) and case.names_of(unit.input_nodes)
-    ]
+    working = [place for place, unit in enumerate(units) if _works(unit) and case.names_of(unit.input_nodes)]
     if not working:
         return
     equivalents = {
@@ -107,7 +108,7 @@ def _is_whole(state: str) -> bool:
 
 def _opened_before(case: Case, joining: Joining) -> bool:
     for unit in case.tree.units[: joining.place + 1]:
-        if has_word(unit.motion, OPENS) and any(singular(node.label) == joining.food for node in unit.used_up):
+        if motions.opens(unit.motion) and any(singular(node.label) == joining.food for node in unit.used_up):
             return True
     return False
 

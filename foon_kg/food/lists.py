@@ -1,0 +1,24 @@
+"""Lists of words that say nothing of one food, state, motion or utensil, read from ``lists.toml``.
+
+What is known of one word stands in the row of that word in the other tables; a list here says which words belong
+together for one question of the program ("which foods are free", "which motions go on by themselves").
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+
+
+def word_list(name: str) -> frozenset[str]:
+    """Return the words of one list, as ``word_list("free foods")``; KeyError for a list that is not there."""
+    return word_lists()[name]
+
+
+@cache
+def word_lists() -> Mapping[str, frozenset[str]]:
+    """Return every list by its name."""
+    document = tomllib.loads(files("foon_kg.food").joinpath("lists.toml").read_text(encoding="utf-8"))
+    return {name: frozenset(words) for name, words in document.items()}
