@@ -1,14 +1,18 @@
-"""Recipes planned from the public FOON, and what the judge says of the trees: what the slow tests share."""
+"""Recipes planned from the public FOON, and what is said of the trees: what the slow tests share.
+
+Of the trees two are asked: the judge, and the form by which the planner of today chooses among its trees.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
+from foon_kg import form, validation
 from foon_kg.errors import NoTreeError
-from foon_kg.form import CONTRACT, KnownFoon, Report, TaskTree, check
+from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -23,7 +27,7 @@ Answer = PlanResult | PlanFailure
 
 
 def public_snapshot() -> Snapshot:
-    """Answer the public FOON; where its data are not there the test is skipped."""
+    """Return the public FOON; where its data are not there the test is skipped."""
     if not SHARED.exists():
         pytest.skip(f"the public data is not at {SHARED}")
     read = read_paths([SHARED / "foon-111" / "TXT"])
@@ -31,7 +35,7 @@ def public_snapshot() -> Snapshot:
 
 
 def answers_to(recipes: Iterable[Recipe], snapshot: Snapshot) -> list[Answer]:
-    """Answer a plan result or a failure for each recipe, all from one planner."""
+    """Return a plan result or a failure for each recipe, all from one planner."""
     planner = Planner(snapshot, PlanSettings(), snapshot.units)
     found: list[Answer] = []
     for recipe in recipes:
@@ -42,18 +46,33 @@ def answers_to(recipes: Iterable[Recipe], snapshot: Snapshot) -> list[Answer]:
     return found
 
 
-def reports_on(answers: Iterable[Answer], snapshot: Snapshot) -> list[Report]:
-    """Answer what the judge says of each answer as its JSON has it, asked against the whole FOON."""
-    foon = KnownFoon.of(snapshot.units, snapshot.goals())
-    return [check(TaskTree.from_json(answer.to_json()), foon) for answer in answers]
+def verdicts_on(answers: Iterable[Answer], snapshot: Snapshot) -> Verdicts:
+    """Return what the judge says of each tree as its JSON has it, asked against the whole FOON."""
+    foon = validation.KnownFoon.of(snapshot.units, snapshot.goals())
+    return Verdicts(
+        tuple(
+            validation.check(validation.TaskTree.from_json(answer.to_json()), foon) if has_tree(answer) else None
+            for answer in answers
+        )
+    )
 
 
-def breaches(answers: Sequence[Answer], reports: Sequence[Report]) -> list[str]:
-    """Answer what breaks the contract in the trees among ``answers``."""
-    trees = [(a, report) for a, report in zip(answers, reports, strict=True) if isinstance(a, PlanResult)]
-    return [f"{answer.recipe.id}: {finding}" for answer, report in trees for finding in report.of(CONTRACT)]
+def breaches(answers: Iterable[Answer], snapshot: Snapshot) -> list[str]:
+    """Return what breaks the old contract in the trees among ``answers``, by which the planner chooses."""
+    foon = form.KnownFoon.of(snapshot.units, snapshot.goals())
+    return [
+        f"{answer.recipe.id}: {finding}"
+        for answer in answers
+        if has_tree(answer)
+        for finding in form.check(form.TaskTree.from_json(answer.to_json()), foon).of(form.CONTRACT)
+    ]
+
+
+def has_tree(answer: Answer) -> bool:
+    """Whether an answer is a tree."""
+    return isinstance(answer, PlanResult)
 
 
 def failures(answers: Iterable[Answer]) -> list[PlanFailure]:
-    """Answer those of ``answers`` that are no tree."""
+    """Return those of ``answers`` that are no tree."""
     return [answer for answer in answers if isinstance(answer, PlanFailure)]

@@ -1,4 +1,4 @@
-"""The demo's FOON plans its own recipes and its own dishes without a fault, and the same everywhere."""
+"""The demo's FOON plans its own recipes and its own dishes without a fault of form, and the same everywhere."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 from planner.dishes import KITCHEN, leaf_foods
 
+from foon_kg import form, validation
 from foon_kg.demo import demo_folder, demo_recipes
-from foon_kg.form import KnownFoon, TaskTree, check, repeatable
+from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
@@ -38,23 +39,51 @@ def planner():
 
 @pytest.fixture(scope="module")
 def judge():
-    foon = KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
-    return lambda result: check(TaskTree.from_json(result.to_json()), foon, KITCHEN)
+    """What the planner of today asks of its trees."""
+    foon = form.KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
+    return lambda result: form.check(form.TaskTree.from_json(result.to_json()), foon, KITCHEN)
+
+
+def verdicts(results):
+    foon = validation.KnownFoon.of(SNAPSHOT.units, SNAPSHOT.goals())
+    trees = (validation.TaskTree.from_json(result.to_json()) for result in results)
+    return Verdicts(tuple(validation.check(tree, foon) for tree in trees))
+
+
+def own_recipe(dish):
+    ((_, dish_type),) = goals_of(dish, KITCHEN)
+    return Recipe(dish_type, tuple(dict.fromkeys(leaf_foods(dish))), dish.name)
 
 
 @every_recipe
-def test_a_recipe_of_the_demo_gives_a_tree_without_a_fault(recipe, planner, judge):
+def test_a_recipe_of_the_demo_gives_a_tree_without_a_fault_of_form(recipe, planner, judge):
     assert list(map(str, judge(planner.plan(recipe)).findings)) == []
 
 
 @every_dish
-def test_a_dish_planned_from_its_own_foods_is_that_dish_without_a_fault(dish, planner, judge):
-    ((goal, dish_type),) = goals_of(dish, KITCHEN)
-    result = planner.plan(Recipe(dish_type, tuple(dict.fromkeys(leaf_foods(dish))), dish.name))
+def test_a_dish_planned_from_its_own_foods_is_that_dish_without_a_fault_of_form(dish, planner, judge):
+    ((goal, _),) = goals_of(dish, KITCHEN)
+    result = planner.plan(own_recipe(dish))
     assert list(map(str, judge(result).findings)) == []
     assert result.goal.label == goal.label
     assert {unit.origin for unit in result.units} == {"reference"}
     assert (result.substitutions, result.assumptions) == ((), ())
+
+
+def test_so_many_recipes_of_the_demo_robot_and_cook_accept(planner):
+    found = verdicts(map(planner.plan, RECIPES))
+    assert len(found.reports) == 8
+    assert found.robot >= 6
+    assert found.cook >= 8
+    assert found.accepted >= 6
+
+
+def test_so_many_dishes_of_the_demo_robot_and_cook_accept(planner):
+    found = verdicts(planner.plan(own_recipe(dish)) for dish in SUBGRAPHS)
+    assert len(found.reports) == 23
+    assert found.robot >= 14
+    assert found.cook >= 21
+    assert found.accepted >= 13
 
 
 @every_recipe
@@ -85,7 +114,7 @@ def test_another_hash_seed_and_another_order_of_files_give_the_same_bytes():
         ).stdout
         for seed in ("0", "1", "31")
     ]
-    assert repeatable([json.loads(answer) for answer in answers]) == ()
+    assert validation.repeatable([json.loads(answer) for answer in answers]) == ()
     assert len(set(answers)) == 1
     assert len(json.loads(answers[0])) == len(RECIPES)
 

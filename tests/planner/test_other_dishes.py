@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from planner.other_dishes import other_dishes, unseen_dishes
-from planner.public_foon import answers_to, breaches, failures, public_snapshot, reports_on
+from planner.public_foon import answers_to, breaches, failures, public_snapshot, verdicts_on
 
 from foon_kg.result import PlanResult
 
@@ -13,8 +13,8 @@ pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 EVERY, EVERY_UNSEEN = 2, 3
 """Every second recipe, and every third of those that no rule was made for: all 105 take a minute."""
 
-SOUND, CLEAN = 0.9, 0.7
-"""Measured on all 105: 0.95 and 0.77. Raise them when more is reached."""
+TREES, ROBOT, COOK, ACCEPTED = 0.9, 0.15, 0.3, 0.0
+"""Measured on all 105: 0.95, 0.19, 0.38 and 0.05. The planner of today knows no kitchen. Raise them."""
 
 WITH_GOALS = ("bread", "cake", "chicken", "cookie", "noodle", "pasta", "pizza", "rice", "sandwich", "soup", "stir-fry")
 
@@ -29,13 +29,8 @@ def answers(snapshot):
     return answers_to([*other_dishes()[::EVERY], *unseen_dishes()[::EVERY_UNSEEN]], snapshot)
 
 
-@pytest.fixture(scope="module")
-def reports(snapshot, answers):
-    return reports_on(answers, snapshot)
-
-
-def test_a_tree_keeps_the_contract(answers, reports):
-    assert breaches(answers, reports) == []
+def test_a_tree_has_the_form_by_which_the_planner_chooses(answers, snapshot):
+    assert breaches(answers, snapshot) == []
 
 
 def test_where_there_is_no_tree_the_reason_and_a_way_out_are_told(answers):
@@ -50,9 +45,12 @@ def test_a_dish_type_with_goals_in_the_foon_gives_trees(answers, dish_type):
     assert any(isinstance(answer, PlanResult) for answer in answers if answer.recipe.dish_type == dish_type)
 
 
-def test_nearly_all_have_a_tree_and_most_a_clean_one(reports):
-    assert sum(report.sound for report in reports) >= SOUND * len(reports)
-    assert sum(report.clean for report in reports) >= CLEAN * len(reports)
+def test_nearly_all_have_a_tree_and_so_many_robot_and_cook_accept(answers, snapshot):
+    found = verdicts_on(answers, snapshot)
+    assert len(found.trees) >= TREES * len(answers)
+    assert found.share(found.robot) >= ROBOT
+    assert found.share(found.cook) >= COOK
+    assert found.share(found.accepted) >= ACCEPTED
 
 
 def test_an_egg_is_cracked_into_what_is_baked_and_never_boiled_before(answers):

@@ -1,11 +1,11 @@
-"""Real recipes against the public FOON: the shares of sound and clean trees, which may rise and must not fall."""
+"""Real recipes against the public FOON: the shares that robot and cook accept, which may rise and must not fall."""
 
 from __future__ import annotations
 
 import json
 
 import pytest
-from planner.public_foon import SHARED, answers_to, breaches, failures, public_snapshot, reports_on
+from planner.public_foon import SHARED, answers_to, breaches, failures, public_snapshot, verdicts_on
 
 from foon_kg.planner import Planner
 from foon_kg.recipes import IngredientWords, read_recipe
@@ -17,8 +17,8 @@ pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 EVERY = 3
 """Every third recipe of each dish type, by name: all 210 take minutes on a busy machine."""
 
-SOUND, CLEAN = 1.0, 0.94
-"""Measured on all 210: 1.00 and 0.976. Raise them when more is reached."""
+ROBOT, COOK, ACCEPTED = 0.25, 0.5, 0.1
+"""Measured on all 210: 0.30, 0.61 and 0.18. The planner of today knows no kitchen. Raise them."""
 
 
 @pytest.fixture(scope="module")
@@ -32,15 +32,6 @@ def answers(snapshot):
     folders = sorted((SHARED / "queries").iterdir())
     paths = [path for folder in folders for path in sorted(folder.glob("*.json"))[::EVERY]]
     return answers_to((read_recipe(path, words).recipe for path in paths), snapshot)
-
-
-@pytest.fixture(scope="module")
-def reports(snapshot, answers):
-    return reports_on(answers, snapshot)
-
-
-def told(reports, rules):
-    return "\n".join(f"{report.name}: {finding}" for report in reports for finding in report.of(rules))
 
 
 def test_every_answer_says_in_json_all_that_it_says(answers):
@@ -57,8 +48,8 @@ def test_where_there_is_no_tree_the_reason_names_a_rule_or_the_goal(answers):
         assert failure.hint
 
 
-def test_a_tree_is_sound(answers, reports):
-    assert breaches(answers, reports) == []
+def test_a_tree_has_the_form_by_which_the_planner_chooses(answers, snapshot):
+    assert breaches(answers, snapshot) == []
 
 
 def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_the_whole_foon(snapshot, answers):
@@ -68,6 +59,8 @@ def test_a_recipe_has_the_same_answer_from_the_units_behind_its_goals_as_from_th
             assert planner.plan(answer.recipe).to_json() == answer.to_json()
 
 
-def test_nearly_every_recipe_has_a_sound_tree_and_most_have_a_clean_one(reports):
-    assert sum(report.sound for report in reports) >= SOUND * len(reports), told(reports, {"C2"})
-    assert sum(report.clean for report in reports) >= CLEAN * len(reports), told(reports, {f"S{n}" for n in range(9)})
+def test_so_many_trees_robot_and_cook_accept(answers, snapshot):
+    found = verdicts_on(answers, snapshot)
+    assert found.share(found.robot) >= ROBOT
+    assert found.share(found.cook) >= COOK
+    assert found.share(found.accepted) >= ACCEPTED
