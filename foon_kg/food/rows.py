@@ -106,7 +106,7 @@ class Motion:
 class Utensil:
     """A utensil: its role (vessel, storage, tool, appliance, lid, wrap, place) and what it can do.
 
-    ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power), ``holds`` what it works on
+    ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power, water), ``holds`` what it works on
     (on, in, attached), has one power or one for each vessel (``power``), and may be ``always_on``.
     """
 
@@ -119,6 +119,11 @@ class Utensil:
     holds: str = ""
     power: str = "one"
     always_on: bool = False
+
+    @property
+    def keeps_food(self) -> bool:
+        """Whether food is in it as it is sold, or comes out of it: a jar, a tap."""
+        return self.role == "storage" or self.source == "water"
 
 
 @dataclass(frozen=True)

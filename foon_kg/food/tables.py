@@ -24,7 +24,7 @@ UTENSILS_VARIABLE = "FOON_KG_UTENSILS"
 FOODS_VARIABLE = "FOON_KG_FOODS"
 
 ROLES = frozenset({"vessel", "storage", "tool", "appliance", "lid", "wrap", "place"})
-SOURCES = frozenset({"", "heat", "cold", "power"})
+SOURCES = frozenset({"", "heat", "cold", "power", "water"})
 _COOKS = frozenset({"liquid", "dry", "fat"})
 """Ways to cook: what does one of these heats."""
 

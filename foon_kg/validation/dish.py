@@ -21,16 +21,22 @@ def defined(case: Case) -> Iterator[Finding]:
         return
     yield from _unfinished(case)
     title = case.recipe.title or "" if case.recipe else ""
+    for lack in missing(case, case.goal.label, *case.dish_types, title):
+        yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
     for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title):
-        for needs in dish.needs:
-            if not any(meets(need, part.food, case.tables) for need in needs for part in case.parts):
-                told = " or ".join(need.rpartition(":")[2] for need in needs)
-                yield Finding("K5", f"“{dish.name}” without {told}", None, (case.goal,))
         if dish.heated and not any(part.heated is not None for part in case.parts):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
-    for food in namesakes(case, case.goal.label):
+
+
+def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
+    """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
+    for dish in case.tables.dishes_named(label, *texts):
+        for needs in dish.needs:
+            if not any(meets(need, part.food, case.tables) for need in needs for part in case.parts):
+                yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
+    for food in namesakes(case, label):
         if not _is_in(case, food):
-            yield Finding("K5", f"“{case.goal.label}” without {food}", None, (case.goal,))
+            yield food
 
 
 def _unfinished(case: Case) -> Iterator[Finding]:
@@ -63,9 +69,10 @@ def namesakes(case: Case, label: str) -> Iterator[str]:
 def _is_in(case: Case, food: str) -> bool:
     if food in case.parts_by_name:
         return True
-    own = set(food.split())
-    if any(own <= set(name.split()) for name in case.parts_by_name):
-        return True
+    own, head = set(food.split()), food.split()[-1]
+    for name in case.parts_by_name:
+        if own <= set(name.split()) or (name.split()[-1] == head and set(name.split()) <= own):
+            return True
     kind = case.tables.foods.find(food)[0]
     return food == kind and any(part.food.is_a(kind) for part in case.parts)
 
@@ -113,9 +120,25 @@ def sense(case: Case) -> Iterator[Finding]:
             yield Finding("K7", "fat is poured through a strainer", happening.number, minor=True)
         if happening.does("dry"):
             yield from _ungreased(case, happening)
+    yield from _misread(case)
     toppings = {part.name for part in case.parts if part.food.is_a("topping") and part.mixed is not None}
     if toppings:
         yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
+
+
+def _misread(case: Case) -> Iterator[Finding]:
+    """Yield asked foods whose word means something else in the state in which they were asked (pepper, stick, fat)."""
+    table = case.tables.foods
+    for wanted in sorted(set(case.required)):
+        name = singular(wanted.object)
+        if name not in table.homonyms or not wanted.state:
+            continue
+        meant = table.food(name, (wanted.state,)).kind
+        kinds = {part.food.kind for part in case.parts_by_name.get(name, ())}
+        if kinds and meant not in kinds:
+            yield Finding(
+                "K7", f"{wanted.object} ({wanted.state}) is {meant}, and it was taken for {min(kinds)}", minor=True
+            )
 
 
 def _dough(happening: Happening) -> Iterator[Finding]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import singular, words
-from foon_kg.model import ObjectNode, RequiredIngredient
+from foon_kg.model import DISH_TYPES, ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case
-from foon_kg.validation.dish import namesakes
+from foon_kg.validation.dish import missing
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening
 from foon_kg.world.reading import Said
@@ -57,15 +57,14 @@ def goal(case: Case) -> Iterator[Finding]:
 
 def _name(case: Case, node: ObjectNode) -> Iterator[Finding]:
     label, types = singular(node.label), case.dish_types
-    bare = {singular(word) for dish_type in types for word in (dish_type, *dish_type.split())}
+    bare = {singular(word) for dish_type in types or DISH_TYPES for word in (dish_type, *dish_type.split())}
     products = case.foon.end_products if case.foon else {}
     recorded = {singular(product) for t in types or products for product in products.get(t, ())}
-    if label not in recorded and words(label)[-1:] != words(" ".join(bare))[-1:] and label not in bare:
+    if label not in recorded and not set(words(label)[-1:]) & bare:
         asked = f"of the dish type {types[0]}" if types else "of any dish type"
         yield Finding("C2", f"“{node.label}” is no end product {asked} in the FOON", case.last, (node,))
-    for food in namesakes(case, node.label):
-        if not any(set(food.split()) <= set(name.split()) for name in case.parts_by_name):
-            yield Finding("C2", f"it is called after {food}, which is not in it", case.last, (node,))
+    for food in missing(case, node.label):
+        yield Finding("C2", f"it is called after {food}, which is not in it", case.last, (node,))
 
 
 def _one(node: ObjectNode | None) -> tuple[ObjectNode, ...]:
@@ -198,7 +197,7 @@ def _keeps_food(said: Said) -> bool:
 
 def _food_fault(case: Case, said: Said) -> str:
     if said.place_utensil is not None and said.place_utensil.role not in {"storage", "place"}:
-        if not said.place_utensil.always_on:
+        if not said.place_utensil.always_on and not said.place_utensil.keeps_food:
             return f"it is in the {said.place} before anybody put it there"
     facts = case.tables.foods.food(said.label, said.node.states)
     if facts.is_a("made", "dough") and said.names - {said.label}:

@@ -89,7 +89,7 @@ class Report:
     @property
     def cook(self) -> bool:
         """Whether a cook would serve what comes of it: no fatal K and at most two minor findings."""
-        minor = sum(finding.minor for finding in self.findings)
+        minor = sum(finding.minor for finding in self.findings if finding.rule in TABLE)
         return not set(self.fatal) & COOK and minor <= MOST_MINOR
 
     @property

@@ -11,7 +11,7 @@ from foon_kg.world import Happening, Lump, Vessel
 MOST_WAITING = 4
 """How many units may prepare other food while food waits in a hot vessel."""
 
-_GRINDS = frozenset({"grind", "blend", "grate", "crush"})
+_GRINDS = frozenset({"grind", "blend", "grate"})
 
 
 def of_world(rule: str, case: Case) -> Iterator[Finding]:
@@ -39,7 +39,7 @@ def _moves_nothing(happening: Happening) -> bool:
         "mix", "heat", "blend", "knead", "shape", "turn", "close", "attach", "detach", "coat", "switch on"
     ):
         return False
-    if happening.moved or happening.vessels_moved or happening.taken:
+    if happening.moved or happening.vessels_moved:
         return False
     return not happening.does("cut", "grate", "grind", "peel", "open", "press")
 
@@ -81,6 +81,7 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
             earlier = last.get(id(lump))
             if (
                 earlier is not None
+                and happening.number - earlier.number == 1
                 and _only_moved(earlier)
                 and _only_moved(happening)
                 and _serves_nothing(before, lump)
@@ -104,7 +105,7 @@ def _serves_nothing(place: Vessel | None, lump: Lump) -> bool:
         return False
     if place.lumps or place.row.role != "vessel":
         return False
-    return place.row.can.isdisjoint({"measure", "scoop", "strain", "cut", "heat", "bake"})
+    return place.row.can.isdisjoint({"measure", "strain", "cut", "heat", "bake"})
 
 
 def order(case: Case) -> Iterator[Finding]:

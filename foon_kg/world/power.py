@@ -21,6 +21,8 @@ def check_inputs(world: World, happening: Happening) -> None:
     for vessel, (said, node) in pairs:
         if vessel.is_appliance:
             _check_power(vessel, said, node, happening)
+        elif said.hot:
+            _check_hot(vessel, node, happening)
     _check_source(world, happening)
     if happening.does("attach") or (happening.does("detach") and not happening.does("fetch")):
         _check_attached(happening)
@@ -44,7 +46,17 @@ def _check_power(vessel: Vessel, said: Said, node: ObjectNode, happening: Happen
         vessel.power[burner if vessel.row.power == "vessel" else ""] = True
     elif said.off and on and not vessel.row.always_on and (burner in vessel.power or vessel.row.power != "vessel"):
         happening.fault("W3", f"the {vessel.label} is said to be off, and it is on", node)
-        vessel.power[burner if vessel.row.power == "vessel" else ""] = False
+
+
+def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
+    """Tell a vessel that is hot on a source that nobody lit; what was hot once may still be so."""
+    source = vessel.where
+    if source is None or source.row.source != "heat" or vessel.hot:
+        return
+    if not source.is_on(vessel.label):
+        happening.fault("W3", f"the {vessel.label} is said to be hot, and the {source.label} is off", node)
+        source.power[vessel.label if source.row.power == "vessel" else ""] = True
+    vessel.hot = True
 
 
 def _check_source(world: World, happening: Happening) -> None:
@@ -58,6 +70,8 @@ def _check_source(world: World, happening: Happening) -> None:
     elif not any(vessel.is_on(burner) for vessel, burner in sources):
         names = ", ".join(sorted({vessel.label for vessel, _ in sources}))
         happening.fault("W3", f"“{happening.step.motion}” while the {names} is off", *_nodes_of(happening))
+        for vessel, burner in sources:
+            vessel.power[burner if vessel.row.power == "vessel" else ""] = True
 
 
 def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
@@ -105,6 +119,8 @@ def check_outputs(world: World, happening: Happening) -> None:
         if said.is_appliance:
             _switch(world, said, mention.node, happening)
     for lump, before, now in happening.moved:
+        if lump in happening.made:
+            continue
         for vessel in (before, now):
             if vessel is not None and vessel.covered and before is not now and not _same_stack(before, now):
                 _closed(vessel, lump, happening)
@@ -115,7 +131,10 @@ def _same_stack(before: Vessel | None, now: Vessel | None) -> bool:
 
 
 def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:
-    if happening.does("close", "uncover", "open", "attach", "blend", "mix") or vessel.row.role == "storage":
+    if happening.does("close", "uncover", "open", "attach", "blend", "mix") or vessel.row.role not in {
+        "vessel",
+        "appliance",
+    }:
         return
     happening.fault("W3", f"the {vessel.label} is closed, and {lump.label} enters or leaves it", *_nodes_of(happening))
     vessel.covered = False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -10,6 +11,8 @@ from foon_kg.model import ObjectNode
 
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
 """Relations whose ``[]`` is not where a thing is, but what is on it."""
+
+_PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +76,8 @@ class Reader:
         utensil = self.utensil(label)
         names = frozenset(name for name in map(singular, node.ingredients) if self.utensil(name) is None)
         held = node.container is not None and (node.relation in _NOT_IN or (utensil and node.relation == "under"))
-        place = None if node.container is None or held else singular(node.container)
+        told = _place_in_states(node) if node.container is None or held or node.relation == "from" else None
+        place = told or (None if node.container is None or held else singular(node.container))
         states = [state.lower() for state in node.states]
         claims = self.tables.utensil_states
         rows = [self.tables.state(state) for state in node.states] if utensil is None else []
@@ -93,10 +97,20 @@ class Reader:
             covered=any(state.partition(" [")[0] in claims["closed"] for state in states) or node.relation == "covered",
             uncovered=any(state in claims["open"] for state in states),
             undivided=bool(rows) and any(row.undivided for row in rows) and not any(fine),
-            remains=any("remains" in row.earns for row in rows),
+            remains=any("remains" in row.earns for row in rows)
+            or (utensil is None and self.tables.foods.food(node.label, node.states).is_a("remains")),
             fine=max(fine, default=None),
             earns=frozenset().union(*(row.earns for row in rows)) - {"remains"},
         )
+
+
+def _place_in_states(node: ObjectNode) -> str | None:
+    """Return the place that a loader kept among the states, as it does of a node with two: ``on [cutting board]``."""
+    for state in node.states:
+        found = _PLACE.fullmatch(state.lower())
+        if found:
+            return singular(found.group(1))
+    return None
 
 
 @lru_cache(maxsize=8)

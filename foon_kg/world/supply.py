@@ -103,11 +103,13 @@ class Supply:
 
     def _empty(self, there: list[Vessel], said: Said, happening: Happening) -> Vessel:
         placed = [v for v in there if said.place is None or (v.where is not None and v.where.label == said.place)]
-        if said.empty:
+        if said.empty or (said.utensil is not None and said.utensil.role == "tool"):
             clean = [v for v in placed if not v.lumps] or [v for v in there if not v.lumps and said.place is None]
             if clean:
                 return max(clean, key=lambda v: v.last)
-            on_heat = next((v for v in placed if said.place and v.lumps and v.where and v.where.is_appliance), None)
+            on_heat = next(
+                (v for v in placed if said.empty and said.place and v.lumps and v.where and v.where.is_appliance), None
+            )
             if on_heat is not None:
                 happening.fault("W1", f"it holds {_names(on_heat.names)} there, and is said to be empty", said.node)
             return self._stand(self.fresh(said.label), said)
@@ -117,8 +119,18 @@ class Supply:
 
     def _stand(self, vessel: Vessel, said: Said) -> Vessel:
         if said.place is not None and said.place_utensil is not None:
-            vessel.where = self.holder(said.place)
+            self.stand(vessel, self.holder(said.place))
         return vessel
+
+    def stand(self, vessel: Vessel, where: Vessel | None) -> bool:
+        """Let a vessel stand somewhere; nothing stands in itself, or in what stands in it: then it stays."""
+        place = where
+        while place is not None:
+            if place is vessel:
+                return False
+            place = place.where
+        vessel.where = where
+        return True
 
     def holder(self, label: str) -> Vessel:
         """Return what a thing stands on or in, by its label: an appliance, else the last vessel of that name."""
@@ -143,7 +155,7 @@ class Supply:
         if mention.thing is not None:
             return self._from_kitchen(said, happening, mention.thing)
         known = self.known_lumps.get(said.node)
-        if known is not None and not known.gone and known not in happening.inputs:
+        if known is not None and known not in happening.inputs and _is_still(known, said):
             return known
         best = max(self._candidates(said, happening), key=lambda row: row[0], default=None)
         if best is not None:
@@ -185,8 +197,13 @@ class Supply:
                 return 2
             return 1 if "cut" in lump.where.row.can or lump.where.row.role == "place" or not said.undivided else 0
         if lump.where is None:
-            return 2 if said.place_utensil is None or said.place_utensil.role in {"place", "storage"} else 0
+            return 2 if said.place_utensil is None or said.place_utensil.role == "place" or _in_storage(said) else 0
+        if said.place_utensil is None and self.reader.tables.foods.is_listed(said.place):
+            return 2 if self._lies_on(lump, said.place) else 1
         return 3 if _same_place(said.place, lump.where) else 0
+
+    def _lies_on(self, lump: Lump, label: str) -> bool:
+        return any(lump in under.riders for under in self.lumps.get(label, ()) if not under.gone)
 
     def _from_kitchen(self, said: Said, happening: Happening, number: int | None = None) -> Lump:
         """Fetch a food. What is undivided is there as often as it was asked; what is divided may be a rest of it."""
@@ -240,7 +257,10 @@ class Supply:
     ) -> Lump:
         """Return a food that is there from the start, with the history that its states tell."""
         parts = [self.new_part(label, states, step)]
-        parts += [self.new_part(name, (), step) for name in sorted(names - {label}) if parts[0].food.is_a("made")]
+        held = [self.new_part(name, (), step) for name in sorted(names - {label})]
+        for part in held:
+            part.untold = True
+        parts += held
         lump = Lump(label, {label}, states, parts, number=number, last=step)
         self.keep(lump, where)
         return lump
@@ -273,18 +293,31 @@ class Supply:
         self.put(lump, where)
 
     def put(self, lump: Lump, where: Vessel | None) -> None:
-        """Bring a lump to another place."""
+        """Bring a lump to another place, with what lies on it."""
+        riders = [other for other in lump.riders if not other.gone and other.where is lump.where and other is not lump]
         if lump.where is not None and lump in lump.where.lumps:
             lump.where.lumps.remove(lump)
         lump.where = where
         if where is not None:
             where.lumps.append(lump)
             where.had |= lump.names
-            where.had.update(part.name for part in lump.parts)
+            if _carries(where.row):
+                for part in lump.parts:
+                    part.spoonful = True
+        for rider in riders:
+            if rider.where is not where:
+                self.put(rider, where)
 
 
 def _names(names: set[str] | frozenset[str]) -> str:
     return ", ".join(sorted(names))
+
+
+def _is_still(lump: Lump, said: Said) -> bool:
+    """Whether a lump is still as the node says that it came out as."""
+    if lump.gone or lump.states != said.node.states:
+        return False
+    return said.place is None or lump.where is None or said.place_utensil is None or _same_place(said.place, lump.where)
 
 
 def _same_place(label: str, vessel: Vessel) -> bool:
@@ -294,8 +327,8 @@ def _same_place(label: str, vessel: Vessel) -> bool:
 
 def _carries(utensil: Utensil | None) -> bool:
     """Whether it is a tool that carries a portion: what is in it was scooped up before."""
-    return utensil is not None and utensil.role == "tool" and "scoop" in utensil.can
+    return utensil is not None and utensil.role == "tool" and "scoop" in utensil.can and "hand" not in utensil.can
 
 
 def _in_storage(said: Said) -> bool:
-    return said.place_utensil is not None and said.place_utensil.role == "storage"
+    return said.place_utensil is not None and said.place_utensil.keeps_food

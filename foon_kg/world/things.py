@@ -19,7 +19,7 @@ class Part:
     assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
     ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a ``{}``), so that
-    it is not judged raw or whole.
+    it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
     """
 
     food: Food
@@ -32,6 +32,7 @@ class Part:
     mixed: int | None = None
     heated: int | None = None
     untold: bool = False
+    spoonful: bool = False
 
     @property
     def name(self) -> str:
@@ -42,7 +43,7 @@ class Part:
         """Return another portion of it."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
-            self.joined, self.mixed, self.heated, self.untold,
+            self.joined, self.mixed, self.heated, self.untold, self.spoonful,
         )  # fmt: skip
 
 
@@ -51,7 +52,7 @@ class Lump:
     """One food thing: its names (what trees called it), its states, its parts and where it is.
 
     ``joined``: other foods were mixed into it, so that no whole food is in it any more. ``gone``: it is part of
-    another lump now, or was thrown away. ``number`` is the thing's number in a tree that numbers them.
+    another lump now, or was thrown away. ``riders`` lie on it and go where it goes. ``number`` is the thing's number in a tree that numbers them.
     """
 
     label: str
@@ -62,6 +63,7 @@ class Lump:
     number: int | None = None
     made: bool = False
     gone: bool = False
+    riders: list[Lump] = field(default_factory=list)
     last: int = 0
 
     @property
@@ -88,6 +90,7 @@ class Vessel:
     where: Vessel | None = None
     number: int | None = None
     covered: bool = False
+    hot: bool = False
     power: dict[str, bool] = field(default_factory=dict)
     had: set[str] = field(default_factory=set)
     last: int = 0

@@ -24,6 +24,9 @@ GIVES = {
 }  # fmt: skip
 """What each class of motion earns for a food that it works on."""
 
+ADVISED = frozenset({"thaw", "soak", "drain", "wash", "open"})
+"""Treatments that nobody is judged by: what a motion can give is believed."""
+
 FINE = {"grate": 4, "grind": 5, "blend": 5, "mash": 5, "cut": 2}
 _BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "husk", "open", "clean", "squeeze")
 _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
@@ -37,6 +40,8 @@ def apply(world: World, happening: Happening) -> None:
             _treat(part, lump, world, happening)
     if happening.does("heat", "warm"):
         happening.heated = power.heated_vessels(world, happening)
+        for vessel in (*happening.vessels, *happening.heated):
+            vessel.hot = True
         _heat(world, happening)
     _join(happening)
     for mention in happening.step.outputs:
@@ -47,7 +52,7 @@ def apply(world: World, happening: Happening) -> None:
 
 def _treated(happening: Happening) -> list[Lump]:
     """Return what the hands work on: the foods that came out in another form, else those that went in."""
-    out = [lump for lump in happening.outputs.values() if not lump.gone]
+    out = [lump for lump in (*happening.outputs.values(), *happening.made) if not lump.gone]
     went_in = [lump for lump in happening.inputs if not lump.gone and lump not in out]
     if not out and not went_in:
         return [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role == "vessel"]
@@ -55,6 +60,7 @@ def _treated(happening: Happening) -> list[Lump]:
         return [*out, *went_in]
     before = {mention.node for mention in happening.step.inputs}
     changed = [lump for node, lump in happening.outputs.items() if node not in before]
+    changed += [lump for lump in happening.made if lump not in changed]
     return changed or [*out, *went_in]
 
 
@@ -65,9 +71,15 @@ def _treat(part: Part, lump: Lump, world: World, happening: Happening) -> None:
         for treatment in GIVES.get(name, ()):
             part.done.setdefault(treatment, happening.number)
         part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
+    if happening.does("separate") and world.tables.foods.food(lump.label, lump.states).is_a("liquid"):
+        for treatment in GIVES["squeeze"]:
+            part.done.setdefault(treatment, happening.number)
     if happening.does("cut"):
         told = [world.tables.state(state).fine for state in lump.states]
         fine = max((one for one in told if one is not None), default=FINE["cut"])
+        if 0 < fine < part.fine and not lump.mixed:
+            reason = f"{part.name} is in finer pieces already"
+            happening.fault("K7", reason, minor=True)
         part.fine = max(part.fine, fine)
 
 
@@ -80,14 +92,14 @@ def _told_cooked(world: World, happening: Happening) -> bool:
 def _heat(world: World, happening: Happening) -> None:
     lumps = [lump for vessel in happening.heated for lump in vessel.lumps]
     lumps += [lump for lump in (*happening.inputs, *happening.outputs.values()) if lump not in lumps and not lump.gone]
-    liquid = any(part.food.is_a("liquid", "water") and not part.food.is_a("fat") for l in lumps for part in l.parts)
+    bath = any(part.food.is_a("cooking liquid") and not part.spoonful for lump in lumps for part in lump.parts)
     cooked = happening.does("warm") and _told_cooked(world, happening)
     for lump in lumps:
         for part in lump.parts:
             part.heated = happening.number
             if happening.does("heat") or cooked:
                 part.done.setdefault("cook", happening.number)
-                if liquid and not happening.does("dry"):
+                if bath and not happening.does("dry"):
                     part.done.setdefault("boil", happening.number)
 
 
@@ -127,7 +139,11 @@ def _claimed(said: Said, lump: Lump | None, world: World, happening: Happening) 
         if state in before or row.sold or not (row.earns or row.fine):
             continue
         missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
-        if missing and happening.does("heat", "warm") and row.needs_heat:
+        if missing and row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
+            continue
+        if missing and _can_give(state, happening, world):
+            for part in lump.parts:
+                part.done |= dict.fromkeys(ADVISED.intersection(missing), happening.number)
             continue
         if missing:
             happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
@@ -137,6 +153,11 @@ def _claimed(said: Said, lump: Lump | None, world: World, happening: Happening) 
             happening.fault(
                 "K7", f"it is {state}, and it was never {' or '.join(sorted(row.before))}", said.node, minor=True
             )
+
+
+def _is_over_heat(lump: Lump) -> bool:
+    place = lump.where
+    return place is not None and place.where is not None and place.where.row.source == "heat" and place.hot
 
 
 def _can_give(state: str, happening: Happening, world: World) -> bool:

@@ -64,7 +64,7 @@ class World:
             if one.utensil.role in {"tool", "lid"}:
                 happening.tools.append(mention.node)
             if one.place_utensil is not None and (vessel.where is None or vessel.where.label != one.place):
-                vessel.where = self.supply.holder(str(one.place))
+                self.supply.stand(vessel, self.supply.holder(str(one.place)))
 
     def _take_foods(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
         for mention, one in zip(mentions, said, strict=True):
@@ -180,7 +180,8 @@ class _Outputs:
         """Let a vessel stand where its node says; what a node forgets to repeat stays where it was."""
         if one.place_utensil is not None and one.place is not None:
             if vessel.where is None or vessel.where.label != one.place:
-                vessel.where = self._holder(one.place, one.place_utensil)
+                self.supply.stand(vessel, self._holder(one.place, one.place_utensil))
+            if node not in {mention.node for mention in self.happening.step.inputs}:
                 self.happening.vessels_moved = True
         elif vessel.where is not None and self.happening.does("detach", "move", "fetch") and not vessel.is_appliance:
             if one.node not in {mention.node for mention in self.happening.step.inputs}:
@@ -217,9 +218,9 @@ class _Outputs:
         if lump is None:
             return False
         again = id(lump) in self.mapped
-        remains = one.remains and not all(part.remains for part in lump.parts)
+        remains = self._is_left_over(one) and not all(part.remains for part in lump.parts)
         if again or (remains and self._named_twice(one)):
-            lump = self._portion(lump, one, mention)
+            lump = self._portion(lump, one, mention, remains=remains)
         self.mapped.add(id(lump))
         self._settle(lump, place)
         return True
@@ -240,10 +241,22 @@ class _Outputs:
         return of_part[0] if of_part and not of_part[0].mixed else None
 
     def _named_twice(self, one: Said) -> bool:
-        return sum(other.label == one.label for other in self.said) > 1
+        return (
+            sum(other.utensil is None and set(one.label.split()) <= set(other.label.split()) for other in self.said) > 1
+        )
 
-    def _portion(self, lump: Lump, one: Said, mention: Mention) -> Lump:
-        parts = [part.copy(remains=one.remains) for part in lump.parts]
+    def _is_left_over(self, one: Said) -> bool:
+        """Whether a food output is what nobody eats: a skin, or what is left of what was squeezed for its juice."""
+        if one.remains:
+            return True
+        juices = [other for other in self.said if other.utensil is None and self._is_liquid(other)]
+        return self.happening.does("separate") and bool(juices) and not self._is_liquid(one) and self._named_twice(one)
+
+    def _is_liquid(self, one: Said) -> bool:
+        return self.world.tables.foods.food(one.label, one.node.states).is_a("liquid")
+
+    def _portion(self, lump: Lump, one: Said, mention: Mention, *, remains: bool) -> Lump:
+        parts = [part.copy(remains=remains) for part in lump.parts]
         self.supply.parts += parts
         portion = Lump(one.label, {one.label}, lump.states, parts, number=mention.thing, made=lump.made)
         portion.last = self.happening.number
@@ -259,10 +272,24 @@ class _Outputs:
         lump.states = node.states
         where = self._place(one, node, lump)
         if where is not lump.where:
+            self._leave_rest(lump)
             self.supply.put(lump, where)
         self.supply.keep(lump, lump.where)
         if self.happening.does(*_JOINS) and self._gathers(one, lump):
             self._join_all(lump)
+
+    def _leave_rest(self, lump: Lump) -> None:
+        """Leave some of a stock food (salt, oil, flour) in the vessel it is taken from, unless that is told empty."""
+        vessel = lump.where
+        if vessel is None or lump.mixed or not any(part.food.is_a("stock", "water") for part in lump.parts):
+            return
+        emptied = any(v is vessel and self.said[place].empty for place, v in self.vessel_of.items())
+        if emptied or vessel.row.role in {"place", "appliance"}:
+            return
+        parts = [part.copy() for part in lump.parts]
+        rest = Lump(lump.label, set(lump.names), lump.states, parts, last=self.happening.number, made=lump.made)
+        self.supply.keep(rest, vessel)
+        self.before[id(rest)] = vessel
 
     def _gathers(self, one: Said, lump: Lump) -> bool:
         return len(one.names - {one.label}) > 1 or (lump.made and is_product(self.world.tables, one))
@@ -280,15 +307,17 @@ class _Outputs:
         for vessel in (*self.happening.vessels, *self._holders()):
             if one.place == vessel.label.split()[-1] or vessel.label == one.place.split()[-1]:
                 return vessel
-        if one.place_utensil.role != "place":
+        if one.place_utensil.role != "place" and one.node.relation != "from":
             self.happening.fault("W2", f"there is no {one.place} in which it could be now", node)
         return self.supply.fresh(one.place)
 
     def _on_food(self, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
         """Return the vessel of the food on which another lies."""
         under = next((o for o in self._all_lumps() if one.place in o.names or o.label == one.place), None)
-        under = under or next((o for o in self._all_lumps() if any(p.name == one.place for p in o.parts)), None)
+        under = under or next((o for o in self._all_lumps() if _is_called(o, str(one.place))), None)
         if under is not None:
+            if under is not lump and lump not in under.riders:
+                under.riders.append(lump)
             return under.where
         if self.world.tables.foods.is_listed(str(one.place)):
             if not any(other.label == one.place for other in self.said):
@@ -353,13 +382,14 @@ class _Outputs:
                 wanted = not one.names.isdisjoint(lump.names | {part.name for part in lump.parts})
                 if wanted or (works and (vessel is where or not explicit)):
                     found.append(lump)
+        found += [rider for lump in explicit for rider in lump.riders if rider not in found and not rider.gone]
         if where is not None and works:
             found += [lump for lump in where.lumps if lump not in found and lump.label not in outputs]
         return found
 
     def _ingredient_fault(self, name: str, node: ObjectNode) -> None:
         facts = self.world.tables.foods.food(name)
-        minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salty")
+        minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salt")
         self.happening.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
 
     def _consume(self, lump: Lump, product: Lump) -> None:
@@ -388,10 +418,38 @@ class _Outputs:
         for name in sorted(one.names - there - {one.label}):
             other = self._to_be_moved(name, lump.where)
             if other is not None and other is not lump:
-                self.supply.put(other, lump.where)
-                self.mapped.add(id(other))
-            elif not _is_among(name, self.brought | {said.label for said in self.said}):
-                self._out_of_nowhere(name, self.mentions[place].node, lump.where)
+                lump.parts += [part for part in other.parts if part not in lump.parts]
+                lump.names |= other.names
+                self._consume(other, lump)
+                self.supply.keep(lump, lump.where)
+            elif name not in {said.label for said in self.said}:
+                self._derived(name, self.mentions[place].node, lump.where)
+
+    def _derived(self, name: str, node: ObjectNode, where: Vessel | None) -> None:
+        """Put into a vessel what only its name tells of: a part of something that went in, or a thing from nowhere."""
+        if where is not None and where.row.role == "storage":
+            self.supply.name_lump(name, self.happening.number, where)  # a can that is opened shows what is in it
+            return
+        for lump in self._all_lumps():
+            if any(_is_part_of(name, other) for other in (*lump.names, *(part.name for part in lump.parts))):
+                self._portion_called(name, lump, where)
+                return
+        if self.happening.does("separate") and self._all_lumps():
+            self._portion_called(name, self._all_lumps()[0], where)
+        elif not _is_among(name, self.brought):
+            self._out_of_nowhere(name, node, where)
+
+    def _portion_called(self, name: str, lump: Lump, where: Vessel | None) -> None:
+        if where is not None and (lump.where is where or name in where.names):
+            lump.names.add(name)
+            self.supply.keep(lump, lump.where)
+            return
+        parts = [part.copy() for part in lump.parts]
+        self.supply.parts += parts
+        portion = Lump(name, {name}, (), parts, made=True, last=self.happening.number)
+        self.supply.keep(portion, where)
+        self.mapped.add(id(portion))
+        self.happening.made.append(portion)
 
     def _out_of_nowhere(self, name: str, node: ObjectNode, where: Vessel | None) -> None:
         """Tell an ingredient that did not go in; it is there all the same from now on, so that it is told once."""
@@ -403,10 +461,11 @@ class _Outputs:
         for name in sorted(one.names - vessel.names):
             lump = self._to_be_moved(name, vessel)
             if lump is not None:
+                self._leave_rest(lump)
                 self.supply.put(lump, vessel)
                 self.mapped.add(id(lump))
-            elif not _is_among(name, self.brought | {o.label for o in self.said}):
-                self._out_of_nowhere(name, one.node, vessel)
+            elif name not in {other.label for other in self.said}:
+                self._derived(name, one.node, vessel)
         if one.empty or (not one.names and self.happening.does("move") and vessel.lumps and self._poured_out(vessel)):
             self._empty(vessel)
 
@@ -417,7 +476,8 @@ class _Outputs:
 
     def _to_be_moved(self, name: str, vessel: Vessel | None) -> Lump | None:
         for lump in self._all_lumps():
-            if lump.gone or lump.where is vessel or id(lump) in self.mapped:
+            stayed = id(lump) in self.mapped and lump.where is self.before.get(id(lump), lump.where)
+            if lump.gone or lump.where is vessel or (id(lump) in self.mapped and not stayed):
                 continue
             if name in lump.names or any(part.name == name for part in lump.parts):
                 return lump
@@ -446,11 +506,16 @@ class _Outputs:
             if lump.gone or id(lump) in self.mapped:
                 continue
             carried = lump.where is None or lump.where.row.role in {"storage", "place"}
+            carried = carried or (bool(targets) and lump.label in self._claimed_by(targets[0]))
             if targets and carried and self.happening.does("move", "scatter", *_WORKS):
                 self.supply.put(lump, targets[0])
             elif self.happening.does("discard"):
                 self.supply.put(lump, None)
                 lump.gone = True
+
+    def _claimed_by(self, vessel: Vessel) -> frozenset[str]:
+        """Return what the output nodes of a vessel say it holds."""
+        return frozenset().union(*(self.said[place].names for place, v in self.vessel_of.items() if v is vessel))
 
     def _remember(self) -> None:
         for node, lump in self.happening.outputs.items():
@@ -465,6 +530,18 @@ class _Outputs:
             if lump.where is not old or (lump.gone and id(lump) in self.before):
                 self.happening.moved.append((lump, old, lump.where))
         self.happening.moved += [(lump, None, lump.where) for lump in self.happening.made]
+
+
+def _is_called(lump: Lump, name: str) -> bool:
+    """Whether a food is what somebody calls by a short name: a wrapper, meat, a sheet."""
+    if any(own.split()[-1:] == [name] for own in lump.names):
+        return True
+    return any(part.name == name or part.food.is_a(name) for part in lump.parts)
+
+
+def _is_part_of(name: str, other: str) -> bool:
+    """Whether one name says more of what another names: lemon juice of a lemon, a beaten egg of an egg."""
+    return name != other and bool(other) and set(other.split()) < set(name.split())
 
 
 def _is_among(name: str, names: set[str]) -> bool:
