@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import chain, takewhile
 
+from foon_kg.food.lists import word_list
 from foon_kg.kitchen import words
 from foon_kg.knowledge import LikelyGoals
 from foon_kg.model import Goal, RequiredIngredient
@@ -21,12 +22,7 @@ LOOKED_AT, MORE = 64, 4
 
 _SLACK = 1e-9  # sums of confidences depend on their order in the last bits
 
-_DISHES = frozenset(
-    {
-        "biscuits and cakes", "cooked dishes", "egg dishes", "filled doughs", "mixtures", "patties and balls",
-        "pies and sweets", "pizzas", "potato dishes", "rice dishes", "salads", "sandwiches",
-    }
-)  # fmt: skip
+_DISHES = word_list("groups of dishes")
 """The groups of foods (``data/food-groups.txt``) in which only dishes are."""
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from foon_kg.food.lists import word_list
 from foon_kg.names import canonical
 from foon_kg.similarity.groups import food_groups
 from foon_kg.state_classes import state_classes
 from foon_kg.states import state_in
 
 _PHRASE = re.compile(r",|;|\band\b|\bthen\b|\(|\)", re.IGNORECASE)
-_IN_NAMES = frozenset({"grain", "juice", "white"})  # states of the FOON, but a part of "white potato"
-_BEGINNINGS = ("reduced fat ", "reduced sodium ", "whole grain ", "whole kernel ", "whole milk", "whole wheat ")
+_IN_NAMES = word_list("states in names")
+_BEGINNINGS = tuple(sorted(word_list("beginnings of names")))
 _REMARKS = frozenset({"divided"})  # a FOON divides dough; "4 tablespoons butter, divided" is used in two places
 
 

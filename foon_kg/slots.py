@@ -6,11 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from foon_kg import motions
-from foon_kg.kitchen import Kitchen, words
+from foon_kg.food import tables
+from foon_kg.kitchen import Kitchen
 from foon_kg.lines import FoodLine, opens_food
 from foon_kg.model import KnownUnit, ObjectNode
-
-_MEASURES = frozenset({"jigger", "measuring", "scoop", "spoon", "tablespoon", "teaspoon"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,4 +81,10 @@ def _prepares(place: int, units: Sequence[KnownUnit], kitchen: Kitchen) -> bool:
 
 def _measures(known: KnownUnit, kitchen: Kitchen) -> bool:
     filled = [node for node in known.unit.output_nodes if node.ingredients and not kitchen.is_food(node)]
-    return bool(filled) and all(not _MEASURES.isdisjoint(words(node.label)) for node in filled)
+    return bool(filled) and all(_is_measure(node.label) for node in filled)
+
+
+def _is_measure(label: str) -> bool:
+    """Say whether a utensil measures, and nobody cooks or serves in it: a jigger, a measuring cup, a spoon."""
+    row = tables().utensil(label)
+    return row is not None and (row.group == "measures" or (row.role == "tool" and {"hold", "measure"} <= row.can))

@@ -12,14 +12,12 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from foon_kg import motions
-from foon_kg.food.lists import word_list
+from foon_kg.food import Food, Level, tables
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import MadeBy, SeenAs, Vocabulary
 from foon_kg.model import RequiredIngredient
-from foon_kg.names import canonical
 from foon_kg.recent import Recent
 from foon_kg.script import Recast
-from foon_kg.similarity.groups import food_groups
 from foon_kg.states import motion_for
 
 FAIR = 0.5
@@ -27,9 +25,6 @@ FAIR = 0.5
 
 SAME_CLASS = 0.5
 """States at least this similar may stand for one another."""
-
-_RAW = word_list("raw flesh")
-"""States in which meat and fish are sold raw."""
 
 MOST_FOODS = 1024
 """Of so many foods it is kept what may stand for them."""
@@ -53,17 +48,17 @@ class Candidate:
         return self.name_confidence * self.state_confidence
 
 
-_FLESH = frozenset({"meat", "seafood"})
-_NEVER_RAW = _FLESH | {"eggs", "starchy roots"}
+def eaten_raw(food: str, state: str = "") -> bool:
+    """Return whether ``food`` may be eaten without being cooked: no raw meat, fish, egg or potato."""
+    return _known(food, state).owes.get("cook") is not Level.FATAL
 
 
-def eaten_raw(food: str) -> bool:
-    """Say whether people eat ``food`` raw: no meat, fish, eggs or potatoes."""
-    return food_groups().headings_of(canonical(food)).isdisjoint(_NEVER_RAW)
+def _is_raw_flesh(food: str, state: str) -> bool:
+    return _known(food, state).is_a("meat", "fish", "shellfish") and not eaten_raw(food, state)
 
 
-def _is_flesh(food: str) -> bool:
-    return not food_groups().headings_of(canonical(food)).isdisjoint(_FLESH)
+def _known(food: str, state: str) -> Food:
+    return tables().foods.food(food, [state] if state else [])
 
 
 @dataclass(frozen=True)
@@ -214,11 +209,8 @@ class Equivalents:
 
         Nobody eats it raw: where nothing is heated after it joins, it is cooked before.
         """
-        if (
-            want.state not in _RAW
-            or not self.kitchen.is_start_state(want.object, want.state)
-            or not _is_flesh(want.object)
-        ):
+        sold = want.state and self.kitchen.is_start_state(want.object, want.state)
+        if not sold or not _is_raw_flesh(want.object, want.state):
             return ()
         return self.candidates(replace(want, state="cooked"))
 

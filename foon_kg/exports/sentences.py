@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from functools import cached_property
 
+from foon_kg import motions
+from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.kitchen import Kitchen, is_place
 from foon_kg.model import FunctionalUnit, ObjectNode
@@ -24,8 +26,6 @@ _SHAPES = {"leaf": "leaves"} | {
 }
 _IRREGULAR = {"freeze": "frozen", "grind": "ground", "tear": "torn", "break": "broken", "cut": "cut"}
 _PLACES = frozenset({"in", "inside", "on", "over", None})
-_ROOMS = frozenset({"freezer", "fridge", "microwave", "oven", "refrigerator"})
-_HEATING = frozenset({"bake", "boil", "cook", "heat"})
 _FEW = 3
 _COGNATE = 3
 
@@ -169,9 +169,9 @@ class _Reading:
         taken = {node.container for node in self._inputs if node.container} | set(places)
         free = (node for node in self._utensils if not node.ingredients and node.container not in taken)
         tools = [node.label for node in free if node.label not in taken]
-        rooms = [label for label in tools if label in _ROOMS]
+        rooms = [label for label in tools if _is_room(label)]
         said = f" in {_the(rooms)}" if rooms else ""
-        tools = [label for label in tools if label not in _ROOMS]
+        tools = [label for label in tools if label not in rooms]
         return said + (f" with {_the(tools)}" if tools else "")
 
     def _until(self) -> str:
@@ -181,7 +181,7 @@ class _Reading:
             after = [node for node in self._food_made if node.label == label]
             before = [node for node in self._foods if node.label == label]
             known = {state for node in before for state in node.states}
-            if len(after) == 1 and (before or self._verb in _HEATING):
+            if len(after) == 1 and (before or motions.heats(self._verb)):
                 found += [state for state in after[0].states if state not in known]
         return self._in_words(found)
 
@@ -224,6 +224,12 @@ def _stands_in(inner: str, outer: str, nodes: Iterable[ObjectNode]) -> bool:
 
 def _is_flat(label: str) -> bool:
     return bool(label) and label.rsplit(maxsplit=1)[-1] in _FLAT
+
+
+def _is_room(label: str) -> bool:
+    """Say whether a utensil is an appliance in which things stand: an oven, a fridge."""
+    row = tables().utensil(label)
+    return row is not None and row.role == "appliance" and row.holds == "in"
 
 
 def _motion_to(label: str, after: Iterable[ObjectNode]) -> str:
