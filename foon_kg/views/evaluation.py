@@ -21,7 +21,7 @@ from foon_kg.views.words import ASIDE
 
 _QUOTED = (100, 95, 90, 85, 75, 50)
 _MOST_CHANGES = 10
-_BROKEN = "Trees that break each rule: with a fatal finding / with any"
+_BROKEN = "Trees with a fatal finding of each rule, and with any"
 
 
 def recipe_evaluation_view(evaluation: RecipeEvaluation) -> RenderableType:
@@ -56,6 +56,7 @@ def trees_evaluation_view(evaluation: TreesEvaluation) -> RenderableType:
 def accepted_table(asked: str, verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
     """Return for each dish type how many of what was ``asked`` robot and cook accept, and the shares."""
     table = columns("", asked, "robot", "cook", "accepted", "form kept", "no tree")
+    table.columns[0].no_wrap = True
     for name, found in verdicts:
         counts = (f"{count} ({100 * found.share(count):.0f} %)" for count in found.named.values())
         table.add_row(name, str(len(found.reports)), *counts, str(len(found.reports) - len(found.trees)))
@@ -63,11 +64,16 @@ def accepted_table(asked: str, verdicts: Sequence[tuple[str, Verdicts]]) -> Tabl
 
 
 def broken_table(verdicts: Sequence[tuple[str, Verdicts]]) -> Table:
-    """Return for each rule how many trees have a fatal finding, and how many have any."""
-    table = columns("", *(name for name, _ in verdicts))
+    """Return for each rule how many trees have a fatal finding by dish type; of all, the last, how many have any."""
+    table = columns("", *(name for name, _ in verdicts), "with any", "asked")
+    table.columns[0].no_wrap = True
     for rule in RULES:
         counts = [found.rules[rule] for _, found in verdicts]
-        table.add_row(rule, *(f"{one.fatal} / {one.broken}" if one.asked else "not asked" for one in counts))
+        every = counts[-1]
+        if every.asked:
+            table.add_row(rule, *(str(count.fatal) for count in counts), str(every.broken), str(every.asked))
+        else:
+            table.add_row(rule, *("" for _ in counts), "", "not asked")
     return table
 
 
