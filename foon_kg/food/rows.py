@@ -106,8 +106,8 @@ class Motion:
 class Utensil:
     """A utensil: its role (vessel, storage, tool, appliance, lid, wrap, place) and what it can do.
 
-    ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power, water), ``holds`` what it works on
-    (on, in, attached), has one power or one for each vessel (``power``), and may be ``always_on``.
+    ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power, water), ``holds`` what it
+    works on (on, in, attached), has one power or one for each vessel (``power``), and may be ``always_on``.
     """
 
     name: str

@@ -89,7 +89,7 @@ class Tables:
         )
 
     def dishes_named(self, *texts: str) -> tuple[Dish, ...]:
-        """Return the dishes that stand in ``texts`` (a goal's label, a title), longer names before those within them."""
+        """Return the dishes that stand in ``texts`` (a goal's label, a title), the longer names only."""
         found: dict[str, Dish] = {}
         for text in texts:
             own = words(text)

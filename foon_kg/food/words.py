@@ -38,5 +38,5 @@ def singular_word(word: str) -> str:
 
 @functools.lru_cache(maxsize=1 << 14)
 def plain_words(text: str) -> frozenset[str]:
-    """Return the words of a motion or a state as they are written, in lower case: ``scoop and pour`` → scoop, and, pour."""
+    """Return the words of a motion or a state as they are written, in lower case."""
     return frozenset(_WORD.findall(text.lower()))

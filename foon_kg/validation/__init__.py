@@ -1,8 +1,8 @@
 """The judge: whether a task tree keeps the contract of docs/contract.md.
 
 It plays the tree in a kitchen (:mod:`foon_kg.world`) and asks of what happened there. It knows nothing of planning.
-``check`` returns a :class:`Report`; each finding says the rule, the step, the nodes, the reason and whether it is minor.
-A rule that lacks what it would need (a recipe, the FOON) is named under ``not_asked``.
+``check`` returns a :class:`Report`; each finding says the rule, the step, the nodes, the reason and whether it is
+minor. A rule that lacks what it would need (a recipe, the FOON) is named under ``not_asked``.
 """
 
 from __future__ import annotations

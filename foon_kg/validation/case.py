@@ -1,4 +1,4 @@
-"""What a rule has before it when it judges a tree: the tree, the FOON, the world in which it was played, and the dish."""
+"""What a rule has before it when it judges a tree: the tree, the FOON, the world in which it was played, the dish."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a cook needs of the whole dish (docs/contract.md, K5 to K7): that it is what it is called, with what was asked."""
+"""What a cook needs of the whole dish (docs/contract.md, K5 to K7): its name is true, and what was asked is in it."""
 
 from __future__ import annotations
 
@@ -69,9 +69,9 @@ def namesakes(case: Case, label: str) -> Iterator[str]:
 def _is_in(case: Case, food: str) -> bool:
     if food in case.parts_by_name:
         return True
-    own, head = set(food.split()), food.split()[-1]
+    own, head = set(food.split()), food.rpartition(" ")[2]
     for name in case.parts_by_name:
-        if own <= set(name.split()) or (name.split()[-1] == head and set(name.split()) <= own):
+        if own <= set(name.split()) or (name.rpartition(" ")[2] == head and set(name.split()) <= own):
             return True
     kind = case.tables.foods.find(food)[0]
     return food == kind and any(part.food.is_a(kind) for part in case.parts)
@@ -112,7 +112,7 @@ def _mixes(case: Case) -> bool:
 
 
 def sense(case: Case) -> Iterator[Finding]:
-    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, an ungreased tray, a stirred-in topping."""
+    """K7: what no cook would do: dough of cooked pasta, fat through a strainer, a misread word."""
     yield from of_world("K7", case)
     for happening in case.happenings:
         yield from _dough(happening)

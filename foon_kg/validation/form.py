@@ -37,7 +37,7 @@ def _why_missing(case: Case, node: ObjectNode, place: int) -> str:
 
 
 def goal(case: Case) -> Iterator[Finding]:
-    """C2: the last unit that touches food outputs the goal, which is called as such a dish is, with its namesakes in it.
+    """C2: the last unit that touches food outputs the goal, called as such a dish is, with its namesakes in it.
 
     Without a recipe any dish type will do; where the goal itself was asked for (classic retrieval), any product.
     """
@@ -114,7 +114,7 @@ def _serves(happening: Happening, inside: set[int], before_the_end: bool) -> boo
 
 
 def complete(case: Case) -> Iterator[Finding]:
-    """C4: every required food is in the goal by identity, and had its asked state on the way or says how it was read."""
+    """C4: every required food is in the goal by identity; it had its asked state, or it is told how that was read."""
     if case.tree.error is not None:
         return
     declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
@@ -150,7 +150,7 @@ def free_foods(case: Case) -> tuple[str, ...]:
 
 
 def kitchen(case: Case) -> Iterator[Finding]:
-    """C6: every leaf is as it is found in a kitchen; what is processed is assumed openly, and only where FOON cannot."""
+    """C6: every leaf is as a kitchen has it; what is processed is assumed openly, where FOON cannot make it."""
     assumed = {entry.node for entry in case.tree.assumptions or ()}
     for node in case.tree.leaves:
         place, said = case.tree.takers[node][0], case.read(node)
@@ -196,9 +196,9 @@ def _keeps_food(said: Said) -> bool:
 
 
 def _food_fault(case: Case, said: Said) -> str:
-    if said.place_utensil is not None and said.place_utensil.role not in {"storage", "place"}:
-        if not said.place_utensil.always_on and not said.place_utensil.keeps_food:
-            return f"it is in the {said.place} before anybody put it there"
+    place = said.place_utensil
+    if place is not None and place.role != "place" and not place.always_on and not place.keeps_food:
+        return f"it is in the {said.place} before anybody put it there"
     facts = case.tables.foods.food(said.label, said.node.states)
     if facts.is_a("made", "dough") and said.names - {said.label}:
         return "it is made of other foods, and nobody made it"

@@ -1,4 +1,4 @@
-"""C7 honest, C8 grounded (docs/contract.md): whether every step is attested by the FOON, and every difference is told."""
+"""C7 honest, C8 grounded (docs/contract.md): the FOON attests every step, and every difference is told."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ KINDS = ("object", "state", "motion", "tool", "vessel")
 
 
 class Grounding(IntEnum):
-    """How near the evidence of a unit is: the same food, a declared equivalent, a food of its kind, the motion alone."""
+    """How near the evidence of a unit is: the same food, a declared equivalent, its kind, the motion alone."""
 
     FOOD = 0
     LIKE = 1

@@ -16,18 +16,24 @@ TABLE: tuple[str, ...] = ("K1", "K2", "K3", "K4", "K5", "K6", "K7")
 RULES: tuple[str, ...] = (*FORM, *WORLD, *TABLE)
 
 ROBOT: frozenset[str] = frozenset({*WORLD, "K4"})
-"""The rules of which no robot can do without: a fatal finding of one of them, and the tree cannot be carried out."""
+"""The rules that a robot needs: with a fatal finding of one of them the tree cannot be carried out."""
 
 COOK: frozenset[str] = frozenset(TABLE)
-"""The rules of which no cook can do without."""
+"""The rules that a cook needs."""
+
+SEEN_BY_COOKS: frozenset[str] = COOK | {"W4", "W5"}
+"""The rules whose minor findings a cook sees: what tastes odd, serves nothing or waits; not the slips of a node."""
 
 MOST_MINOR = 2
-"""How many minor findings a cook puts up with."""
+"""How many of these minor findings a cook puts up with."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One breach of ``rule``: at which step (from 0), about which nodes, and why. ``minor``: odd, yet it can be done."""
+    """One breach of ``rule``: at which step (from 0), about which nodes, and why.
+
+    ``minor``: odd, yet it can be done.
+    """
 
     rule: str
     reason: str
@@ -88,8 +94,8 @@ class Report:
 
     @property
     def cook(self) -> bool:
-        """Whether a cook would serve what comes of it: no fatal K and at most two minor findings."""
-        minor = sum(finding.minor for finding in self.findings if finding.rule in TABLE)
+        """Whether a cook would serve what comes of it: no fatal K and at most two minor findings that a cook sees."""
+        minor = sum(finding.minor for finding in self.findings if finding.rule in SEEN_BY_COOKS)
         return not set(self.fatal) & COOK and minor <= MOST_MINOR
 
     @property

@@ -28,7 +28,7 @@ def idle(case: Case) -> Iterator[Finding]:
     for happening in case.happenings:
         if happening.does("move", "scatter") and _moves_nothing(happening):
             yield Finding("W4", f"nothing moves in “{happening.step.motion}”", happening.number)
-        if happening.does("grind") and not _can(case, happening, _GRINDS):
+        if happening.does("grind") and not _can(happening, _GRINDS):
             yield Finding("W4", "it is ground without a mill, mortar, blender or processor", happening.number)
     yield from _cut_for_nothing(case)
     yield from _moved_for_nothing(case)
@@ -44,7 +44,7 @@ def _moves_nothing(happening: Happening) -> bool:
     return not happening.does("cut", "grate", "grind", "peel", "open", "press")
 
 
-def _can(case: Case, happening: Happening, abilities: frozenset[str]) -> bool:
+def _can(happening: Happening, abilities: frozenset[str]) -> bool:
     for vessel in happening.vessels:
         place: Vessel | None = vessel
         while place is not None:

@@ -1,7 +1,7 @@
 """The kitchen as it changes: things with identity, vessels with contents, appliances with power.
 
-:class:`World` plays a tree step by step and tells why a step cannot happen (docs/contract.md, W1 to W4). Planner and judge
-use it alike; nothing here plans or judges.
+:class:`World` plays a tree step by step and tells why a step cannot happen (docs/contract.md, W1 to W4). Planner and
+judge use it alike; nothing here plans or judges. ``world.py`` says what a step is made of; read it first.
 """
 
 from __future__ import annotations

@@ -2,34 +2,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from foon_kg.model import ObjectNode
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Said
+from foon_kg.world.supply import Supply
 from foon_kg.world.things import Lump, Vessel
-
-if TYPE_CHECKING:
-    from foon_kg.world.world import World
 
 _SWITCHES = ("switch on", "switch off")
 
 
-def check_inputs(world: World, happening: Happening) -> None:
+def check_inputs(supply: Supply, happening: Happening) -> None:
     """Tell appliances that are not as their input nodes say, work without its source, and food behind closed doors."""
-    pairs = zip(happening.vessels, _utensils(world, happening), strict=True)
+    pairs = zip(happening.vessels, _utensils(supply, happening), strict=True)
     for vessel, (said, node) in pairs:
         if vessel.is_appliance:
             _check_power(vessel, said, node, happening)
         elif said.hot:
             _check_hot(vessel, node, happening)
-    _check_source(world, happening)
+    _check_source(happening)
     if happening.does("attach") or (happening.does("detach") and not happening.does("fetch")):
         _check_attached(happening)
 
 
-def _utensils(world: World, happening: Happening) -> list[tuple[Said, ObjectNode]]:
-    read = [(world.reader.read(mention.node), mention.node) for mention in happening.step.inputs]
+def _utensils(supply: Supply, happening: Happening) -> list[tuple[Said, ObjectNode]]:
+    read = [(supply.reader.read(mention.node), mention.node) for mention in happening.step.inputs]
     return [(said, node) for said, node in read if said.utensil is not None]
 
 
@@ -59,11 +55,11 @@ def _check_hot(vessel: Vessel, node: ObjectNode, happening: Happening) -> None:
     vessel.hot = True
 
 
-def _check_source(world: World, happening: Happening) -> None:
+def _check_source(happening: Happening) -> None:
     source = happening.motion.source
     if source not in {"heat", "power"} or happening.does(*_SWITCHES):
         return
-    sources = sources_of(world, happening, source)
+    sources = sources_of(happening, source)
     if not sources:
         what = "heat source" if source == "heat" else "appliance"
         happening.fault("W3", f"“{happening.step.motion}” without a {what}", *_nodes_of(happening))
@@ -78,7 +74,7 @@ def _nodes_of(happening: Happening) -> tuple[ObjectNode, ...]:
     return tuple(mention.node for mention in happening.step.inputs[:1])
 
 
-def sources_of(world: World, happening: Happening, source: str) -> list[tuple[Vessel, str]]:
+def sources_of(happening: Happening, source: str) -> list[tuple[Vessel, str]]:
     """Return the appliances that could work in a step, each with the burner: inputs, and what an input stands on."""
     found: list[tuple[Vessel, str]] = []
     vessels = [*happening.vessels, *(lump.where for lump in happening.inputs if lump.where is not None)]
@@ -86,7 +82,8 @@ def sources_of(world: World, happening: Happening, source: str) -> list[tuple[Ve
         if vessel.is_appliance and vessel.row.source == source:
             standing = [other.label for other in vessels if other.where is vessel]
             found.append((vessel, standing[0] if standing else ""))
-        place, below = vessel.where, vessel
+        place: Vessel | None = vessel.where
+        below = vessel
         while place is not None:
             if place.is_appliance and place.row.source == source:
                 found.append((place, below.label))
@@ -94,7 +91,7 @@ def sources_of(world: World, happening: Happening, source: str) -> list[tuple[Ve
     return found
 
 
-def heated_vessels(world: World, happening: Happening) -> list[Vessel]:
+def heated_vessels(happening: Happening) -> list[Vessel]:
     """Return the vessels in which a step that cooks works: all that hold food and take part, storage apart."""
     vessels = [vessel for vessel in happening.vessels if vessel.lumps]
     vessels += [lump.where for lump in happening.inputs if lump.where is not None]
@@ -112,12 +109,12 @@ def _check_attached(happening: Happening) -> None:
             happening.fault("W3", f"something is {verb} the {vessel.label} while it runs", *_nodes_of(happening))
 
 
-def check_outputs(world: World, happening: Happening) -> None:
+def check_outputs(supply: Supply, happening: Happening) -> None:
     """Switch what the motion switches, and tell what enters or leaves something closed."""
     for mention in happening.step.outputs:
-        said = world.reader.read(mention.node)
+        said = supply.reader.read(mention.node)
         if said.is_appliance:
-            _switch(world, said, mention.node, happening)
+            _switch(supply, said, mention.node, happening)
     for lump, before, now in happening.moved:
         if lump in happening.made:
             continue
@@ -140,8 +137,8 @@ def _closed(vessel: Vessel, lump: Lump, happening: Happening) -> None:
     vessel.covered = False
 
 
-def _switch(world: World, said: Said, node: ObjectNode, happening: Happening) -> None:
-    vessel = world.supply.appliance(said.label)
+def _switch(supply: Supply, said: Said, node: ObjectNode, happening: Happening) -> None:
+    vessel = supply.appliance(said.label)
     if vessel.row.always_on:
         return
     burner = burner_of(said) if vessel.row.power == "vessel" else ""
@@ -154,3 +151,14 @@ def _switch(world: World, said: Said, node: ObjectNode, happening: Happening) ->
     vessel.power[burner] = said.on
     if said.off and not burner:
         vessel.power = dict.fromkeys(vessel.power, False)
+
+
+def hot_vessels(supply: Supply) -> list[Vessel]:
+    """Return the vessels that hold food and stand over heat that is on."""
+    found = []
+    for vessels in supply.vessels.values():
+        for vessel in vessels:
+            source = vessel.where
+            if vessel.lumps and source is not None and source.row.source == "heat" and source.is_on(vessel.label):
+                found.append(vessel)
+    return found

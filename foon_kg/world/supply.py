@@ -210,7 +210,7 @@ class Supply:
         holder = self._holder_of(said, happening)
         if said.label in self.lumps:
             self._again(said, happening)
-        lump = self.new_lump(said.label, said.node.states, happening.number, holder, number, said.names)
+        lump = self.new_lump(said.label, said.node.states, happening.number, holder, number=number, names=said.names)
         for part in lump.parts:
             happening.taken.append(part)
         if said.undivided and not _in_storage(said) and not lump.parts[0].food.is_a("stock"):
@@ -252,6 +252,7 @@ class Supply:
         states: tuple[str, ...],
         step: int,
         where: Vessel | None,
+        *,
         number: int | None = None,
         names: frozenset[str] = frozenset(),
     ) -> Lump:
@@ -322,7 +323,7 @@ def _is_still(lump: Lump, said: Said) -> bool:
 
 def _same_place(label: str, vessel: Vessel) -> bool:
     """Whether a place is a vessel: annotators write *in pan* of what lies in the cooking pan."""
-    return label == vessel.label or label == vessel.label.split()[-1] or vessel.label == label.split()[-1]
+    return label == vessel.label or label == vessel.label.split()[-1] or vessel.label == label.rsplit(maxsplit=1)[-1]
 
 
 def _carries(utensil: Utensil | None) -> bool:

@@ -18,8 +18,8 @@ class Part:
     ``done`` maps each treatment (cut, peel, cook, boil, shell …) to the step that gave it, -1 where it was bought or
     assumed so. ``fine`` says how small its pieces are, 0 whole to 5 powder. ``remains`` is what nobody eats (a husk, a
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
-    ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a ``{}``), so that
-    it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
+    ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a
+    ``{}``), so that it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
     """
 
     food: Food
@@ -51,8 +51,8 @@ class Part:
 class Lump:
     """One food thing: its names (what trees called it), its states, its parts and where it is.
 
-    ``joined``: other foods were mixed into it, so that no whole food is in it any more. ``gone``: it is part of
-    another lump now, or was thrown away. ``riders`` lie on it and go where it goes. ``number`` is the thing's number in a tree that numbers them.
+    ``gone``: it is part of another lump now, or was thrown away. ``riders`` lie on it and go where it goes. ``number``
+    is the thing's number in a tree that numbers them.
     """
 
     label: str

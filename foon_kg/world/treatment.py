@@ -6,15 +6,11 @@ cooked. Mixing in a hot pot does not cook.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from foon_kg.world import power
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Said
+from foon_kg.world.supply import Supply
 from foon_kg.world.things import Lump, Part, Vessel
-
-if TYPE_CHECKING:
-    from foon_kg.world.world import World
 
 GIVES = {
     "cut": ("cut",), "grate": ("cut", "grate"), "grind": ("cut", "grind"), "blend": ("cut", "blend"),
@@ -32,22 +28,22 @@ _BY_HAND = ("cut", "grate", "grind", "mash", "peel", "core", "stone", "shell", "
 _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 
 
-def apply(world: World, happening: Happening) -> None:
+def apply(supply: Supply, happening: Happening) -> None:
     """Write down what the step did to its foods."""
     happening.treated = _treated(happening)
     for lump in happening.treated:
         for part in lump.parts:
-            _treat(part, lump, world, happening)
+            _treat(part, lump, supply, happening)
     if happening.does("heat", "warm"):
-        happening.heated = power.heated_vessels(world, happening)
+        happening.heated = power.heated_vessels(happening)
         for vessel in (*happening.vessels, *happening.heated):
             vessel.hot = True
-        _heat(world, happening)
+        _heat(supply, happening)
     _join(happening)
     for mention in happening.step.outputs:
-        said = world.reader.read(mention.node)
+        said = supply.reader.read(mention.node)
         if said.is_food:
-            _claimed(said, happening.outputs.get(mention.node), world, happening)
+            _claimed(said, happening.outputs.get(mention.node), supply, happening)
 
 
 def _treated(happening: Happening) -> list[Lump]:
@@ -64,18 +60,18 @@ def _treated(happening: Happening) -> list[Lump]:
     return changed or [*out, *went_in]
 
 
-def _treat(part: Part, lump: Lump, world: World, happening: Happening) -> None:
+def _treat(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None:
     if part.remains:
         return
     for name in sorted(happening.motion.does):
         for treatment in GIVES.get(name, ()):
             part.done.setdefault(treatment, happening.number)
         part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
-    if happening.does("separate") and world.tables.foods.food(lump.label, lump.states).is_a("liquid"):
+    if happening.does("separate") and supply.reader.tables.foods.food(lump.label, lump.states).is_a("liquid"):
         for treatment in GIVES["squeeze"]:
             part.done.setdefault(treatment, happening.number)
     if happening.does("cut"):
-        told = [world.tables.state(state).fine for state in lump.states]
+        told = [supply.reader.tables.state(state).fine for state in lump.states]
         fine = max((one for one in told if one is not None), default=FINE["cut"])
         if 0 < fine < part.fine and not lump.mixed:
             reason = f"{part.name} is in finer pieces already"
@@ -83,17 +79,17 @@ def _treat(part: Part, lump: Lump, world: World, happening: Happening) -> None:
         part.fine = max(part.fine, fine)
 
 
-def _told_cooked(world: World, happening: Happening) -> bool:
+def _told_cooked(supply: Supply, happening: Happening) -> bool:
     """Whether a step that only makes hot says that its food is cooked then: people heat until it is."""
     states = [state for lump in happening.outputs.values() for state in lump.states]
-    return any("cook" in world.tables.state(state).earns for state in states)
+    return any("cook" in supply.reader.tables.state(state).earns for state in states)
 
 
-def _heat(world: World, happening: Happening) -> None:
+def _heat(supply: Supply, happening: Happening) -> None:
     lumps = [lump for vessel in happening.heated for lump in vessel.lumps]
     lumps += [lump for lump in (*happening.inputs, *happening.outputs.values()) if lump not in lumps and not lump.gone]
     bath = any(part.food.is_a("cooking liquid") and not part.spoonful for lump in lumps for part in lump.parts)
-    cooked = happening.does("warm") and _told_cooked(world, happening)
+    cooked = happening.does("warm") and _told_cooked(supply, happening)
     for lump in lumps:
         for part in lump.parts:
             part.heated = happening.number
@@ -105,49 +101,53 @@ def _heat(world: World, happening: Happening) -> None:
 
 def _join(happening: Happening) -> None:
     """Note which parts come to others, and which are mixed with them."""
-    places = {id(vessel): vessel for vessel in happening.vessels}
-    for lump in (*happening.inputs, *happening.outputs.values()):
-        if lump.where is not None:
-            places[id(lump.where)] = lump.where
+    mixes = happening.does("mix", "blend", "knead", "mash", "whip")
     origin = {id(lump): before for lump, before, _ in happening.moved}
-    for vessel in places.values():
+    for vessel in _places(happening):
         parts = [part for lump in vessel.lumps for part in lump.parts]
-        if len({part.name for part in parts}) < 2 or vessel.row.role == "storage":
+        if vessel.row.role == "storage" or all(part.name == parts[0].name for part in parts):
             continue
-        origins = {id(origin.get(id(lump), vessel)) for lump in vessel.lumps}
+        several = len({id(origin.get(id(lump), vessel)) for lump in vessel.lumps}) > 1
         for lump in vessel.lumps:
-            for part in lump.parts:
-                if (id(lump) in origin and len(origins) > 1) or part.joined is None:
-                    part.joined = happening.number
-                if happening.does("mix", "blend", "knead", "mash", "whip"):
-                    part.mixed = happening.number
+            _note(lump, happening.number, joins=several and id(lump) in origin, mixes=mixes)
     for lump in happening.outputs.values():
         if lump.mixed and happening.does(*_GATHERS):
-            for part in lump.parts:
-                part.joined = part.joined if part.joined is not None else happening.number
-                if not happening.does("heat") or happening.does("mix"):
-                    part.mixed = happening.number
+            _note(lump, happening.number, joins=False, mixes=mixes or not happening.does("heat"))
 
 
-def _claimed(said: Said, lump: Lump | None, world: World, happening: Happening) -> None:
+def _places(happening: Happening) -> list[Vessel]:
+    """Return the vessels that took part, and those in which its foods are, each once."""
+    lumps = (*happening.inputs, *happening.outputs.values())
+    return list(dict.fromkeys([*happening.vessels, *(lump.where for lump in lumps if lump.where is not None)]))
+
+
+def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
+    for part in lump.parts:
+        if joins or part.joined is None:
+            part.joined = number
+        if mixes:
+            part.mixed = number
+
+
+def _claimed(said: Said, lump: Lump | None, supply: Supply, happening: Happening) -> None:
     """Tell states that this motion cannot give (K4), and that nothing earned (K7)."""
     if lump is None or lump in happening.made:
         return
     before = {state for mention in happening.step.inputs for state in mention.node.states}
     for state in said.node.states:
-        row = world.tables.state(state)
+        row = supply.reader.tables.state(state)
         if state in before or row.sold or not (row.earns or row.fine):
             continue
         missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
         if missing and row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
             continue
-        if missing and _can_give(state, happening, world):
+        if missing and _can_give(state, happening):
             for part in lump.parts:
                 part.done |= dict.fromkeys(ADVISED.intersection(missing), happening.number)
             continue
         if missing:
             happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
-        elif happening.motion.known and happening.motion.gives and not _can_give(state, happening, world):
+        elif happening.motion.known and happening.motion.gives and not _can_give(state, happening):
             happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
         if row.before and not any(one in part.states for part in lump.parts for one in row.before):
             happening.fault(
@@ -160,17 +160,6 @@ def _is_over_heat(lump: Lump) -> bool:
     return place is not None and place.where is not None and place.where.row.source == "heat" and place.hot
 
 
-def _can_give(state: str, happening: Happening, world: World) -> bool:
+def _can_give(state: str, happening: Happening) -> bool:
     own = set(state.lower().replace("-", " ").split())
     return any(state.lower() == given or set(given.split()) & own for given in happening.motion.gives)
-
-
-def hot_vessels(world: World) -> list[Vessel]:
-    """Return the vessels that hold food and stand over heat that is on."""
-    found = []
-    for vessels in world.supply.vessels.values():
-        for vessel in vessels:
-            source = vessel.where
-            if vessel.lumps and source is not None and source.row.source == "heat" and source.is_on(vessel.label):
-                found.append(vessel)
-    return found

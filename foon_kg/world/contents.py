@@ -1,0 +1,153 @@
+"""What vessels and foods hold after a step: what their nodes tell, and what went in and is told nowhere."""
+
+from __future__ import annotations
+
+from foon_kg.model import ObjectNode
+from foon_kg.world.outcome import WORKS, Outcome
+from foon_kg.world.reading import Said
+from foon_kg.world.things import Lump, Vessel
+
+_LETS_GO = ("separate", "discard", "clean")
+
+
+def settle(out: Outcome) -> None:
+    """Bring to each food and into each vessel what its node holds, and to its place what no node tells of."""
+    for place, one in enumerate(out.said):
+        if one.utensil is None:
+            _gather(out, place)
+    for place in sorted(out.vessel_of):
+        _fill(out, out.said[place], out.vessel_of[place])
+    _let_go(out)
+
+
+def _gather(out: Outcome, place: int) -> None:
+    """Bring to a food what its output node holds and what went in beside it: cream that is spread on a dough."""
+    one, lump = out.said[place], out.happening.outputs[out.mentions[place].node]
+    there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
+    for name in sorted(one.names - there - {one.label}):
+        other = _to_be_moved(out, name, lump.where)
+        if other is not None and other is not lump:
+            lump.parts += [part for part in other.parts if part not in lump.parts]
+            lump.names |= other.names
+            out.consume(other, lump)
+            out.supply.keep(lump, lump.where)
+        elif name not in {said.label for said in out.said}:
+            _derived(out, name, out.mentions[place].node, lump.where)
+
+
+def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) -> None:
+    """Put into a vessel what only its name tells of: a part of something that went in, or a thing from nowhere."""
+    if where is not None and where.row.role == "storage":
+        out.supply.name_lump(name, out.happening.number, where)  # a can that is opened shows what is in it
+        return
+    for lump in out.lumps():
+        if any(_is_part_of(name, other) for other in (*lump.names, *(part.name for part in lump.parts))):
+            _portion_called(out, name, lump, where)
+            return
+    if out.happening.does("separate") and out.lumps():
+        _portion_called(out, name, out.lumps()[0], where)
+    elif not _is_among(name, out.brought):
+        _out_of_nowhere(out, name, node, where)
+
+
+def _portion_called(out: Outcome, name: str, lump: Lump, where: Vessel | None) -> None:
+    if where is not None and (lump.where is where or name in where.names):
+        lump.names.add(name)
+        out.supply.keep(lump, lump.where)
+        return
+    parts = [part.copy() for part in lump.parts]
+    out.supply.parts += parts
+    portion = Lump(name, {name}, (), parts, made=True, last=out.happening.number)
+    out.supply.keep(portion, where)
+    out.mapped.add(id(portion))
+    out.happening.made.append(portion)
+
+
+def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) -> None:
+    """Tell an ingredient that did not go in; it is there all the same from now on, so that it is told once."""
+    out.tell_missing(name, node)
+    out.supply.name_lump(name, out.happening.number, where)
+
+
+def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
+    """Bring into a vessel what its output node holds and what has not come there yet."""
+    for name in sorted(one.names - vessel.names):
+        lump = _to_be_moved(out, name, vessel)
+        if lump is not None:
+            out.leave_rest(lump)
+            out.supply.put(lump, vessel)
+            out.mapped.add(id(lump))
+        elif name not in {other.label for other in out.said}:
+            _derived(out, name, one.node, vessel)
+    if one.empty or (not one.names and out.happening.does("move") and vessel.lumps and _poured_out(out, vessel)):
+        _empty(out, vessel)
+
+
+def _poured_out(out: Outcome, vessel: Vessel) -> bool:
+    """Whether a vessel that is told without contents was poured out: another one holds them by its node."""
+    claimed = [other.names for place, other in enumerate(out.said) if out.vessel_of.get(place) is not vessel]
+    return any(not names.isdisjoint(vessel.names) for names in claimed)
+
+
+def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
+    for lump in out.lumps():
+        stayed = id(lump) in out.mapped and lump.where is out.before.get(id(lump), lump.where)
+        if lump.gone or lump.where is vessel or (id(lump) in out.mapped and not stayed):
+            continue
+        if name in lump.names or any(part.name == name for part in lump.parts):
+            return lump
+    return None
+
+
+def _empty(out: Outcome, vessel: Vessel) -> None:
+    """Move what is left of a vessel that is told empty to where the rest went; without such a place it is gone."""
+    targets = [
+        other for place, other in out.vessel_of.items()
+        if other is not vessel and not other.is_appliance and out.said[place].names and other.row.role != "storage"
+    ]  # fmt: skip
+    targets += [lump.where for lump in out.happening.outputs.values() if lump.where not in (None, vessel)]
+    for lump in list(vessel.lumps):
+        drained = out.happening.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
+        if targets and not drained and vessel.row.role != "storage":
+            out.supply.put(lump, targets[0])
+        else:
+            out.supply.put(lump, None)
+            lump.gone = vessel.row.role != "storage"
+
+
+def _let_go(out: Outcome) -> None:
+    """Bring what was put in and is named in no output to where the step brings things: into the one target."""
+    targets = [v for v in out.vessel_of.values() if not v.is_appliance and v.row.role in {"vessel", "wrap"}]
+    targets += [lump.where for lump in out.happening.outputs.values() if lump.where is not None]
+    for lump in out.happening.inputs:
+        if lump.gone or id(lump) in out.mapped:
+            continue
+        carried = lump.where is None or lump.where.row.role in {"storage", "place"}
+        carried = carried or (bool(targets) and lump.label in _claimed_by(out, targets[0]))
+        if targets and carried and out.happening.does("move", "scatter", *WORKS):
+            out.supply.put(lump, targets[0])
+        elif out.happening.does("discard"):
+            out.supply.put(lump, None)
+            lump.gone = True
+
+
+def _claimed_by(out: Outcome, vessel: Vessel) -> frozenset[str]:
+    """Return what the output nodes of a vessel say it holds."""
+    return frozenset().union(*(out.said[place].names for place, v in out.vessel_of.items() if v is vessel))
+
+
+def _is_part_of(name: str, other: str) -> bool:
+    """Whether one name says more of what another names: lemon juice of a lemon, a beaten egg of an egg."""
+    return name != other and bool(other) and set(other.split()) < set(name.split())
+
+
+def _is_among(name: str, names: set[str]) -> bool:
+    """Whether a food is among others, in the same words or with one word more (broth, chicken broth)."""
+    if name in names:
+        return True
+    own = name.split()
+    return any(
+        other.split()[-1:] == own[-1:] and (set(own) <= set(other.split()) or set(other.split()) <= set(own))
+        for other in names
+        if other
+    )

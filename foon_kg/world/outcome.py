@@ -1,0 +1,115 @@
+"""What comes out of one step: which thing each output is, and what all of its outputs share while that is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from foon_kg.model import ObjectNode
+from foon_kg.world.happening import Happening
+from foon_kg.world.reading import Said
+from foon_kg.world.supply import Supply
+from foon_kg.world.things import Lump, Vessel
+
+JOINS = ("mix", "blend", "mash", "knead", "whip", "grind", "shape", "coat")
+"""Motions that make one thing of several."""
+
+WORKS = (*JOINS, "heat", "warm", "wait", "liquid", "dry", "fat")
+"""Motions that work on all that is in a vessel."""
+
+
+class Outcome:
+    """The outputs of one step while they are matched with things.
+
+    ``before`` says where each lump was. ``vessel_of`` has the vessel of each output that is one, by its place among the
+    outputs; ``mapped`` the lumps (by identity) that some output is, and so are not moved again.
+    """
+
+    def __init__(self, supply: Supply, happening: Happening, before: dict[int, Vessel | None]) -> None:
+        self.supply = supply
+        self.tables = supply.reader.tables
+        self.happening = happening
+        self.before = before
+        self.mentions = happening.step.outputs
+        self.said = [self.supply.reader.read(mention.node) for mention in self.mentions]
+        self.vessel_of: dict[int, Vessel] = {}
+        self.mapped: set[int] = set()
+        self.brought = self.names_brought()
+
+    def names_brought(self) -> set[str]:
+        """Return the names of all foods that went in, and of their parts."""
+        names: set[str] = set()
+        for lump in self.lumps():
+            names |= lump.names
+            names.update(part.name for part in lump.parts)
+        return names
+
+    def lumps(self) -> list[Lump]:
+        """Return the foods that went in, those first that are inputs, then what their vessels hold."""
+        found = list(self.happening.inputs)
+        found += [lump for vessel in self.happening.vessels for lump in vessel.lumps if lump not in found]
+        return found
+
+    def holders(self) -> Iterable[Vessel]:
+        """Yield what the inputs stand in, on or are attached to."""
+        for lump in self.happening.inputs:
+            place = self.before.get(id(lump), lump.where)
+            while place is not None:
+                yield place
+                place = place.where
+        for vessel in self.happening.vessels:
+            place = vessel.where
+            while place is not None:
+                yield place
+                place = place.where
+
+    def standing(self) -> Iterable[Vessel]:
+        """Yield what stands on or in an input: taking a tray out of the oven names the oven only."""
+        for vessels in self.supply.vessels.values():
+            for vessel in vessels:
+                if vessel.where is not None and vessel.where in self.happening.vessels:
+                    yield vessel
+
+    def leave_rest(self, lump: Lump) -> None:
+        """Leave some of a stock food (salt, oil, flour) in the vessel it is taken from, unless that is told empty."""
+        vessel = lump.where
+        if vessel is None or lump.mixed or not any(part.food.is_a("stock", "water") for part in lump.parts):
+            return
+        emptied = any(v is vessel and self.said[place].empty for place, v in self.vessel_of.items())
+        if emptied or vessel.row.role in {"place", "appliance"}:
+            return
+        parts = [part.copy() for part in lump.parts]
+        rest = Lump(lump.label, set(lump.names), lump.states, parts, last=self.happening.number, made=lump.made)
+        self.supply.keep(rest, vessel)
+        self.before[id(rest)] = vessel
+
+    def tell_missing(self, name: str, node: ObjectNode) -> None:
+        """Tell an ingredient that is in no input (W2)."""
+        facts = self.tables.foods.food(name)
+        minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salt")
+        self.happening.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
+
+    def consume(self, lump: Lump, product: Lump) -> None:
+        """Let a lump go up in another one, which is called as it was too where somebody made it."""
+        lump.gone = True
+        self.supply.put(lump, None)
+        product.names |= {name for name in lump.names if lump.made}
+        self.mapped.add(id(lump))
+
+    def remember(self) -> None:
+        """Keep which thing each output node is, and what moved."""
+        for node, lump in self.happening.outputs.items():
+            self.supply.known_lumps[node] = lump
+        for place, vessel in self.vessel_of.items():
+            self.supply.known_vessels[self.mentions[place].node] = vessel
+            if vessel not in self.happening.vessels:
+                self.happening.vessels.append(vessel)
+            vessel.last = self.happening.number
+        for lump in self.lumps():
+            old = self.before.get(id(lump), lump.where)
+            if lump.where is not old or (lump.gone and id(lump) in self.before):
+                self.happening.moved.append((lump, old, lump.where))
+        self.happening.moved += [(lump, None, lump.where) for lump in self.happening.made]
+
+    def is_liquid(self, one: Said) -> bool:
+        """Whether a food output is a liquid in the state that it says."""
+        return self.tables.foods.food(one.label, one.node.states).is_a("liquid")

@@ -1,0 +1,98 @@
+"""Which vessel each output vessel is, and where it stands now."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Utensil
+from foon_kg.model import ObjectNode
+from foon_kg.world.outcome import Outcome
+from foon_kg.world.reading import Said
+from foon_kg.world.step import Mention
+from foon_kg.world.things import Vessel
+
+
+def match(out: Outcome) -> None:
+    """Give every output vessel its thing, and let it stand where its node says."""
+    free = list(out.happening.vessels)
+    for place, one in enumerate(out.said):
+        if one.utensil is None:
+            continue
+        vessel = _matching(out, out.mentions[place], one, free)
+        if vessel is None:
+            vessel = _appearing(out, out.mentions[place], one)
+        if vessel is None:
+            continue
+        if vessel in free:
+            free.remove(vessel)
+        out.vessel_of[place] = vessel
+        _stand(out, vessel, one, out.mentions[place].node)
+
+
+def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel]) -> Vessel | None:
+    if mention.thing is not None:
+        return out.supply.numbered_vessels.get(mention.thing)
+    alike = [vessel for vessel in free if vessel.label == one.label]
+    if not alike:
+        return None
+    if one.empty:
+        return min(alike, key=lambda v: (len(v.lumps) > 0 and _others_filled(out, one, alike), v.last))
+    return max(alike, key=lambda v: (len(one.names & v.names), v.last))
+
+
+def _others_filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> bool:
+    return len(alike) > 1 and any(other.names for other in out.said if other.label == one.label)
+
+
+def _appearing(out: Outcome, mention: Mention, one: Said) -> Vessel | None:
+    """Return an output vessel that is no input: one that an input stands in or on, or a clean one."""
+    for vessel in (*out.holders(), *out.standing()):
+        if vessel.label == one.label:
+            return vessel
+    if one.is_appliance:
+        return out.supply.appliance(one.label)
+    if one.names:
+        out.happening.fault("W2", f"a filled {one.label} comes from nowhere", mention.node)
+    return out.supply.fresh(one.label, mention.thing)
+
+
+def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
+    """Let a vessel stand where its node says; what a node forgets to repeat stays where it was."""
+    if one.place_utensil is not None and one.place is not None:
+        if vessel.where is None or vessel.where.label != one.place:
+            out.supply.stand(vessel, _holder(out, one.place, one.place_utensil))
+        if node not in {mention.node for mention in out.happening.step.inputs}:
+            out.happening.vessels_moved = True
+    elif _is_taken_away(out, vessel, one):
+        vessel.where = None
+        out.happening.vessels_moved = True
+    if vessel.row.role == "wrap":
+        return
+    if one.covered != vessel.covered and out.happening.does("close", "uncover", "open", "detach", "attach"):
+        vessel.covered = one.covered
+    elif one.covered:
+        vessel.covered = True
+    if one.covers is not None:
+        _cover(out, one.covers)
+
+
+def _is_taken_away(out: Outcome, vessel: Vessel, one: Said) -> bool:
+    """Whether a step takes a vessel off what it stood on: it moves things, and tells the vessel without a place."""
+    if vessel.where is None or vessel.is_appliance or not out.happening.does("detach", "move", "fetch"):
+        return False
+    return one.node not in {mention.node for mention in out.happening.step.inputs}
+
+
+def _cover(out: Outcome, label: str) -> None:
+    """Cover the vessel over which a lid is told."""
+    if out.happening.does("close"):
+        for vessel in out.happening.vessels:
+            if vessel.label == label:
+                vessel.covered = True
+
+
+def _holder(out: Outcome, label: str, row: Utensil) -> Vessel:
+    inside = next((vessel for vessel in out.happening.vessels if vessel.label == label), None)
+    if inside is not None:
+        return inside
+    return out.supply.appliance(label) if row.role == "appliance" else out.supply.holder(label)
