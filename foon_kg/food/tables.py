@@ -10,7 +10,7 @@ import os
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -46,6 +46,11 @@ class Tables:
     contains: Mapping[str, tuple[tuple[str, ...], ...]]
     _states: dict[str, State] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
+
+    @cached_property
+    def dish_words(self) -> frozenset[str]:
+        """The words of all names of dishes."""
+        return frozenset(word for name in self.dishes for word in name.split())
 
     def utensil(self, label: str) -> Utensil | None:
         """Return the utensil called ``label``; ``None`` where it is none, and so a food."""

@@ -11,7 +11,7 @@ from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.tree import TaskTree, TreeUnit
 from foon_kg.world import Happening, Lump, Part, World
-from foon_kg.world.reading import Said
+from foon_kg.world.reading import Reader, Said
 
 FREE = frozenset({"water"})
 """The foods that may be used unasked where no setting says otherwise (C5)."""
@@ -61,7 +61,24 @@ class Case:
 
     def read(self, node: ObjectNode) -> Said:
         """Return what a node says."""
-        return self.world.reader.read(node)
+        said = self._said.get(id(node))
+        if said is None:
+            said = self._said[id(node)] = self.reader.read(node)
+        return said
+
+    @cached_property
+    def _said(self) -> dict[int, Said]:
+        return {}  # by identity: the tree keeps its nodes, and to compare them costs more than all else
+
+    @cached_property
+    def facts(self) -> dict[int, object]:
+        """What rules keep of each unit of the tree, by its identity."""
+        return {}
+
+    @cached_property
+    def reader(self) -> Reader:
+        """What reads nodes in this kitchen."""
+        return self.world.reader
 
     def is_food(self, node: ObjectNode) -> bool:
         """Whether a node is a food in this kitchen."""

@@ -53,13 +53,13 @@ def _unfinished(case: Case) -> Iterator[Finding]:
 def namesakes(case: Case, label: str) -> Iterator[str]:
     """Yield the foods that a dish is named after, the words of dish types and dishes apart; longer names win."""
     own, start = words(label), 0
-    kinds = frozenset(word for name in case.tables.dishes for word in name.split())
+    dishes = case.tables.dish_words
     while start < len(own):
         for end in range(len(own), start, -1):
             name = " ".join(own[start:end])
             kind, _, match = case.tables.foods.find(name)
             made = {"made", "dough"} & case.tables.foods.kinds[kind].traits if match is Match.NAME else {"made"}
-            if match is Match.NAME and not made and not set(own[start:end]) <= kinds:
+            if match is Match.NAME and not made and not dishes.issuperset(own[start:end]):
                 yield name
                 start = end - 1
                 break

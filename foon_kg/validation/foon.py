@@ -41,6 +41,11 @@ class KnownFoon:
         return {}  # many trees of one level are judged one after another
 
     @cached_property
+    def facts(self) -> dict[int, object]:
+        """What rules keep of each unit of the FOON, by its identity: the units stay as long as this does."""
+        return {}
+
+    @cached_property
     def by_sighting(self) -> Mapping[tuple[str, int], FunctionalUnit]:
         """The unit at each (video, place)."""
         return {(s.video, s.position): known.unit for known in self.units for s in known.seen_in}

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from dataclasses import dataclass
 from enum import IntEnum
 
 from foon_kg.food import singular
-from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.model import FunctionalUnit
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.validation.tree import Substituted, TreeUnit
@@ -31,18 +32,19 @@ class Grounding(IntEnum):
 def honest(case: Case) -> Iterator[Finding]:
     """C7: every entry is whole and used, and every unit whose evidence is another food says so."""
     entries = case.tree.substitutions or ()
+    named = {singular(name) for node in case.tree.nodes for name in (node.label, *node.ingredients)}
     for place, entry in enumerate(entries):
         for reason in _incomplete(entry):
             yield Finding("C7", f"substitution {place}, {_told(entry)}: {reason}")
         if entry in entries[:place]:
             yield Finding("C7", f"substitution {place}, {_told(entry)}, is there twice")
-        elif not _is_used(case, entry):
+        elif not _is_used(case, entry, named):
             yield Finding("C7", f"substitution {place}, {_told(entry)}: no unit uses it")
     if case.foon is None:
         return
     for place, unit in enumerate(case.tree.units):
         if unit.seen_in and _nearest(case, unit) > Grounding.LIKE and unit.grounding is None:
-            foods = ", ".join(sorted(_foods(case, unit.input_nodes))) or "nothing"
+            foods = ", ".join(sorted(_facts(case, unit).inputs)) or "nothing"
             yield Finding("C7", f"no substitution says what {foods} is handled like", place)
 
 
@@ -65,11 +67,10 @@ def _incomplete(entry: Substituted) -> Iterator[str]:
         yield "an alternative has no name or no confidence"
 
 
-def _is_used(case: Case, entry: Substituted) -> bool:
+def _is_used(case: Case, entry: Substituted, named: set[str]) -> bool:
     if entry.kind == "motion":
         return any(unit.motion == entry.required for unit in case.tree.units)
     about = entry.required if entry.kind in {"object", "tool", "vessel"} else entry.object
-    named = {singular(name) for node in case.tree.nodes for name in (node.label, *node.ingredients)}
     return singular(about) in named or singular(entry.object) in named
 
 
@@ -105,11 +106,11 @@ def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
 def _differs(case: Case, place: int, unit: TreeUnit, source: FunctionalUnit) -> Iterator[Finding]:
     if unit.motion != source.motion and not _declared(case, "motion", unit.motion, source.motion):
         yield Finding("C8", f"the unit it names does “{source.motion}”", place)
-    if nearness(case, unit, source) is Grounding.MOTION and _foods(case, unit.input_nodes):
-        theirs = ", ".join(sorted(_foods(case, source.input_nodes))) or "no food"
+    if nearness(case, unit, source) is Grounding.MOTION and _facts(case, unit).inputs:
+        theirs = ", ".join(sorted(_facts(case, source).inputs)) or "no food"
         yield Finding("C8", f"the unit it names works on {theirs}, of another kind", place)
-    for tool in sorted(_tools(case, unit.input_nodes) - _tools(case, source.input_nodes)):
-        theirs_too = _tools(case, source.input_nodes)
+    for tool in sorted(_facts(case, unit).tools - _facts(case, source).tools):
+        theirs_too = _facts(case, source).tools
         if theirs_too and not any(_declared(case, "tool", tool, other) for other in theirs_too):
             yield Finding("C8", f"the unit it names uses no {tool}", place)
 
@@ -120,7 +121,7 @@ def _claims(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
     words = [level.word for level in Grounding]
     if unit.grounding not in words:
         yield Finding("C8", f"its grounding is “{unit.grounding}”, not {', '.join(words)}", place)
-    elif words.index(unit.grounding) < _nearest(case, unit) and _foods(case, unit.input_nodes):
+    elif words.index(unit.grounding) < _nearest(case, unit) and _facts(case, unit).inputs:
         yield Finding("C8", f"it claims “{unit.grounding}”, and its evidence is {_nearest(case, unit).word}", place)
 
 
@@ -131,8 +132,7 @@ def _nearest(case: Case, unit: TreeUnit) -> Grounding:
 
 def nearness(case: Case, unit: TreeUnit, source: FunctionalUnit) -> Grounding:
     """Return how near a unit of the FOON is as evidence for a unit of the tree."""
-    mine = _foods(case, (*unit.input_nodes, *unit.output_nodes))
-    theirs = _foods(case, (*source.input_nodes, *source.output_nodes))
+    mine, theirs = _facts(case, unit).foods, _facts(case, source).foods
     if not mine or mine & theirs:
         return Grounding.FOOD
     if any(_declared(case, "object", food, other) for food in mine for other in theirs):
@@ -150,18 +150,30 @@ def _declared(case: Case, kind: str, mine: str, theirs: str) -> bool:
     )
 
 
-def _foods(case: Case, nodes: Iterable[ObjectNode]) -> frozenset[str]:
-    """Return the foods that some nodes are or hold."""
-    found: set[str] = set()
-    for node in nodes:
-        said = case.read(node)
-        found |= said.names | ({said.label} if said.is_food else set())
-    return frozenset(found)
+@dataclass(frozen=True)
+class _Facts:
+    """The foods of a unit, those that go in, and the tools that go in; names in the singular."""
+
+    foods: frozenset[str]
+    inputs: frozenset[str]
+    tools: frozenset[str]
 
 
-def _tools(case: Case, nodes: Iterable[ObjectNode]) -> frozenset[str]:
-    rows = (case.read(node).utensil for node in nodes)
-    return frozenset(row.name for row in rows if row is not None and row.role == "tool")
+def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
+    """Return what a unit works on and with. Those of the FOON's units are kept, for every tree asks for them."""
+    kept = case.foon.facts if case.foon is not None and isinstance(unit, FunctionalUnit) else case.facts
+    found = kept.get(id(unit))
+    if not isinstance(found, _Facts):
+        found = kept[id(unit)] = _read_facts(case, unit)
+    return found
+
+
+def _read_facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
+    inputs, outputs = ([case.reader.read(node) for node in side] for side in (unit.input_nodes, unit.output_nodes))
+    foods_in = frozenset().union(*(said.names | ({said.label} if said.is_food else set()) for said in inputs))
+    foods_out = frozenset().union(*(said.names | ({said.label} if said.is_food else set()) for said in outputs))
+    tools = frozenset(said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool")
+    return _Facts(foods_in | foods_out, foods_in, tools)
 
 
 def _told(entry: Substituted) -> str:

@@ -82,12 +82,12 @@ def sources_of(happening: Happening, source: str) -> list[tuple[Vessel, str]]:
         if vessel.is_appliance and vessel.row.source == source:
             standing = [other.label for other in vessels if other.where is vessel]
             found.append((vessel, standing[0] if standing else ""))
-        place: Vessel | None = vessel.where
         below = vessel
-        while place is not None:
+        while below.where is not None:
+            place = below.where
             if place.is_appliance and place.row.source == source:
                 found.append((place, below.label))
-            place, below = place.where, place
+            below = place
     return found
 
 
