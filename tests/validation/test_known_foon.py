@@ -1,0 +1,120 @@
+"""The FOON as the judge looks things up in it: sightings, units, labels of motions, end products, operators, levels."""
+
+from __future__ import annotations
+
+import pytest
+from validation.judging import ONE_TOMATO, foon_of
+
+from foon_kg.levels import Level
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting
+from foon_kg.validation import KnownFoon
+
+FOON = foon_of(f"""
+name: tomatoes
+{ONE_TOMATO}
+tomatoes (sliced; on plate) + bowl (empty) → POUR → tomatoes (sliced; in bowl) + bowl ({{tomato}})
+---
+name: apples
+dish: pie
+goal: apple pie ({{apple}})
+apple (whole) + bowl (clean) + knife → DICE → apple (diced, wet) + bowl (filled)
+---
+name: more_apples
+dish: pie
+goal: apple tart ({{apple}})
+apple (diced) + wibble (raw) → BAKE → apple (diced, baked) + wibble (baked)
+""")
+
+MARKED = KnownFoon.of(
+    KnownUnit(
+        FunctionalUnit((), motion, (Participant(ObjectNode(label), dish_type=dish), Participant(ObjectNode("bowl")))),
+        (Sighting(motion, 0),),
+    )
+    for motion, label, dish in (("mix", "salad", "salad"), ("stir", "soup", "soup"), ("toss", "green salad", "salad"))
+)
+"""A FOON without goals, whose units carry their dish classes."""
+
+
+def test_a_unit_is_found_by_video_and_place():
+    assert FOON.by_sighting["tomatoes", 1].motion == "pour"
+    assert FOON.by_sighting["apples", 0].motion == "dice"
+    assert ("tomatoes", 2) not in FOON.by_sighting
+    assert ("pears", 0) not in FOON.by_sighting
+
+
+def test_a_unit_is_found_by_what_it_does_to_what():
+    unit = FOON.by_sighting["apples", 0]
+    assert FOON.by_key[frozenset(unit.input_nodes), "dice", frozenset(unit.output_nodes)] is unit
+    assert (frozenset(unit.output_nodes), "dice", frozenset(unit.input_nodes)) not in FOON.by_key
+    assert len(FOON.by_key) == 4
+
+
+def test_labels_of_a_motion_are_what_its_units_take_or_make_in_the_singular():
+    assert FOON.labels_of_motion["pour"] == {"tomato", "bowl"}
+    assert FOON.labels_of_motion["bake"] == {"apple", "wibble"}
+    assert set(FOON.labels_of_motion) == {"slice", "pour", "dice", "bake"}
+
+
+def test_labels_of_a_motion_are_gathered_from_all_its_units():
+    foon = foon_of("a → MIX → b\nc → MIX → d")
+    assert foon.labels_of_motion == {"mix": {"a", "b", "c", "d"}}
+
+
+def test_end_products_are_the_labels_of_the_goals_by_dish_type():
+    assert FOON.end_products == {"pie": {"apple pie", "apple tart"}}
+
+
+def test_without_goals_the_marks_of_the_units_tell_the_end_products():
+    assert MARKED.end_products == {"salad": {"salad", "green salad"}, "soup": {"soup"}}
+
+
+def test_goals_come_before_the_marks_of_the_units():
+    goal = Goal(ObjectNode("stew"), "soup", (), ())
+    assert KnownFoon.of(MARKED.units, [goal]).end_products == {"soup": {"stew"}}
+
+
+def test_operators_are_the_states_that_a_unit_gives_to_a_food_and_to_its_kind():
+    assert ("apple", "diced") in FOON.operators
+    assert ("tomato", "sliced") in FOON.operators
+    assert {(kind, "diced") for kind in ("apple", "core fruit")} & FOON.operators
+    assert len({kind for kind, state in FOON.operators if state == "diced"}) == 2
+
+
+def test_a_state_that_was_there_before_is_given_by_no_operator():
+    assert ("tomato", "whole") not in FOON.operators
+    assert not [state for _, state in FOON.operators if state in {"whole", "raw"}]
+    assert len([one for one in FOON.operators if one == ("apple", "diced")]) == 1
+    assert ("apple", "baked") in FOON.operators
+
+
+def test_utensils_have_no_operators():
+    assert not [name for name, _ in FOON.operators if name in {"bowl", "plate", "knife"}]
+    assert ("bowl", "filled") not in FOON.operators
+
+
+def test_what_comes_out_without_having_gone_in_has_no_operator():
+    assert foon_of("water (liquid) → BREW → tea (hot)").operators == frozenset()
+
+
+def test_units_stand_in_the_order_of_their_keys_whatever_the_order_of_the_files():
+    assert KnownFoon.of(reversed(FOON.units), FOON.goals) == FOON
+    assert [known.unit.key for known in FOON.units] == sorted(known.unit.key for known in FOON.units)
+
+
+def test_at_its_own_level_a_foon_is_itself():
+    assert FOON.at(Level.INGREDIENTS) is FOON
+
+
+@pytest.mark.parametrize("level", [Level.OBJECTS, Level.STATES])
+def test_a_lower_level_is_made_once(level):
+    assert FOON.at(level) is FOON.at(level)
+
+
+def test_at_a_lower_level_nodes_and_goals_say_less():
+    objects, states = FOON.at(Level.OBJECTS), FOON.at(Level.STATES)
+    assert objects.by_sighting["tomatoes", 0].input_nodes[0] == ObjectNode("tomato")
+    assert ObjectNode("bowl") in states.by_sighting["tomatoes", 1].output_nodes
+    assert ObjectNode("apple", ("whole",)) in states.by_sighting["apples", 0].input_nodes
+    assert [goal.node for goal in objects.goals] == [ObjectNode("apple pie"), ObjectNode("apple tart")]
+    assert [goal.node for goal in states.goals] == [goal.node for goal in objects.goals]
+    assert objects.end_products == FOON.end_products
