@@ -68,6 +68,11 @@ class NoticeKind(StrEnum):
     TOO_MANY_INGREDIENTS = "too-many-ingredients"  # more than any cook uses
     NO_INGREDIENTS = "no-ingredients"  # a recipe that asks for nothing
     TITLE_WITHOUT_WORDS = "title-without-words"  # nothing in it tells what the dish is
+    UNKNOWN_FOOD = "unknown-food"  # a name that the table of foods does not have
+    UNKNOWN_UTENSIL = "unknown-utensil"  # a name that looks like a utensil and is in no table
+    UNKNOWN_STATE = "unknown-state"  # a state that the tables of states do not have
+    UNKNOWN_MOTION = "unknown-motion"  # a motion that the table of motions does not have
+
     LISTS_DIFFER = "lists-differ"  # two files of one collection list another number of ingredients
 
 

@@ -40,7 +40,12 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
 
 
 def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
-    """Read subgraph files and folders into memory; what their files have wrong is counted for ``say``."""
+    """Read subgraph files and folders into memory.
+
+    What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
+    """
+    from foon_kg.cli.loading import tell_unknown
+    from foon_kg.food.unknown import unknown_words
     from foon_kg.kitchen import Kitchen
     from foon_kg.loaders import read_paths, summary
     from foon_kg.snapshot import Snapshot
@@ -56,4 +61,8 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     if not subgraphs:
         names = ", ".join(map(str, paths))
         raise UsageError(f"no subgraph in {names}", hint="--files names folders with FOON text or JSON files.")
+    units = [one.unit for subgraph in subgraphs for one in subgraph.annotations]
+    nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+    words = unknown_words(nodes, [unit.motion for unit in units])
+    tell_unknown([word for word in words if not word.nearly], None, say)
     return Snapshot.of(subgraphs, Kitchen.default())

@@ -11,9 +11,19 @@ import typer
 
 from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
-from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts, tell_assumed
+from foon_kg.cli.loading import (
+    BadTolerance,
+    DryRun,
+    Report,
+    refuse_too_many,
+    show_counts,
+    tell_assumed,
+    tell_unknown,
+    unknown_notice,
+)
 
 if TYPE_CHECKING:
+    from foon_kg.food.unknown import UnknownWord
     from foon_kg.graph import LoadReport
     from foon_kg.loaders import ReadResult
     from foon_kg.model import Subgraph
@@ -52,7 +62,8 @@ def foon(
 
     A video is in the graph whole or not at all. Loading it again changes nothing; with other content it replaces what
     was there. Units that cannot be used (no motion, no outputs, ...) are left out, and each is told with file and
-    line; when there are more than --bad-tolerance allows, nothing is loaded.
+    line; when there are more than --bad-tolerance allows, nothing is loaded. Foods, utensils, states and motions that
+    no table of foon-kg has are told, with what they are taken for.
     """
     from foon_kg.loaders import read_paths
 
@@ -134,10 +145,11 @@ def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) 
     from foon_kg.loaders import Severity, write_report
 
     notices = [notice for result in results for notice in result.notices]
+    words = _unknown_words(results)
     if report:
         try:
             with report.open("w", encoding="utf-8") as stream:
-                write_report(notices, stream)
+                write_report((*notices, *(unknown_notice(word, file) for word, file in words.items())), stream)
         except OSError as error:
             hint = "Name a file that can be written after --report."
             raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
@@ -146,6 +158,20 @@ def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) 
             say(str(notice))
     assumed = [notice for notice in notices if notice.severity is not Severity.REJECTED]
     tell_assumed(assumed, Counter(notice.kind for notice in assumed), report, say)
+    tell_unknown(words, report, say)
+
+
+def _unknown_words(results: Sequence[ReadResult]) -> dict[UnknownWord, str]:
+    """Return the words that no table has, each with the first file that has it."""
+    from foon_kg.food.unknown import unknown_words
+
+    found: dict[UnknownWord, str] = {}
+    for result in results:
+        units = [one.unit for one in result.subgraph.annotations] if result.subgraph is not None else []
+        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+        for word in unknown_words(nodes, [unit.motion for unit in units]):
+            found.setdefault(word, result.path)
+    return dict(sorted(found.items(), key=lambda one: one[0]))
 
 
 def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport:

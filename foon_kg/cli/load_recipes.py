@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from enum import StrEnum
 from pathlib import Path
@@ -14,10 +14,21 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 import typer
 
 from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
-from foon_kg.cli.loading import BadTolerance, DryRun, Report, refuse_too_many, show_counts, tell_assumed, where_listed
+from foon_kg.cli.loading import (
+    BadTolerance,
+    DryRun,
+    Report,
+    refuse_too_many,
+    show_counts,
+    tell_assumed,
+    tell_unknown,
+    unknown_notice,
+    where_listed,
+)
 
 if TYPE_CHECKING:
-    from foon_kg.collected import UnderstoodRecipe
+    from foon_kg.collected import CollectedRecipe, UnderstoodRecipe
+    from foon_kg.food.unknown import UnknownWord
     from foon_kg.graph.recipes import RecipesStored
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
@@ -74,9 +85,10 @@ def recipes(
         refuse_too_many(journal.rejected, bad_tolerance, "recipe")
         counts = {"recipes": usable, "rejected_recipes": journal.rejected}
         if not dry_run:
-            stored = _load(collections, usable, journal.note_left_over, say, full=parse is Parse.FULL, quiet=quiet)
+            stored = _load(collections, usable, journal, say, full=parse is Parse.FULL, quiet=quiet)
             counts = _counts(stored) | counts
         journal.tell_left_over(say)
+        journal.tell_unknown(say)
     show_counts(counts, as_json=as_json)
 
 
@@ -89,6 +101,7 @@ class Journal:
         self._rejected: list[Notice] = []
         self._assumed: list[Notice] = []
         self._kinds: Counter[NoticeKind] = Counter()
+        self._asked: dict[tuple[str, str], str] = {}
         self.rejected = 0
         self.left_over = 0
 
@@ -111,6 +124,11 @@ class Journal:
             self.left_over += 1
             self._write({"file": place, "kind": "no-food", "message": line, "action": "kept as left over"})
 
+    def note_words(self, understood: UnderstoodRecipe) -> None:
+        """Take down which foods and states a recipe asks for; each is kept once, with the first place."""
+        for called in understood.ingredients:
+            self._asked.setdefault((called.object, called.state), understood.recipe.place)
+
     def tell(self, say: Say) -> None:
         """Say what is odd: the first rejected recipes one by one, the rest in numbers."""
         for notice in self._rejected:
@@ -123,6 +141,19 @@ class Journal:
         """Say how many lines name no food."""
         if self.left_over:
             say(f"{self.left_over} lines name no food that could be read ({where_listed(self._report)})")
+
+    def tell_unknown(self, say: Say) -> None:
+        """Say which of the words that the recipes ask for no table has."""
+        from foon_kg.food.unknown import unknown_words
+        from foon_kg.model import ObjectNode
+
+        found: dict[UnknownWord, str] = {}
+        for (food, state), place in self._asked.items():
+            for word in unknown_words([ObjectNode(food, (state,) if state else ())]):
+                found.setdefault(word, place)
+        for word, place in found.items():
+            self._write(unknown_notice(word, place).to_json())
+        tell_unknown(sorted(found), self._report, say)
 
     def _write(self, entry: dict[str, object]) -> None:
         if self._stream:
@@ -164,7 +195,7 @@ def _refuse_nothing(paths: Sequence[Path], count: int) -> None:
 def _load(
     collections: RecipeCollections,
     total: int,
-    left_over: Callable[[UnderstoodRecipe], None],
+    journal: Journal,
     say: Say,
     *,
     full: bool,
@@ -189,12 +220,19 @@ def _load(
         with Neo4jGraph(settings) as graph, graph.reading() as view:
             reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
         task = progress.add_task("Loading", total=total)
+
+        def understand(recipes: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
+            understood = reader.understand(recipes)
+            for recipe in understood:
+                journal.note_words(recipe)
+            return understood
+
         return load_recipes(
             connection,
             collections,
-            reader.understand,
+            understand,
             stored=lambda report: progress.advance(task, len(report)),
-            left_over=left_over,
+            left_over=journal.note_left_over,
             version=reader.version,
         )
 

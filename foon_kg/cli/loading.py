@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +11,7 @@ import typer
 from foon_kg.cli.console import Say, print_json
 
 if TYPE_CHECKING:
+    from foon_kg.food.unknown import UnknownWord
     from foon_kg.loaders import Notice, NoticeKind
 
 Report = Annotated[
@@ -25,6 +26,7 @@ DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; c
 
 
 _FEW = 10
+_NAMED = 3
 
 
 def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], report: Path | None, say: Say) -> None:
@@ -41,8 +43,37 @@ def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], re
     say(f"{count} places were read with an assumption ({where_listed(report)}): {kinds}")
 
 
+def unknown_notice(word: UnknownWord, file: str) -> Notice:
+    """Return what the report says of a word that no table has; ``file`` is the first one that has it."""
+    from foon_kg.loaders import Notice, NoticeKind
+
+    return Notice(file, None, NoticeKind(f"unknown-{word.kind}"), word.what, f"taken for {word.taken_for}")
+
+
+def tell_unknown(words: Collection[UnknownWord], report: Path | None, say: Say) -> None:
+    """Say in one line which words the tables of foods, utensils, states and motions do not have."""
+    if not words:
+        return
+    if len(words) == 1:
+        say(str(next(iter(words))))
+        return
+    kinds: dict[str, list[str]] = {}
+    for word in words:
+        kinds.setdefault(word.kind, []).append(word.word)
+    parts = (f"{_counted(len(own), kind)} ({_first(own)})" for kind, own in kinds.items())
+    say(f"{len(words)} words are in no table of foon-kg ({where_listed(report)}): {', '.join(parts)}")
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
+def _first(words: Sequence[str]) -> str:
+    return ", ".join([*words[:_NAMED], *(["…"] if len(words) > _NAMED else [])])
+
+
 def where_listed(report: Path | None) -> str:
-    """Answer where to find all that is odd."""
+    """Return where to find all that is odd."""
     return f"see {report}" if report else "--report FILE lists them"
 
 

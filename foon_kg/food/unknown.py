@@ -1,0 +1,118 @@
+"""Words that the tables do not know, and what they are taken for: said once when a FOON or recipes are loaded.
+
+A name that is not listed is a food to this program. So a tool of a new video becomes a food silently, and a food of
+which nothing is known is never owed any cooking: people have to be told, and can add it to the tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Match
+from foon_kg.food.tables import Tables, tables
+from foon_kg.food.words import plain_words, singular
+from foon_kg.model import ObjectNode
+
+
+class WordKind(StrEnum):
+    """Which table does not have a word."""
+
+    FOOD = "food"
+    UTENSIL = "utensil"
+    STATE = "state"
+    MOTION = "motion"
+
+
+@dataclass(frozen=True, order=True)
+class UnknownWord:
+    """A word that the table of ``kind`` does not have, why it is thought to belong there, and what it is taken for.
+
+    ``nearly``: its last words are listed, so that what it is taken for is hardly a guess ("garden salad": "salad").
+    """
+
+    kind: WordKind
+    word: str
+    taken_for: str
+    why: str = ""
+    nearly: bool = False
+
+    @property
+    def what(self) -> str:
+        """What is wrong with the word, without what was done about it."""
+        return f"“{self.word}” is not in the table of {self.kind}s{self.why and f', though {self.why}'}"
+
+    def __str__(self) -> str:
+        return f"{self.what}: taken for {self.taken_for}"
+
+
+def unknown_words(nodes: Iterable[ObjectNode], motions: Iterable[str] = ()) -> tuple[UnknownWord, ...]:
+    """Return the labels, names in ``{}``, places and states of ``nodes``, and the ``motions``, that no table lists.
+
+    Each word is told once, by kind, then by the alphabet. A food counts as known where the table lists its name
+    itself; a state or motion of several words where it lists each of them. Raises ReadError where a table that a user
+    named cannot be read.
+    """
+    known, there = tables(), dict.fromkeys(nodes)
+    found = [
+        *_names(there, known),
+        *_states(there, known),
+        *(word for motion in dict.fromkeys(motions) for word in _motion(motion, known)),
+    ]
+    return tuple(sorted(set(found)))
+
+
+def _names(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
+    """Return unknown foods, and what looks like a utensil and is none of the table."""
+    looks: dict[str, str] = {}
+    written: dict[str, str] = {}
+    for node in nodes:
+        for name in (node.label, *node.ingredients, *([node.container] if node.container else [])):
+            written.setdefault(singular(name), name)
+        if node.container:
+            looks.setdefault(singular(node.container), "something is in it or on it")
+        odd = [state for state in node.states if state.lower() in word_list("states of utensils alone")]
+        if odd:
+            looks.setdefault(singular(node.label), f"it is {odd[0]}")
+    for key, name in written.items():
+        if key and known.utensil(key) is None and not known.foods.is_listed(key):
+            yield _name(name, looks.get(key, ""), known)
+
+
+def _name(name: str, looks: str, known: Tables) -> UnknownWord:
+    kind, taken_for, match = known.foods.find(name)
+    last = singular(name).split()[-1]
+    if match in {Match.UNKNOWN, Match.PART} and known.utensil(last) is not None:
+        looks = f"its name says {last}"
+    if looks and match in {Match.UNKNOWN, Match.PART}:
+        return UnknownWord(WordKind.UTENSIL, name, "a food", looks)
+    if match is Match.UNKNOWN:
+        return UnknownWord(WordKind.FOOD, name, "a food of no known kind")
+    if match is Match.SUFFIX:
+        return UnknownWord(WordKind.FOOD, name, f"a kind of {kind} by its ending “{taken_for}”")
+    return UnknownWord(WordKind.FOOD, name, f"“{taken_for}”", nearly=match is Match.HEAD)
+
+
+def _states(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
+    of_utensils = frozenset().union(*known.utensil_states.values())
+    for node in nodes:
+        for state in node.states:
+            if state.endswith("]") or state.lower() in known.states or state.lower() in of_utensils:
+                continue  # a place that the loader keeps as a state, or a state that some table lists
+            yield from _phrase(WordKind.STATE, state, known.states.keys(), "one that says nothing of the food")
+
+
+def _motion(motion: str, known: Tables) -> Iterator[UnknownWord]:
+    if motion.lower() not in known.motions:
+        yield from _phrase(WordKind.MOTION, motion, known.motion_words.keys(), "one of which nothing is known")
+
+
+def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) -> Iterator[UnknownWord]:
+    """Return ``phrase`` where not all of its words are listed, small words apart."""
+    own = plain_words(phrase) - word_list("small words")
+    there = own.intersection(listed)
+    if own != there or not own:
+        taken_for = " and ".join(f"“{word}”" for word in sorted(there))
+        yield UnknownWord(kind, phrase, taken_for or nothing)
