@@ -73,7 +73,7 @@ def check(
     not_asked = tuple(_not_asked(case))
     skipped = {rule for rule, why in not_asked if not why.startswith("in part")}
     if tree.error is not None:
-        return Report(tree.name, tuple(form.goal(case)), not_asked)
+        return Report(tree.name, tuple(form.goal(case)), not_asked, played=False)
     findings = tuple(finding for rule, ask in ASKED.items() if rule not in skipped for finding in ask(case))
     found = form.free_foods(case)
     notes = (f"free foods that nobody asked for: {', '.join(found)}",) if found else ()

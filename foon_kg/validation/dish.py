@@ -56,6 +56,8 @@ def namesakes(case: Case, label: str) -> Iterator[str]:
     dishes = case.tables.dish_words
     while start < len(own):
         for end in range(len(own), start, -1):
+            if end - start == len(own) > 1:
+                continue  # the dish itself, as a shop may sell it
             name = " ".join(own[start:end])
             kind, _, match = case.tables.foods.find(name)
             made = {"made", "dough"} & case.tables.foods.kinds[kind].traits if match is Match.NAME else {"made"}
@@ -143,7 +145,7 @@ def _misread(case: Case) -> Iterator[Finding]:
 
 def _dough(happening: Happening) -> Iterator[Finding]:
     for lump in happening.made:
-        if lump.label.split()[-1] in {"dough", "batter"}:
+        if lump.label.rpartition(" ")[2] in {"dough", "batter"}:
             pasta = [part.name for part in lump.parts if part.food.is_a("dry starch") and "boil" in part.done]
             if pasta:
                 yield Finding("K7", f"{lump.label} is made of cooked {pasta[0]}", happening.number)

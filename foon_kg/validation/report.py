@@ -62,13 +62,14 @@ class Report:
     """Everything found in one tree, in the order of the rules.
 
     ``not_asked`` names each rule that could not be asked in full, with the reason; ``notes`` says what is allowed but
-    must be told, such as the free foods that were let in.
+    must be told, such as the free foods that were let in. ``played`` is false where there is no tree.
     """
 
     name: str
     findings: tuple[Finding, ...]
     not_asked: tuple[tuple[str, str], ...] = ()
     notes: tuple[str, ...] = ()
+    played: bool = True
 
     @cached_property
     def fatal(self) -> tuple[str, ...]:
@@ -90,13 +91,13 @@ class Report:
     @property
     def robot(self) -> bool:
         """Whether a robot can carry the tree out: no fatal W, no fatal K4."""
-        return not set(self.fatal) & ROBOT
+        return self.played and not set(self.fatal) & ROBOT
 
     @property
     def cook(self) -> bool:
         """Whether a cook would serve what comes of it: no fatal K and at most two minor findings that a cook sees."""
         minor = sum(finding.minor for finding in self.findings if finding.rule in SEEN_BY_COOKS)
-        return not set(self.fatal) & COOK and minor <= MOST_MINOR
+        return self.played and not set(self.fatal) & COOK and minor <= MOST_MINOR
 
     @property
     def accepted(self) -> bool:

@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import Self
 
 from foon_kg.errors import ReadError
+from foon_kg.food import tables
 from foon_kg.json_fields import Fields
 from foon_kg.levels import Level
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, Sighting, Subgraph
@@ -140,9 +141,9 @@ class TaskTree:
 
     @classmethod
     def from_subgraph(cls, subgraph: Subgraph, recipe: Recipe | None = None) -> TaskTree:
-        """Read a tree from FOON text: its goal is the last output that is marked with a dish class."""
+        """Read a tree from FOON text: its goal is the last food that is marked with a dish class."""
         units = [annotation.unit for annotation in subgraph.annotations]
-        marked = [p.node for unit in units for p in unit.outputs if p.dish_type]
+        marked = [p.node for unit in units for p in unit.outputs if p.dish_type and not tables().utensil(p.node.label)]
         return cls(subgraph.name, tuple(map(_bare, units)), marked[-1] if marked else None, recipe)
 
     @cached_property

@@ -104,7 +104,7 @@ def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | No
         if vessel.label == one.place:
             return vessel
     for vessel in (*out.happening.vessels, *out.holders()):
-        if one.place == vessel.label.split()[-1] or vessel.label == one.place.split()[-1]:
+        if one.place == vessel.label.rpartition(" ")[2] or vessel.label == one.place.rpartition(" ")[2]:
             return vessel
     if one.place_utensil.role != "place" and one.node.relation != "from":
         out.happening.fault("W2", f"there is no {one.place} in which it could be now", node)

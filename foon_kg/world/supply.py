@@ -323,7 +323,7 @@ def _is_still(lump: Lump, said: Said) -> bool:
 
 def _same_place(label: str, vessel: Vessel) -> bool:
     """Whether a place is a vessel: annotators write *in pan* of what lies in the cooking pan."""
-    return label == vessel.label or label == vessel.label.split()[-1] or vessel.label == label.rsplit(maxsplit=1)[-1]
+    return label in {vessel.label, vessel.label.rpartition(" ")[2]} or vessel.label == label.rpartition(" ")[2]
 
 
 def _carries(utensil: Utensil | None) -> bool:

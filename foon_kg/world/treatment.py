@@ -138,6 +138,10 @@ def _claimed(said: Said, lump: Lump | None, supply: Supply, happening: Happening
         row = supply.reader.tables.state(state)
         if state in before or row.sold or not (row.earns or row.fine):
             continue
+        if row.before and not any(one in part.states for part in lump.parts for one in row.before):
+            happening.fault(
+                "K7", f"it is {state}, and it was never {' or '.join(sorted(row.before))}", said.node, minor=True
+            )
         missing = sorted(row.earns - {"remains"} - set().union(*(part.done for part in lump.parts)))
         if missing and row.needs_heat and (happening.does("heat", "warm") or _is_over_heat(lump)):
             continue
@@ -149,10 +153,6 @@ def _claimed(said: Said, lump: Lump | None, supply: Supply, happening: Happening
             happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
         elif happening.motion.known and happening.motion.gives and not _can_give(state, happening):
             happening.fault("K4", f"“{happening.step.motion}” does not make it {state}", said.node, minor=True)
-        if row.before and not any(one in part.states for part in lump.parts for one in row.before):
-            happening.fault(
-                "K7", f"it is {state}, and it was never {' or '.join(sorted(row.before))}", said.node, minor=True
-            )
 
 
 def _is_over_heat(lump: Lump) -> bool:

@@ -23,19 +23,9 @@ DOCUMENT = Path(__file__).parents[2] / "docs" / "contract.md"
 
 COMPARED_WITH_A_FOON = {"C2", "C6", "C7", "C8"}
 
-MENDED_LATER = {
-    ("C2", "breaks"): "a name that is also the name of a dish (tomato) counts as no namesake",
-    ("W4", "breaks"): "salt that was fetched counts as moved, though it stays in its shaker",
-    ("K7", "keeps"): "no motion earns that a food is thawed",
-}
-"""Where the judge does not do yet what the document says; a mark goes when the judge is mended."""
-
-
-def every(kind):
-    """One case a rule, marked where the judge is not there yet."""
-    reasons = {one.id: MENDED_LATER.get((one.id, kind)) for one in rules()}
-    marks = {name: [pytest.mark.xfail(reason=why, strict=True)] for name, why in reasons.items() if why}
-    return [pytest.param(one, id=one.id, marks=marks.get(one.id, [])) for one in rules()]
+def every_rule():
+    """One case a rule."""
+    return [pytest.param(one, id=one.id) for one in rules()]
 
 
 def known_foon():
@@ -71,7 +61,7 @@ def test_a_rule_says_its_level_in_one_sentence_and_more(one):
         assert re.search(r"^- \*\*(fatal|minor)\*\*: ", one.text, re.MULTILINE)
 
 
-@pytest.mark.parametrize("one", every("keeps"))
+@pytest.mark.parametrize("one", every_rule())
 def test_the_keeping_example_has_no_finding(one):
     report = judged(one, one.keeps)
     assert [str(finding) for finding in report.findings] == []
@@ -79,7 +69,7 @@ def test_the_keeping_example_has_no_finding(one):
     assert remarks(one.keeps) == ()
 
 
-@pytest.mark.parametrize("one", every("breaks"))
+@pytest.mark.parametrize("one", every_rule())
 def test_the_breaking_example_breaks_the_rule_where_the_document_says(one):
     told = remarks(one.breaks)
     assert told
