@@ -32,11 +32,22 @@ def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
     """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
     for dish in case.tables.dishes_named(label, *texts):
         for needs in dish.needs:
-            if not any(meets(need, part.food, case.tables) for need in needs for part in case.parts):
+            if not _has_one(case, needs):
                 yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
-    for food in namesakes(case, label):
-        if not _is_in(case, food):
-            yield food
+    yield from (food for food in namesakes(case, label) if not _is_in(case, food))
+
+
+def missing_namesakes(case: Case, label: str) -> Iterator[str]:
+    """Yield the foods that a dish is named after and has not; some are names of dishes too (chicken, tomato)."""
+    for dish in case.tables.dishes_named(label):
+        own = [needs for needs in dish.needs if dish.name in {need.rpartition(":")[2] for need in needs}]
+        if any(not _has_one(case, needs) for needs in own):
+            yield dish.name
+    yield from (food for food in namesakes(case, label) if not _is_in(case, food))
+
+
+def _has_one(case: Case, needs: tuple[str, ...]) -> bool:
+    return any(meets(need, part.food, case.tables) for need in needs for part in case.parts)
 
 
 def _unfinished(case: Case) -> Iterator[Finding]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from foon_kg.food import singular, words
 from foon_kg.model import DISH_TYPES, ObjectNode, RequiredIngredient
 from foon_kg.validation.case import Case
-from foon_kg.validation.dish import missing
+from foon_kg.validation.dish import missing_namesakes
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening
 from foon_kg.world.reading import Said
@@ -63,7 +63,7 @@ def _name(case: Case, node: ObjectNode) -> Iterator[Finding]:
     if label not in recorded and not set(words(label)[-1:]) & bare:
         asked = f"of the dish type {types[0]}" if types else "of any dish type"
         yield Finding("C2", f"“{node.label}” is no end product {asked} in the FOON", case.last, (node,))
-    for food in missing(case, node.label):
+    for food in missing_namesakes(case, node.label):
         yield Finding("C2", f"it is called after {food}, which is not in it", case.last, (node,))
 
 
