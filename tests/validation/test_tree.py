@@ -119,7 +119,7 @@ def test_a_level_that_no_foon_has_is_refused(level):
     ],
 )  # fmt: skip
 def test_a_field_of_the_wrong_type_is_told_with_its_place(broken):
-    with pytest.raises(ReadError, match="^line 3"):
+    with pytest.raises(ReadError, match=r"^line 3"):
         TaskTree.from_json(result(**broken), "line 3")
 
 
@@ -136,7 +136,8 @@ def test_a_step_need_not_say_origin_grounding_or_where_it_was_seen():
 
 def test_things_carry_their_numbers():
     placed = SLICED | {"relation": "in", "container": "bowl", "thing": 3, "container_thing": 4}
-    (unit,) = read(units=[{"input_nodes": [TOMATO | {"thing": 2}], "motion_node": "put", "output_nodes": [placed]}]).units
+    step = {"input_nodes": [TOMATO | {"thing": 2}], "motion_node": "put", "output_nodes": [placed]}
+    (unit,) = read(units=[step]).units
     assert unit.step.inputs == (Mention(ObjectNode("tomato", ("whole",)), 2, None),)
     assert unit.step.outputs == (Mention(ObjectNode("tomato", ("sliced",), (), "in", "bowl"), 3, 4),)
 

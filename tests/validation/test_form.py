@@ -1,0 +1,500 @@
+"""C1 to C6 (docs/contract.md): each clause kept and broken by a small tree."""
+
+from __future__ import annotations
+
+import pytest
+from validation.judging import ONE_TOMATO, foon_of, found, report
+
+from foon_kg.model import ObjectNode
+from foon_kg.validation import TaskTree, check
+
+POURED = (
+    "tomato (sliced; on plate) + plate ({tomato}) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({tomato})"
+)
+SALTED = """
+salt (granulated; in shaker) + tomato (sliced; on plate) + plate ({tomato}) → SPRINKLE
+  → tomato salad ({salt, tomato}; on plate) + plate ({tomato salad})
+"""
+FOON = foon_of(
+    f"name: tomato_salad\ndish: salad\ngoal: tomato salad ({{salt, tomato}}; on plate)\n{ONE_TOMATO}{SALTED}"
+)
+
+# --- C1 ---
+
+
+def test_c1_every_input_is_in_the_kitchen_or_made_before():
+    kitchen = "kitchen: tomato (whole) + plate (empty) + knife + bowl (empty)\n"
+    assert found("C1", kitchen + ONE_TOMATO + "\n" + POURED) == []
+
+
+def test_c1_an_input_that_is_nowhere():
+    assert found("C1", f"kitchen: tomato (whole) + plate (empty)\n{ONE_TOMATO}") == [
+        "C1 step 1 knife: it is neither in the kitchen nor an output of an earlier step"
+    ]
+
+
+def test_c1_an_input_that_is_made_too_late_names_the_step():
+    kitchen = "kitchen: tomato (whole) + plate (empty) + knife + bowl (empty)\n"
+    told = found("C1", kitchen + POURED + "\n" + ONE_TOMATO)
+    assert [line.partition(": ")[2] for line in told] == [
+        "it is needed before it is made: only step 2 outputs it",
+        "it is needed before it is made: only step 2 outputs it",
+    ]
+    assert [line.partition(" tomato")[0] for line in told[:1]] == ["C1 step 1"]
+
+
+def test_c1_an_input_that_its_own_step_makes_is_needed_before_it_is_made():
+    kitchen = "kitchen: knife + tomato (whole)\n"
+    text = (
+        kitchen + "tomato (whole) + knife → SLICE → tomato (sliced)\nonion (raw) → PEEL → onion (raw) + onion (peeled)"
+    )
+    assert found("C1", text) == ["C1 step 2 onion (raw): it is neither in the kitchen nor an output of an earlier step"]
+
+
+def test_c1_an_input_that_was_made_once_before_is_there():
+    text = "kitchen: a\na → SLICE → b\nb → DICE → c\nc + b → MIX → d"
+    assert found("C1", text) == []
+
+
+def test_c1_text_that_names_no_kitchen_starts_from_its_leaves():
+    assert found("C1", ONE_TOMATO) == []
+    assert len(found("C1", f"kitchen: nothing\n{ONE_TOMATO}")) == 3
+
+
+# --- C2 ---
+
+
+@pytest.mark.parametrize(
+    "goal", ["tomato (sliced; on plate)", "plate ({tomato})"],
+)  # fmt: skip
+def test_c2_the_last_step_with_food_puts_out_the_goal(goal):
+    assert found("C2", f"goal: {goal}\n{ONE_TOMATO}") == []
+
+
+def test_c2_a_goal_that_an_earlier_step_puts_out():
+    assert found("C2", f"goal: tomato (sliced; on plate)\n{ONE_TOMATO}\n{POURED}") == [
+        "C2 step 2 tomato (sliced; on plate): the last step with food does not output the goal"
+    ]
+
+
+def test_c2_steps_with_utensils_alone_may_come_after_the_goal():
+    text = f"goal: tomato (sliced; on plate)\n{ONE_TOMATO}\nstove (on) → TURN OFF → stove (off)"
+    assert found("C2", text) == []
+
+
+def test_c2_a_tree_without_steps_or_without_food():
+    assert found("C2", "name: nothing") == ["C2: the tree has no step with food"]
+    assert found("C2", "stove (on) → TURN OFF → stove (off)") == ["C2: the tree has no step with food"]
+
+
+def test_c2_an_error_is_all_that_there_is():
+    assert found("C2", "error: no goal is near") == ["C2: there is no tree: no goal is near"]
+
+
+def test_c2_without_a_marked_goal_the_richest_food_of_the_last_step_is_it():
+    assert found("C2", f"dish: salad\nasked: tomato (sliced)\n{ONE_TOMATO}{SALTED}", FOON) == []
+    assert found("C2", f"{ONE_TOMATO}\nknife + plate ({{tomato}}) → PUT → plate ({{tomato}}; on table)", FOON) == [
+        "C2 step 1 tomato (sliced; on plate): “tomato” is no end product of any dish type in the FOON"
+    ]
+
+
+SALAD = f"dish: salad\nasked: tomato (sliced)\n{ONE_TOMATO}"
+
+
+def served(label, holds="salt, tomato", head=SALAD):
+    """The tomato salad under another name."""
+    return head + SALTED.replace("({salt, tomato}", f"({{{holds}}}").replace("tomato salad", label)
+
+
+@pytest.mark.parametrize("label", ["tomato salad", "tomato salads", "salad", "simple salad"])
+def test_c2_a_recorded_end_product_or_the_bare_dish_type_is_a_true_name(label):
+    assert found("C2", served(label), FOON) == []
+
+
+def test_c2_a_name_that_no_video_of_the_dish_type_has():
+    (told,) = found("C2", served("tomato surprise"), FOON)
+    assert told.startswith("C2 step 2 tomato surprise ({salt, tomato}; on plate): ")
+    assert told.endswith(": “tomato surprise” is no end product of the dish type salad in the FOON")
+
+
+def test_c2_the_name_of_another_dish_type_is_none_of_the_one_asked():
+    soup = SALAD.replace("dish: salad", "dish: soup")
+    (told,) = found("C2", served("tomato salad", head=soup), FOON)
+    assert told.endswith(": “tomato salad” is no end product of the dish type soup in the FOON")
+
+
+def test_c2_without_a_recipe_any_dish_type_will_do():
+    assert found("C2", served("tomato salad", head=ONE_TOMATO), FOON) == []
+    assert found("C2", served("roast", head=ONE_TOMATO), FOON) == []
+    assert found("C2", served("surprise", head=ONE_TOMATO), FOON) == [
+        "C2 step 2 surprise ({salt, tomato}; on plate): “surprise” is no end product of any dish type in the FOON"
+    ]
+
+
+def test_c2_a_namesake_that_is_not_in_the_dish():
+    assert found("C2", served("leek salad"), FOON) == [
+        "C2 step 2 leek salad ({salt, tomato}; on plate): it is called after leek, which is not in it"
+    ]
+
+
+def test_c2_a_food_that_is_the_name_of_a_dish_too_must_be_in_it():
+    (told,) = found("C2", served("chicken salad"), FOON)
+    assert told.startswith("C2 step 2 chicken salad ({salt, tomato}; on plate): it is called after ")
+    assert "chicken" in told.partition("after ")[2]
+
+
+def test_c2_names_are_not_asked_without_a_foon():
+    assert found("C2", served("surprise")) == []
+
+
+def test_c2_the_name_of_a_reference_tree_is_not_asked():
+    assert found("C2", f"level: 3\n{served('surprise', head=ONE_TOMATO)}", FOON) == []
+
+
+# --- C3 ---
+
+LIT = """
+pot (empty) + stove (off) → PICK-AND-PLACE → pot (empty; on stove) + stove (off; under pot)
+milk (liquid; in carton) + pot (empty; on stove) → POUR → milk (liquid; in pot) + pot ({milk}; on stove)
+stove (off; under pot) → TURN ON → stove (on; under pot)
+milk (liquid; in pot) + pot ({milk}; on stove) + stove (on; under pot) → HEAT
+  → milk (hot; in pot) + pot (hot; {milk}; on stove)
+"""
+OUT = "stove (on; under pot) → TURN OFF → stove (off; under pot)\n"
+
+
+def test_c3_all_is_off_at_the_end():
+    assert found("C3", LIT + OUT) == []
+    assert found("C3", LIT) == ["C3: the stove is still on at the end"]
+
+
+def test_c3_of_two_appliances_each_is_told():
+    text = LIT + "grill (off) → TURN ON → grill (on)"
+    assert "C3: the grill is still on at the end" in found("C3", text)
+    assert "C3: the stove is still on at the end" in found("C3", text)
+
+
+def test_c3_what_stays_on_in_a_reference_tree_is_no_fault():
+    assert found("C3", f"level: 3\n{LIT}") == []
+
+
+def test_c3_a_fridge_is_always_on():
+    text = "milk (liquid; in fridge) + cup (empty) + fridge (on) → POUR → milk (liquid; in cup) + fridge (on)"
+    assert found("C3", text) == []
+
+
+def test_c3_a_step_that_leaves_everything_as_it_was():
+    text = f"{ONE_TOMATO}\ntomato (sliced; on plate) + plate ({{tomato}}) → WAIT → tomato (sliced; on plate)"
+    assert found("C3", text) == ["C3 step 2: all its outputs are among its inputs: it changes nothing"]
+
+
+def test_c3_a_step_that_is_there_twice_names_the_first():
+    text = f"{ONE_TOMATO}\n{ONE_TOMATO}"
+    assert "C3 step 2: it is the same as step 1" in found("C3", text)
+    assert "C3 step 3: it is the same as step 1" in found("C3", f"{text}\n{ONE_TOMATO}")
+
+
+def test_c3_the_same_step_with_another_thing_is_another_step():
+    text = """
+tomato#1 (whole) + plate#3 + knife → SLICE → tomato#1 (sliced; on plate#3)
+tomato#2 (whole) + plate#3 + knife → SLICE → tomato#2 (sliced; on plate#3)
+"""
+    assert found("C3", text) == []
+
+
+def test_c3_a_step_that_leads_nowhere():
+    text = "onion (whole) + cutting board (empty) + knife → SLICE → onion (sliced; on cutting board)\n"
+    assert found("C3", text + ONE_TOMATO) == ["C3 step 1: nothing that it makes leads to the goal"]
+    assert found("C3", ONE_TOMATO + "\n" + POURED) == []
+
+
+def test_c3_a_step_after_the_goal_leads_nowhere_unless_it_ends_something():
+    goal = f"goal: tomato (sliced; on plate)\n{ONE_TOMATO}\n"
+    assert found("C3", goal + "bowl (empty) → PUT → bowl (empty; on table)") == [
+        "C3 step 2: nothing that it makes leads to the goal"
+    ]
+
+
+@pytest.mark.parametrize(
+    "step",
+    [
+        "stove (on) → TURN OFF → stove (off)",
+        "jar (open) → CLOSE → jar (closed)",
+        "pot (covered) → UNCOVER → pot (uncovered)",
+        "jar (closed) → OPEN → jar (open)",
+        "blender jar (attached) → DETACH → blender jar (no attachments)",
+        "paper (used) → THROW AWAY → paper (in bin)",
+        "knife (dirty) → WASH → knife (clean)",
+    ],
+)
+def test_c3_what_ends_something_needs_to_lead_nowhere(step):
+    assert found("C3", f"goal: tomato (sliced; on plate)\n{ONE_TOMATO}\n{step}") == []
+
+
+def test_c3_turning_on_leads_to_the_goal_only_before_it():
+    on, off = "oven (off) → TURN ON → oven (on)\n", "\noven (on) → TURN OFF → oven (off)"
+    goal = "goal: tomato (sliced; on plate)\n"
+    assert found("C3", goal + on + ONE_TOMATO + off) == []
+    assert found("C3", goal + ONE_TOMATO + "\n" + on + off) == ["C3 step 2: nothing that it makes leads to the goal"]
+
+
+def test_c3_a_step_leads_to_the_goal_through_others():
+    text = (
+        f"{ONE_TOMATO}\n{POURED}\ntomato (sliced; in bowl) + bowl ({{tomato}}) + cup → POUR → tomato (sliced; in cup)"
+    )
+    assert found("C3", text) == []
+
+
+def test_c3_a_food_that_ends_in_the_dish_led_there_though_its_node_is_taken_by_nobody():
+    text = f"{ONE_TOMATO}\nplate ({{tomato}}) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({{tomato}})"
+    assert found("C3", text) == []
+
+
+# --- C4 ---
+
+
+def asked(foods, rest=ONE_TOMATO):
+    return f"dish: salad\nasked: {foods}\n{rest}"
+
+
+@pytest.mark.parametrize("foods", ["tomato (sliced)", "tomatoes (sliced)", "tomato", "tomato (whole)"])
+def test_c4_a_required_food_was_in_its_state_on_its_way(foods):
+    assert found("C4", asked(foods)) == []
+
+
+def test_c4_a_required_state_that_never_was():
+    assert found("C4", asked("tomato (diced)")) == [
+        "C4: no node of the tree is tomato in the state “diced”, as required"
+    ]
+
+
+def test_c4_a_forgotten_food_is_told_as_no_node_and_as_not_in_the_goal():
+    assert found("C4", asked("tomato (sliced); onion")) == [
+        "C4: no node of the tree is onion, as required",
+        "C4 tomato (sliced; on plate): onion is required and is not in the goal",
+    ]
+
+
+def test_c4_a_food_that_stays_beside_is_not_in_the_goal():
+    onion = "onion (whole) + cutting board (empty) + knife → SLICE → onion (sliced; on cutting board)\n"
+    assert found("C4", asked("tomato (sliced); onion (sliced)", onion + ONE_TOMATO)) == [
+        "C4 tomato (sliced; on plate): onion is required and is not in the goal"
+    ]
+
+
+def test_c4_a_name_in_braces_does_not_bring_a_food_there():
+    text = asked("tomato (sliced); onion (sliced)", ONE_TOMATO.replace("plate ({tomato})", "plate ({onion, tomato})"))
+    assert "C4: no node of the tree is onion in the state “sliced”, as required" in found("C4", text)
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        "state (tomato): diced like sliced (1.0); nothing",
+        "state (tomatoes): diced like sliced (0.5); nothing",
+        "state (tomato): cubed like diced (0.5); nothing",
+    ],
+)
+def test_c4_a_state_that_is_read_as_another_is_declared(entry):
+    assert found("C4", f"substitution: {entry}\n{asked('tomato (diced)')}") == []
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        "object (tomato): diced like sliced (1.0); nothing",
+        "state (onion): diced like sliced (1.0); nothing",
+        "state (tomato): cubed like sliced (1.0); nothing",
+    ],
+)
+def test_c4_another_declaration_does_not_help(entry):
+    assert len(found("C4", f"substitution: {entry}\n{asked('tomato (diced)')}")) == 1
+
+
+def test_c4_a_food_that_is_asked_twice_is_told_once():
+    assert len(found("C4", asked("tomato (diced); tomato (diced)"))) == 1
+    assert len(found("C4", asked("tomato (diced); tomato (minced)"))) == 2
+
+
+def test_c4_foods_are_told_in_the_order_of_their_names():
+    told = found("C4", asked("tomato (minced); tomato (diced); onion"))
+    assert [line.partition(" is ")[2].split(",")[0] for line in told if "no node" in line] == [
+        "onion", "tomato in the state “diced”", "tomato in the state “minced”",
+    ]  # fmt: skip
+
+
+# --- C5 ---
+
+
+def test_c5_every_food_from_the_kitchen_was_asked_for():
+    assert found("C5", asked("tomato (sliced)")) == []
+    assert found("C5", asked("onion")) == ["C5 step 1: tomato comes from the kitchen and nobody asked for it"]
+
+
+def test_c5_a_food_that_comes_twice_is_told_once_at_its_first_step():
+    text = asked("tomato (sliced)", f"{ONE_TOMATO}\n{SALTED}{SALTED}")
+    assert found("C5", text) == ["C5 step 2: salt comes from the kitchen and nobody asked for it"]
+
+
+@pytest.mark.parametrize("name", ["broth", "chicken broth", "clear chicken broth"])
+def test_c5_a_food_with_a_word_more_or_less_is_the_one_asked(name):
+    text = asked("chicken broth", f"{name} (liquid; in carton) + pot (empty) → POUR → {name} (liquid; in pot)")
+    assert found("C5", text) == []
+
+
+@pytest.mark.parametrize("name", ["beef broth", "chicken", "broth powder"])
+def test_c5_a_food_with_another_word_or_another_last_word_is_not_the_one_asked(name):
+    text = asked("chicken broth", f"{name} (liquid; in carton) + pot (empty) → POUR → {name} (liquid; in pot)")
+    assert found("C5", text) == [f"C5 step 1: {name} comes from the kitchen and nobody asked for it"]
+
+
+def test_c5_water_is_free_unless_a_setting_says_otherwise():
+    text = asked(
+        "tomato (sliced)",
+        ONE_TOMATO + "\nwater (liquid; in bottle) + plate ({tomato}) → POUR → water (liquid; on plate)",
+    )
+    assert found("C5", text) == []
+    assert found("C5", text, free=frozenset()) == ["C5 step 2: water comes from the kitchen and nobody asked for it"]
+
+
+def test_c5_a_setting_lets_other_foods_in():
+    text = asked("tomato (sliced)", ONE_TOMATO + SALTED)
+    assert found("C5", text) == ["C5 step 2: salt comes from the kitchen and nobody asked for it"]
+    assert found("C5", text, free=frozenset({"salt"})) == []
+
+
+# --- C6 ---
+
+
+def taken(leaf, head=""):
+    """A tree that takes one thing from the kitchen and puts it on the table."""
+    return f"{head}{leaf} → PUT → {leaf.split(' (', maxsplit=1)[0]} (on table)"
+
+
+@pytest.mark.parametrize(
+    "leaf",
+    [
+        "tomato (whole)", "tomato", "beef (raw)", "peas (frozen; in bag)", "salt (granulated; in shaker)",
+        "milk (liquid; in carton)", "milk (liquid; in fridge)", "water (liquid; from faucet)",
+        "apple (whole; on table)", "walnut (halved)", "oats (rolled)", "sugar (cubed)", "bowl (empty)", "knife",
+        "knife (clean)", "stove (off)",
+        "jar (closed; {jam})", "shaker ({salt})", "fridge (on)", "pot (empty; on stove)", "tomato (ripe)",
+        "oven (off)", 'stove ("off (ready)")', "dough (frozen; in bag)", 'tomato ("in [bag]")', "flour ({flour})",
+        "pepper (ground; in shaker)",
+    ],
+)  # fmt: skip
+def test_c6_things_are_as_a_kitchen_has_them(leaf):
+    assert found("C6", taken(leaf)) == []
+
+
+@pytest.mark.parametrize(
+    ("leaf", "reason"),
+    [
+        ("tomato (sliced)", "it is sliced before anybody made it so"),
+        ("tomato (Sliced)", "it is Sliced before anybody made it so"),
+        ("beef (cooked)", "it is cooked before anybody made it so"),
+        ("avocado (slit)", "it is slit before anybody made it so"),
+        ("bread (partly toasted)", "it is partly toasted before anybody made it so"),
+        ("almond (halved)", "it is halved before anybody made it so"),
+        ("tomato (whole; in bowl)", "it is in the bowl before anybody put it there"),
+        ("tomato (whole; in oven)", "it is in the oven before anybody put it there"),
+        ("cake (whole; {flour, sugar})", "it is made of other foods, and nobody made it"),
+        ("dough ({flour, water})", "it is made of other foods, and nobody made it"),
+        ("stove (on)", "it is on or hot before anybody turned anything on"),
+        ("pan (hot)", "it is on or hot before anybody turned anything on"),
+        ("oven (preheated)", "it is on or hot before anybody turned anything on"),
+        ("bowl ({tomato})", "it is filled, and nobody filled it"),
+        ("bowl (dirty)", "it is dirty before anybody used it"),
+        ("pan (greased)", "it is greased before anybody used it"),
+        ("pan (clean, greased)", "it is greased before anybody used it"),
+    ],
+)
+def test_c6_things_as_no_kitchen_has_them(leaf, reason):
+    (told,) = found("C6", taken(leaf))
+    assert told.startswith("C6 step 1 ")
+    assert told.endswith(f": {reason}")
+
+
+def test_c6_each_leaf_is_told_at_the_step_that_takes_it_first():
+    text = f"{ONE_TOMATO}\nonion (diced) + plate ({{tomato}}) → PUT → onion (diced; on plate)"
+    text += "\nonion (diced) + cup → PUT → onion (diced; in cup)"
+    assert found("C6", text) == ["C6 step 2 onion (diced): it is diced before anybody made it so"]
+
+
+def test_c6_what_an_earlier_step_brought_so_is_no_leaf_of_the_kitchen():
+    text = f"{ONE_TOMATO}\ntomato (sliced) + bowl (empty) → PUT → tomato (sliced; in bowl) + bowl ({{tomato}})"
+    assert found("C6", text) == []
+    filled = "\nplate ({tomato}; on table) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({tomato})"
+    assert found("C6", ONE_TOMATO + filled) == []
+
+
+def test_c6_another_vessel_that_nobody_filled_is_told():
+    text = f"{ONE_TOMATO}\nbowl ({{cream}}) + plate ({{tomato}}) → POUR → cream (liquid; on plate)"
+    assert found("C6", text) == ["C6 step 2 bowl ({cream}): it is filled, and nobody filled it"]
+
+
+ASSUMED = "assumed: tomato (sliced): no step slices\n"
+
+
+def test_c6_a_processed_food_may_be_assumed_with_a_reason():
+    assert found("C6", taken("tomato (sliced)", ASSUMED)) == []
+    assert found("C6", taken("tomato (diced)", ASSUMED)) == [
+        "C6 step 1 tomato (diced): it is diced before anybody made it so",
+        "C6 tomato (sliced): it is assumed to be at hand and is no leaf of the tree",
+    ]
+
+
+@pytest.mark.parametrize("why", ['""', '"  "'])
+def test_c6_an_assumption_says_why(why):
+    assert found("C6", taken("tomato (sliced)", f"assumed: tomato (sliced): {why}\n")) == [
+        "C6 tomato (sliced): it is assumed to be at hand and nothing says why"
+    ]
+
+
+def test_c6_an_assumption_of_what_the_foon_can_make():
+    reason = "it is assumed to be sliced, and FOON has an operator for such a food"
+    assert found("C6", taken("tomato (sliced)", ASSUMED), FOON) == [f"C6 tomato (sliced): {reason}"]
+
+
+def test_c6_an_assumption_of_what_the_foon_makes_of_a_like_kind():
+    head = "assumed: tomatillo (sliced): no step slices a tomatillo\n"
+    reason = "it is assumed to be sliced, and FOON has an operator for such a food"
+    assert found("C6", taken("tomatillo (sliced)", head), FOON) == [f"C6 tomatillo (sliced): {reason}"]
+
+
+@pytest.mark.parametrize("food", ["tomato (diced)", "beef (sliced)", "wibble (sliced)", "tomato (whole)"])
+def test_c6_an_assumption_of_what_the_foon_cannot_make(food):
+    assert found("C6", taken(food, f"assumed: {food}: no step does so\n"), FOON) == []
+
+
+def test_c6_of_an_unknown_food_only_its_own_operators_count():
+    foon = foon_of("name: v\nwobble (whole) + knife → SLICE → wobble (sliced)")
+    assert found("C6", taken("wibble (sliced)", "assumed: wibble (sliced): so\n"), foon) == []
+    assert len(found("C6", taken("wobble (sliced)", "assumed: wobble (sliced): so\n"), foon)) == 1
+
+
+def test_c6_only_what_is_in_the_kitchen_that_was_named_is_there():
+    def lacks(node):
+        return node.label == "knife"
+
+    assert found("C6", ONE_TOMATO, lacks=lacks) == ["C6 step 1 knife: it is not in the kitchen that was named"]
+    assert found("C6", ONE_TOMATO, lacks=lambda node: False) == []
+
+
+def test_c6_an_assumption_does_not_put_a_thing_into_the_kitchen_that_was_named():
+    text = taken("tomato (sliced)", ASSUMED)
+    assert found("C6", text, lacks=lambda node: True) == [
+        "C6 step 1 tomato (sliced): it is not in the kitchen that was named"
+    ]
+
+
+def test_every_finding_of_form_is_fatal():
+    text = asked("onion", f"kitchen: nothing\n{taken('tomato (sliced)')}")
+    told = report(text).of(["C1", "C2", "C3", "C4", "C5", "C6"])
+    assert {finding.rule for finding in told} >= {"C1", "C4", "C5", "C6"}
+    assert not any(finding.minor for finding in told)
+
+
+def test_a_goal_that_no_step_puts_out_is_named_in_the_finding():
+    tree = TaskTree("empty", (), goal=ObjectNode("soup"))
+    assert [str(one) for one in check(tree).of(["C2"])] == ["C2: the tree has no step with food"]

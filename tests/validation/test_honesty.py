@@ -1,0 +1,382 @@
+"""C7 and C8 (docs/contract.md): what a tree says of its substitutions and sources, kept and broken clause by clause."""
+
+from __future__ import annotations
+
+import pytest
+from validation.judging import ONE_TOMATO, foon_of, found
+
+from foon_kg.validation import KnownFoon
+
+FOON = foon_of("""
+name: tomatoes
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+stove (off) → TURN ON → stove (on)
+salt (granulated; in shaker) + plate ({tomato}) → SPRINKLE → salt (granulated; on plate) + plate ({salt, tomato})
+---
+name: peppers
+bell pepper (whole) + plate (empty) + peeler → DICE → bell pepper (diced; on plate) + plate ({bell pepper})
+---
+name: breads
+bread (loaf) + plate (empty) → TEAR → bread (torn; on plate) + plate ({bread})
+""")
+
+LEEK = "object (tomato): tomato like bell pepper (0.9); nothing"
+
+
+def sliced(food="tomato", motion="SLICE", tool="knife", seen="tomatoes 0", head="", **told):
+    """One step with a food, seen somewhere, with what else is told of it."""
+    step = f"{food} (whole) + plate (empty) + {tool} → {motion} → {food} (sliced; on plate) + plate ({{{food}}})"
+    lines = [head, step, f"seen in: {seen}" if seen else "", *(f"{key}: {value}" for key, value in told.items())]
+    return "\n".join(filter(None, lines))
+
+
+def entries(*told):
+    return "\n".join(f"substitution: {one}" for one in told)
+
+
+# --- C7: entries ---
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        "object (tomato): tomato like bell pepper (0.9); onion (0.8), leek (0.7)",
+        "object (tomato): tomato like bell pepper (0.0); nothing",
+        "object (tomato): tomato like bell pepper (1.0); nothing",
+        'state (tomato): diced like "" (0.5); nothing',
+        "motion (tomato): slice like chop (0.5); nothing",
+        "tool (tomato): knife like peeler (0.5); nothing",
+        "vessel (tomato): plate like bowl (0.5); nothing",
+        "object (tomato): tomatoes like peppers (0.5); nothing",
+        "object (plates): plate like bowl (0.5); nothing",
+    ],
+)
+def test_c7_an_entry_that_says_everything_of_what_a_step_uses(entry):
+    assert found("C7", f"{entries(entry)}\n{ONE_TOMATO}") == []
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [
+        (
+            "food (tomato): tomato like onion (0.9); nothing",
+            "tomato: tomato for onion (food): its kind is “food”, not object, state, motion, tool, vessel",
+        ),
+        ('"" (tomato): tomato like onion (0.9); nothing',
+         "tomato: tomato for onion (no kind): its kind is “”, not object, state, motion, tool, vessel"),
+        (
+            'object (tomato): "" like onion (0.9); nothing',
+            "nothing for onion (object): it does not say what is required",
+        ),
+        ("object (tomato): tomato like nothing (0.9); nothing", "tomato for nothing (object): it names no equivalent"),
+        (
+            "state (tomato): sliced like nothing (0.9); nothing",
+            "tomato: sliced for nothing (state): it names no equivalent",
+        ),
+        ('object (tomato): tomato like "" (0.9); nothing', "tomato for nothing (object): it names no equivalent"),
+        (
+            "object (tomato): tomato like tomato (0.9); nothing",
+            "tomato for tomato (object): the equivalent is what was required",
+        ),
+        ("object (tomato): tomato like onion; nothing",
+         "tomato for onion (object): it has no confidence between 0 and 1"),
+        ("object (tomato): tomato like onion (1.1); nothing",
+         "tomato for onion (object): it has no confidence between 0 and 1"),
+        ("object (tomato): tomato like onion (-0.1); nothing",
+         "tomato for onion (object): it has no confidence between 0 and 1"),
+        ('object (""): tomato like onion (0.9); nothing', "tomato for onion (object): it does not name its object"),
+        ("object (tomato): tomato like onion (0.9)", "tomato for onion (object): it has no list of alternatives"),
+        (
+            "object (tomato): tomato like onion (0.9); leek (0.8), shallot",
+            "tomato for onion (object): an alternative has no name or no confidence",
+        ),
+        (
+            'object (tomato): tomato like onion (0.9); "" (0.8)',
+            "tomato for onion (object): an alternative has no name or no confidence",
+        ),
+    ],
+)  # fmt: skip
+def test_c7_an_entry_that_leaves_something_out(entry, told):
+    assert found("C7", f"{entries(entry)}\n{ONE_TOMATO}") == [f"C7: substitution 0, {told}"]
+
+
+@pytest.mark.parametrize(
+    ("entry", "told"),
+    [
+        ("object (leek): leek like onion (0.9); nothing", "leek for onion (object)"),
+        ("state (leek): diced like sliced (0.9); nothing", "leek: diced for sliced (state)"),
+        ("motion (tomato): chop like dice (0.9); nothing", "tomato: chop for dice (motion)"),
+        ("motion (slice): chop like dice (0.9); nothing", "slice: chop for dice (motion)"),
+        ("tool (leek): grater like peeler (0.9); nothing", "leek: grater for peeler (tool)"),
+        ("vessel (leek): cup like glass (0.9); nothing", "leek: cup for glass (vessel)"),
+        ("state (leek): knife like sliced (0.9); nothing", "leek: knife for sliced (state)"),
+    ],
+)
+def test_c7_what_no_step_uses_is_not_declared(entry, told):
+    assert found("C7", f"{entries(entry)}\n{ONE_TOMATO}") == [f"C7: substitution 0, {told}: no unit uses it"]
+
+
+def test_c7_a_food_that_only_a_name_in_braces_tells_is_used():
+    salted = ONE_TOMATO.replace("{tomato}", "{salts, tomato}")
+    assert found("C7", f"{entries('object (salt): salt like sugar (0.5); nothing')}\n{salted}") == []
+
+
+def test_c7_an_entry_that_is_there_twice():
+    assert found("C7", f"{entries(LEEK, LEEK)}\n{ONE_TOMATO}") == [
+        "C7: substitution 1, tomato for bell pepper (object), is there twice"
+    ]
+    other = LEEK.replace("0.9", "0.8")
+    assert found("C7", f"{entries(LEEK, other)}\n{ONE_TOMATO}") == []
+
+
+def test_c7_entries_are_counted_from_0_as_they_stand():
+    told = found("C7", f"{entries(LEEK, 'object (leek): leek like onion (0.9); nothing')}\n{ONE_TOMATO}")
+    assert told == ["C7: substitution 1, leek for onion (object): no unit uses it"]
+
+
+def test_c7_a_tree_without_substitutions_declares_nothing_wrong():
+    assert found("C7", ONE_TOMATO) == []
+    assert found("C7", f"substitution: nothing\n{ONE_TOMATO}") == []
+
+
+# --- C7: evidence ---
+
+
+def test_c7_a_step_that_was_seen_with_another_kind_says_what_is_handled_like_what():
+    assert found("C7", sliced("tomato", seen="breads 0"), FOON) == [
+        "C7 step 1: no substitution says what tomato is handled like"
+    ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        sliced(seen="tomatoes 0"),
+        sliced(seen=""),
+        sliced(seen="breads 7"),
+        sliced(seen="breads 0", grounding="motion"),
+        sliced(seen="breads 0; tomatoes 0"),
+        sliced(seen="breads 0", head=entries("object (tomato): tomato like bread (0.9); nothing")),
+    ],
+)
+def test_c7_a_step_whose_evidence_is_near_or_told(text):
+    assert found("C7", text, FOON) == []
+
+
+def test_c7_evidence_is_not_asked_without_a_foon():
+    assert found("C7", sliced("tomato", seen="breads 0")) == []
+
+
+def test_c7_a_food_of_the_same_kind_is_declared_too():
+    assert found("C7", sliced("tomatillo", seen="tomatoes 0"), FOON) == [
+        "C7 step 1: no substitution says what tomatillo is handled like"
+    ]
+
+
+def test_c7_several_foods_are_told_in_order():
+    text = "onion (whole) + leek (whole) + knife → SLICE → onion (sliced) + leek (sliced)\nseen in: breads 0"
+    assert found("C7", text, FOON) == ["C7 step 1: no substitution says what leek, onion is handled like"]
+
+
+# --- C8: sources ---
+
+
+def test_c8_a_step_names_a_unit_with_its_motion_food_and_tool():
+    assert found("C8", sliced(), FOON) == []
+
+
+def test_c8_a_step_that_names_nothing():
+    assert found("C8", sliced(seen="nothing"), FOON) == ["C8 step 1: it names no unit of the FOON"]
+
+
+@pytest.mark.parametrize("seen", ["tomatoes 3", "pears 0", "tomatoes -1"])
+def test_c8_a_step_that_names_a_unit_that_is_not_there(seen):
+    video, _, place = seen.partition(" ")
+    assert found("C8", sliced(seen=seen), FOON) == [f"C8 step 1: the FOON has no unit {place} in “{video}”"]
+
+
+def test_c8_each_source_that_is_not_there_is_told():
+    assert len(found("C8", sliced(seen="tomatoes 0; pears 0; pears 1"), FOON)) == 2
+
+
+def test_c8_a_source_with_another_motion():
+    assert found("C8", sliced(motion="CHOP"), FOON) == ["C8 step 1: the unit it names does “slice”"]
+
+
+@pytest.mark.parametrize(
+    ("entry", "helps"),
+    [
+        ("motion (tomato): chop like slice (0.9); nothing", True),
+        ("motion (tomato): chop like dice (0.9); nothing", False),
+        ("motion (tomato): dice like slice (0.9); nothing", False),
+        ("tool (tomato): chop like slice (0.9); nothing", False),
+    ],
+)
+def test_c8_another_motion_is_declared_as_this_one(entry, helps):
+    assert found("C8", sliced(motion="CHOP", head=entries(entry)), FOON) == (
+        [] if helps else ["C8 step 1: the unit it names does “slice”"]
+    )
+
+
+def test_c8_a_source_on_a_food_of_another_kind():
+    text = sliced(tool="hand", motion="TEAR", seen="breads 0")
+    assert found("C8", text, FOON) == ["C8 step 1: the unit it names works on bread, of another kind"]
+
+
+def test_c8_a_source_without_food():
+    text = sliced(motion="TURN ON", seen="tomatoes 1")
+    assert found("C8", text, FOON) == ["C8 step 1: the unit it names works on no food, of another kind"]
+
+
+def test_c8_a_source_on_a_declared_food_or_one_of_its_kind():
+    head = entries("object (tomato): tomato like bread (0.9); nothing")
+    assert found("C8", sliced(motion="TEAR", tool="hand", seen="breads 0", head=head), FOON) == []
+    assert found("C8", sliced("tomatillo"), FOON) == []
+
+
+def test_c8_a_step_without_food_may_be_seen_with_any():
+    text = "stove (off) → TURN ON → stove (on)\nseen in: tomatoes 1"
+    assert found("C8", text, FOON) == []
+    switch = "oven (off) → SLICE → oven (on)\nseen in: tomatoes 0"
+    assert found("C8", switch, FOON) == []
+
+
+def test_c8_a_food_that_the_source_holds_in_braces_is_the_same_food():
+    text = (
+        "salt (granulated; in shaker) + bowl ({tomato}) → SPRINKLE → salt (granulated; in bowl) + bowl ({salt, tomato})"
+    )
+    assert found("C8", f"{text}\nseen in: tomatoes 2\ngrounding: food", FOON) == []
+
+
+def test_c8_a_source_with_another_tool():
+    assert found("C8", sliced(tool="peeler"), FOON) == ["C8 step 1: the unit it names uses no peeler"]
+
+
+def test_c8_each_tool_that_the_source_lacks_is_told_in_order():
+    assert found("C8", sliced(tool="peeler + grater + knife"), FOON) == [
+        "C8 step 1: the unit it names uses no grater",
+        "C8 step 1: the unit it names uses no peeler",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("entry", "helps"),
+    [
+        ("tool (tomato): peeler like knife (0.9); nothing", True),
+        ("tool (tomato): peelers like knives (0.9); nothing", True),
+        ("tool (tomato): peeler like spoon (0.9); nothing", False),
+        ("object (tomato): peeler like knife (0.9); nothing", False),
+    ],
+)
+def test_c8_another_tool_is_declared_as_this_one(entry, helps):
+    assert (found("C8", sliced(tool="peeler", head=entries(entry)), FOON) == []) is helps
+
+
+def test_c8_a_source_that_names_no_tool_leaves_the_tool_open():
+    head = entries("object (tomato): tomato like bread (0.9); nothing")
+    assert found("C8", sliced(motion="TEAR", seen="breads 0", tool="fork", head=head), FOON) == []
+
+
+def test_c8_fewer_tools_than_the_source_and_another_vessel_are_no_difference():
+    assert found("C8", sliced(tool="cup"), FOON) == []
+
+
+# --- C8: grounding ---
+
+
+@pytest.mark.parametrize("claim", ["food", "like", "kind", "motion"])
+def test_c8_a_step_may_claim_less_than_its_evidence(claim):
+    assert found("C8", sliced(grounding=claim), FOON) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "evidence", "allowed"),
+    [
+        (sliced(grounding="{}"), "food", ["food", "like", "kind", "motion"]),
+        (sliced(head=entries(LEEK), motion="DICE", tool="peeler", seen="peppers 0", grounding="{}"), "like",
+         ["like", "kind", "motion"]),
+        (sliced("tomatillo", grounding="{}"), "kind", ["kind", "motion"]),
+    ],
+)  # fmt: skip
+def test_c8_a_step_claims_no_more_than_its_evidence(text, evidence, allowed):
+    for claim in ("food", "like", "kind", "motion"):
+        told = found("C8", text.replace("{}", claim), FOON)
+        assert told == ([] if claim in allowed else [f"C8 step 1: it claims “{claim}”, and its evidence is {evidence}"])
+
+
+def test_c8_the_motion_alone_is_the_farthest_evidence():
+    told = found("C8", sliced(motion="TEAR", tool="hand", seen="breads 0", grounding="kind"), FOON)
+    assert told[-1] == "C8 step 1: it claims “kind”, and its evidence is motion"
+    assert len(found("C8", sliced(motion="TEAR", tool="hand", seen="breads 0", grounding="motion"), FOON)) == 1
+
+
+def test_c8_of_several_sources_the_nearest_counts():
+    assert found("C8", sliced("tomatillo", seen="tomatoes 0; tomatoes 0", grounding="kind"), FOON) == []
+    both = sliced(seen="tomatoes 0; breads 0", grounding="food")
+    assert not [told for told in found("C8", both, FOON) if "claims" in told]
+
+
+def test_c8_a_claim_in_an_unknown_word():
+    assert found("C8", sliced(grounding="certain"), FOON) == [
+        "C8 step 1: its grounding is “certain”, not food, like, kind, motion"
+    ]
+
+
+def test_c8_a_step_without_food_may_claim_anything():
+    text = "stove (off) → TURN ON → stove (on)\nseen in: tomatoes 1\ngrounding: food"
+    assert found("C8", text, FOON) == []
+
+
+def test_c8_a_declared_equivalent_counts_in_one_direction():
+    wrong = entries("object (tomato): bell pepper like tomato (0.9); nothing")
+    text = sliced(head=wrong, motion="DICE", tool="peeler", seen="peppers 0", grounding="like")
+    assert "C8 step 1: it claims “like”, and its evidence is motion" in found("C8", text, FOON)
+
+
+def test_c8_unknown_foods_are_of_no_common_kind():
+    foon = foon_of("name: v\nwobble (whole) + plate (empty) + knife → SLICE → wobble (sliced; on plate)")
+    assert found("C8", sliced("wibble", seen="v 0"), foon) == [
+        "C8 step 1: the unit it names works on wobble, of another kind"
+    ]
+
+
+# --- C8: trees that name no sources ---
+
+
+def test_c8_foon_text_has_the_unit_itself_or_its_motion_with_one_of_its_outputs():
+    assert found("C8", sliced(seen=""), FOON) == []
+    assert found("C8", "tomato (raw) + cup → SLICE → tomato (sliced; in cup)", FOON) == []
+    assert found("C8", "tomatoes (raw) + cup → SLICE → tomatoes (sliced; in cup)", FOON) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "cucumber (whole) + knife → SLICE → cucumber (sliced)",
+        "tomato (whole) + knife → PURÉE → tomato (pureed)",
+        "tomato (whole) + knife → SLICE → cucumber (sliced)",
+    ],
+)
+def test_c8_foon_text_whose_motion_gave_none_of_its_outputs(text):
+    assert found("C8", text, FOON) == ["C8 step 1: the FOON has no unit with this motion and any of these outputs"]
+
+
+def test_c8_a_reference_tree_has_units_of_the_foon_as_they_stand():
+    assert found("C8", f"level: 3\n{sliced(seen='')}", FOON) == []
+    assert found("C8", f"level: 3\n{sliced()}", FOON) == []
+    assert found("C8", "level: 3\ntomato (raw) + knife → SLICE → tomato (sliced; on plate)", FOON) == [
+        "C8 step 1: the FOON has no such unit"
+    ]
+
+
+def test_c8_is_not_asked_without_a_foon():
+    assert found("C8", sliced(motion="CHOP")) == []
+    assert found("C8", sliced(), KnownFoon(())) == ["C8 step 1: the FOON has no unit 0 in “tomatoes”"]
+
+
+def test_each_step_is_told_with_its_own_number():
+    text = f"{sliced()}\n{sliced(motion='CHOP')}"
+    assert found("C8", text, FOON) == ["C8 step 2: the unit it names does “slice”"]
+    assert found("C7", f"{sliced()}\n{sliced(seen='breads 0')}", FOON) == [
+        "C7 step 2: no substitution says what tomato is handled like"
+    ]
