@@ -1,0 +1,92 @@
+"""How a name is looked up, whatever it is: in the singular, the longest phrase first, and exact names for good."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.food import Match, singular, tables, words
+
+FOODS = tables().foods
+UTENSILS = tables().utensils
+LISTED = st.sampled_from(sorted(FOODS.kind_of))
+KINDS = st.sampled_from(sorted(FOODS.kinds))
+NONSENSE = st.from_regex(r"[qxz]{2}[a-z]{2,6}q", fullmatch=True)
+"""Words that no table has, and that end as no food does."""
+
+
+def has_a_plain_plural(name):
+    """Whether an s makes the plural: words of the tables that end in -i or -u are too like Latin ones."""
+    last = name.split()[-1]
+    return len(last) > 2 and last[-1] not in "sxziuoy" and not last.endswith(("ch", "sh", "lf", "fe", "ie", "af"))
+
+
+@given(LISTED.filter(has_a_plain_plural))
+def test_one_food_and_many_are_the_same(name):
+    assert FOODS.find(f"{name}s") == FOODS.find(name)
+
+
+@given(LISTED)
+def test_capitals_and_spaces_say_nothing(name):
+    assert FOODS.find(f"  {name.title()} ") == FOODS.find(name)
+
+
+@given(st.text())
+def test_any_text_is_looked_up(text):
+    kind, taken_for, match = FOODS.find(text)
+    assert kind in {*FOODS.kinds, "unknown"}
+    assert (match is Match.UNKNOWN) == (kind == "unknown")
+    assert (match is Match.NAME) == FOODS.is_listed(text)
+    assert FOODS.food(text).taken_for == taken_for
+
+
+@given(LISTED)
+def test_a_listed_name_is_itself(name):
+    assert FOODS.find(name) == (FOODS.kind_of[name], name, Match.NAME)
+
+
+@given(st.lists(NONSENSE, min_size=1, max_size=3), LISTED)
+def test_words_before_a_name_do_not_hide_it(before, name):
+    kind, taken_for, match = FOODS.find(" ".join([*before, name]))
+    assert (kind, taken_for, match) == (FOODS.kind_of[name], name, Match.HEAD)
+
+
+@given(NONSENSE, LISTED, NONSENSE)
+def test_a_name_in_the_middle_is_a_guess(before, name, after):
+    kind, taken_for, match = FOODS.find(f"{before} {name} {after}")
+    assert match is Match.PART
+    assert (kind, taken_for) == (FOODS.kind_of[name], name)
+
+
+@given(st.lists(LISTED, min_size=2, max_size=3))
+def test_the_longest_phrase_at_the_end_wins(names):
+    name = " ".join(names)
+    own = words(name)
+    endings = [" ".join(own[start:]) for start in range(len(own))]
+    _, taken_for, _ = FOODS.find(name)
+    assert taken_for == next(ending for ending in endings if ending in FOODS.kind_of)
+
+
+@given(st.lists(NONSENSE, min_size=1, max_size=2).map(" ".join), st.lists(LISTED, max_size=1), KINDS, LISTED)
+def test_a_word_more_never_changes_what_is_listed(new, after, kind, name):
+    added = " ".join([new, *after])
+    more = replace(FOODS, kind_of={**FOODS.kind_of, singular(added): kind}, _known={}, _found={})
+    assert more.find(name) == FOODS.find(name)
+    assert more.find(added) == (kind, singular(added), Match.NAME)
+    assert more.food(name).kind == FOODS.food(name).kind
+
+
+@given(st.sampled_from(sorted(UTENSILS)))
+def test_a_utensil_is_found_by_its_name_alone(name):
+    assert tables().utensil(name.title()) is UTENSILS[name]
+    assert tables().utensil(f"{name} soup") is None
+
+
+@given(LISTED, st.lists(st.sampled_from(sorted(tables().states)), max_size=3))
+def test_every_food_in_every_state_is_of_a_kind_with_all_broader_ones(name, states):
+    food = FOODS.food(name, states)
+    assert food.kind in FOODS.kinds
+    assert food.kinds == FOODS.broader(food.kind)
+    assert food.known
