@@ -380,3 +380,11 @@ def test_each_step_is_told_with_its_own_number():
     assert found("C7", f"{sliced()}\n{sliced(seen='breads 0')}", FOON) == [
         "C7 step 2: no substitution says what tomato is handled like"
     ]
+
+
+@pytest.mark.xfail(reason="what is food in a unit of the FOON is kept from the first tree that asks", strict=True)
+def test_c8_a_tree_is_judged_alike_whatever_was_judged_before():
+    foon = foon_of("name: v\nwrap (whole) + knife + plate → CUT → wrap (halved; on plate)")
+    text = "wrap (whole) + knife + plate → CUT → wrap (halved; on plate)\nseen in: v 0"
+    found("C8", text, foon)  # a wrap is a utensil where no recipe asks for it
+    assert found("C8", f"dish: sandwich\nasked: wrap (whole)\n{text}", foon) == []

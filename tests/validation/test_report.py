@@ -98,8 +98,8 @@ def test_one_minor_finding_refuses_nothing(rule):
 
 
 @pytest.mark.parametrize(("count", "accepts"), [(1, True), (2, True), (3, False), (4, False)])
-@pytest.mark.parametrize("rule", TABLE)
-def test_a_cook_puts_up_with_two_minor_findings_of_the_table(rule, count, accepts):
+@pytest.mark.parametrize("rule", [*TABLE, "W4", "W5"])
+def test_a_cook_puts_up_with_two_minor_findings_that_a_cook_sees(rule, count, accepts):
     one = told(*[minor(rule)] * count)
     assert one.cook is accepts
     assert one.robot
@@ -109,12 +109,19 @@ def test_a_cook_puts_up_with_two_minor_findings_of_the_table(rule, count, accept
 def test_minor_findings_of_different_rules_of_the_table_add_up():
     assert told(minor("K1"), minor("K7")).cook
     assert not told(minor("K1"), minor("K2"), minor("K7")).cook
+    assert not told(minor("K1"), minor("W4"), minor("W5")).cook
 
 
-@pytest.mark.parametrize("rule", ["W1", "W2"])
+@pytest.mark.parametrize("rule", ["W1", "W2", "W3", "C3"])
 def test_a_cook_does_not_mind_minor_findings_of_what_only_a_robot_sees(rule):
     assert told(*[minor(rule)] * 5).cook
     assert told(minor("K2"), minor("K2"), *[minor(rule)] * 5).cook
+
+
+def test_a_tree_that_was_not_played_is_accepted_by_nobody():
+    one = Report("nothing", (), played=False)
+    assert (one.form, one.robot, one.cook, one.accepted) == (True, False, False, False)
+    assert Report("something", ()).played
 
 
 def test_robot_and_cook_are_asked_apart():
@@ -205,6 +212,8 @@ def test_of_a_search_that_found_nothing_only_that_is_told():
     assert [str(finding) for finding in one.findings] == ["C2: there is no tree: no goal is near"]
     assert one.notes == ()
     assert dict(one.not_asked)["C9"]
+    assert (one.played, one.robot, one.cook) == (False, False, False)
+    assert report(ONE_TOMATO).played
 
 
 def test_a_finding_that_two_rules_of_one_step_tell_alike_is_there_once():
