@@ -130,7 +130,8 @@ class Utensil:
 class Dish:
     """What defines a dish: of each list in ``needs`` one is in it; ``heated`` is ``None`` where it may be hot or cold.
 
-    ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink).
+    ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink). ``baked``: it
+    comes out of an oven, and what is fried in a pan is another dish.
     """
 
     name: str
@@ -138,3 +139,4 @@ class Dish:
     heated: bool | None = None
     is_type: bool = False
     eases: frozenset[str] = frozenset()
+    baked: bool = False

@@ -247,6 +247,7 @@ def _dish(name: str, row: Toml) -> Dish:
         row.get("heated"),
         row.get("type", False),
         frozenset(row.get("soft", [])),
+        row.get("baked", False),
     )
 
 

@@ -26,6 +26,27 @@ def defined(case: Case) -> Iterator[Finding]:
     for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title):
         if dish.heated and not any(part.heated is not None for part in case.parts):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
+    for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
+        if dish.baked and not _baked(case):
+            yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _baked(case: Case) -> bool:
+    """Whether something of the dish was in dry heat, in an oven or in a microwave."""
+    for happening in case.happenings:
+        ovens = [vessel for vessel in happening.heated if _stands_in_oven(vessel)]
+        if happening.does("heat") and (happening.does("dry") or ovens):
+            return True
+    return False
+
+
+def _stands_in_oven(vessel: Vessel) -> bool:
+    place: Vessel | None = vessel
+    while place is not None:
+        if place.row.source == "heat" and place.row.holds == "in":
+            return True
+        place = place.where
+    return False
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
@@ -121,7 +142,15 @@ def _left_out(part: Part, last: int) -> bool:
 
 
 def _mixes(case: Case) -> bool:
-    return case.goal is not None and "mixed" in case.goal.states
+    """Whether the dish is one whose foods are mixed: it says so, or it was a dough or batter once."""
+    if case.goal is not None and "mixed" in case.goal.states:
+        return True
+    table, own = case.tables.foods, {id(part) for part in case.parts}
+    for happening in case.happenings:
+        for lump in happening.made:
+            if table.food(lump.label).is_a("dough") and any(id(part) in own for part in lump.parts):
+                return True
+    return False
 
 
 def sense(case: Case) -> Iterator[Finding]:

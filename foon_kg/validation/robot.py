@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
@@ -70,40 +71,25 @@ def _cut_for_nothing(case: Case) -> Iterator[Finding]:
 
 
 def _moved_for_nothing(case: Case) -> Iterator[Finding]:
-    """Yield a food that is moved, and moved on by the next step that touches it, with nothing done in between."""
-    last: dict[int, Happening] = {}
-    for happening in case.happenings:
-        touched = [lump for lump, _, _ in happening.moved]
-        for lump in (*happening.inputs, *happening.treated):
-            if lump not in touched:
-                last.pop(id(lump), None)
-        for lump, before, now in happening.moved:
-            earlier = last.get(id(lump))
-            if (
-                earlier is not None
-                and happening.number - earlier.number == 1
-                and _only_moved(earlier)
-                and _only_moved(happening)
-                and _serves_nothing(before, lump)
-            ):
-                reason = (
-                    f"{lump.label} was put into the {before.label if before else 'hand'} only to be taken out again"
-                )
+    """Yield the first food that is moved and at once moved on, with nothing done in between: one a tree is enough."""
+    for earlier, happening in pairwise(case.happenings):
+        if not (_only_moved(earlier) and _only_moved(happening)):
+            continue
+        brought = {id(lump) for lump, _, now in earlier.moved if now is not None}
+        for lump, before, _ in happening.moved:
+            if id(lump) in brought and before is not None and _serves_nothing(before, lump):
+                reason = f"{lump.label} was put into the {before.label} only to be taken out again"
                 yield Finding("W4", reason, happening.number, minor=True)
-            last[id(lump)] = happening
-            if now is None:
-                last.pop(id(lump), None)
+                return
 
 
 def _only_moved(happening: Happening) -> bool:
     return happening.motion.does <= {"move", "fetch", "scatter"}
 
 
-def _serves_nothing(place: Vessel | None, lump: Lump) -> bool:
+def _serves_nothing(place: Vessel, lump: Lump) -> bool:
     """Whether a food was in a place to no purpose: nothing measures, carries, holds others or cools there."""
-    if place is None or lump.made:
-        return False
-    if place.lumps or place.row.role != "vessel":
+    if lump.made or place.lumps or place.row.role != "vessel":
         return False
     return place.row.can.isdisjoint({"measure", "strain", "cut", "heat", "bake"})
 

@@ -18,12 +18,40 @@ def settle(out: Outcome) -> None:
     for place in sorted(out.vessel_of):
         _fill(out, out.said[place], out.vessel_of[place])
     _let_go(out)
+    _fill_spoon(out)
+    _run_through(out)
+
+
+def _fill_spoon(out: Outcome) -> None:
+    """Fill the spoon into which a packet or bottle is poured by a step that tells of neither what came out."""
+    if not out.happening.does("move", "fetch") or any(one.utensil is None for one in out.said):
+        return
+    spoons = [v for v in out.happening.vessels if v.row.role == "tool" and "scoop" in v.row.can and not v.lumps]
+    packets = [vessel for vessel in out.happening.vessels if vessel.row.keeps_food and vessel.lumps]
+    others = [v for v in out.happening.vessels if v not in spoons and v not in packets and not v.is_appliance]
+    if spoons and packets and not others and not out.happening.inputs:
+        for lump in list(packets[0].lumps):
+            out.leave_rest(lump)
+            out.supply.put(lump, spoons[0])
+
+
+def _run_through(out: Outcome) -> None:
+    """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says."""
+    for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
+        if "strain" not in vessel.row.can or vessel.row.role != "vessel":
+            continue
+        for lump in list(vessel.lumps):
+            lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
+            if not lump.parts:
+                out.supply.put(lump, None)
+                lump.gone = True
 
 
 def _gather(out: Outcome, place: int) -> None:
     """Bring to a food what its output node holds and what went in beside it: cream that is spread on a dough."""
     one, lump = out.said[place], out.happening.outputs[out.mentions[place].node]
     there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
+    there |= {name for rider in lump.riders if not rider.gone for name in rider.names}
     for name in sorted(one.names - there - {one.label}):
         other = _to_be_moved(out, name, lump.where)
         if other is not None and other is not lump:
@@ -90,13 +118,17 @@ def _poured_out(out: Outcome, vessel: Vessel) -> bool:
 
 
 def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
+    """Return the food that a vessel is said to hold now and that is elsewhere: of that name, else of one like it."""
+    other: Lump | None = None
     for lump in out.lumps():
         stayed = id(lump) in out.mapped and lump.where is out.before.get(id(lump), lump.where)
         if lump.gone or lump.where is vessel or (id(lump) in out.mapped and not stayed):
             continue
         if name in lump.names or any(part.name == name for part in lump.parts):
             return lump
-    return None
+        if other is None and lump in out.happening.inputs and _is_among(name, lump.names):
+            other = lump
+    return other
 
 
 def _empty(out: Outcome, vessel: Vessel) -> None:
@@ -108,7 +140,8 @@ def _empty(out: Outcome, vessel: Vessel) -> None:
     targets += [lump.where for lump in out.happening.outputs.values() if lump.where not in (None, vessel)]
     for lump in list(vessel.lumps):
         drained = out.happening.does(*_LETS_GO) and lump.parts and lump.parts[0].food.is_a("water", "liquid")
-        if targets and not drained and vessel.row.role != "storage":
+        left = all(part.remains for part in lump.parts)
+        if targets and not drained and not left and vessel.row.role != "storage":
             out.supply.put(lump, targets[0])
         else:
             out.supply.put(lump, None)
@@ -142,12 +175,11 @@ def _is_part_of(name: str, other: str) -> bool:
 
 
 def _is_among(name: str, names: set[str]) -> bool:
-    """Whether a food is among others, in the same words or with one word more (broth, chicken broth)."""
-    if name in names:
-        return True
+    """Whether a food is among others, in the same words or with more: broth and chicken broth, egg and egg white."""
     own = name.split()
-    return any(
-        other.split()[-1:] == own[-1:] and (set(own) <= set(other.split()) or set(other.split()) <= set(own))
-        for other in names
-        if other
-    )
+    for other in names:
+        theirs = other.split()
+        nested = set(own) <= set(theirs) or set(theirs) <= set(own)
+        if theirs and own and nested and (own[0] == theirs[0] or own[-1] == theirs[-1]):
+            return True
+    return False

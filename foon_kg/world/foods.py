@@ -106,6 +106,9 @@ def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | No
     for vessel in (*out.happening.vessels, *out.holders()):
         if one.place == vessel.label.rpartition(" ")[2] or vessel.label == one.place.rpartition(" ")[2]:
             return vessel
+    told = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
+    if len(told) == 1 and one.place not in out.supply.vessels:
+        return told[0]  # what holds it is told by another name: a tray is called a pan
     if one.place_utensil.role != "place" and one.node.relation != "from":
         out.happening.fault("W2", f"there is no {one.place} in which it could be now", node)
     return out.supply.fresh(one.place)
@@ -118,6 +121,7 @@ def _on_food(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | 
     if under is not None:
         if under is not lump and lump not in under.riders:
             under.riders.append(lump)
+            out.happening.vessels_moved = True
         return under.where
     if out.tables.foods.is_listed(str(one.place)):
         if not any(other.label == one.place for other in out.said):

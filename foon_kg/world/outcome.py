@@ -46,6 +46,7 @@ class Outcome:
     def lumps(self) -> list[Lump]:
         """Return the foods that went in, those first that are inputs, then what their vessels hold."""
         found = list(self.happening.inputs)
+        found += [rider for lump in found for rider in lump.riders if not rider.gone and rider not in found]
         found += [lump for vessel in self.happening.vessels for lump in vessel.lumps if lump not in found]
         return found
 
@@ -72,7 +73,7 @@ class Outcome:
     def leave_rest(self, lump: Lump) -> None:
         """Leave some of a stock food (salt, oil, flour) in the vessel it is taken from, unless that is told empty."""
         vessel = lump.where
-        if vessel is None or lump.mixed or not any(part.food.is_a("stock", "water") for part in lump.parts):
+        if vessel is None or not (self._is_stock(lump) or self._is_portioned(lump)):
             return
         emptied = any(v is vessel and self.said[place].empty for place, v in self.vessel_of.items())
         if emptied or vessel.row.role in {"place", "appliance"}:
@@ -82,10 +83,19 @@ class Outcome:
         self.supply.keep(rest, vessel)
         self.before[id(rest)] = vessel
 
+    def _is_stock(self, lump: Lump) -> bool:
+        return not lump.mixed and any(part.food.is_a("stock", "water") for part in lump.parts)
+
+    def _is_portioned(self, lump: Lump) -> bool:
+        """Whether a step takes some of a food in pieces: it scoops it, strews it, or lays it on another food."""
+        on_food = any(one.label in lump.names and one.place and one.place_utensil is None for one in self.said)
+        return (lump.mixed or lump.fine > 0) and (on_food or self.happening.does("scatter"))
+
     def tell_missing(self, name: str, node: ObjectNode) -> None:
         """Tell an ingredient that is in no input (W2)."""
         facts = self.tables.foods.food(name)
         minor = facts.is_a("water", "spice", "herb", "fat", "sweet", "leaven", "salt")
+        minor = minor or any(part.food.kind == facts.kind for lump in self.lumps() for part in lump.parts)
         self.happening.fault("W2", f"it holds {name}, which did not go in", node, minor=minor)
 
     def consume(self, lump: Lump, product: Lump) -> None:
@@ -104,11 +114,19 @@ class Outcome:
             if vessel not in self.happening.vessels:
                 self.happening.vessels.append(vessel)
             vessel.last = self.happening.number
+        self._note_moves()
+
+    def _note_moves(self) -> None:
+        """Keep what came to another place. What was made of foods where they were has not moved, nor have they."""
+        spent = [lump for lump in self.lumps() if lump.gone and id(lump) in self.before]
         for lump in self.lumps():
             old = self.before.get(id(lump), lump.where)
-            if lump.where is not old or (lump.gone and id(lump) in self.before):
+            made_here = lump.gone and any(product.where is old for product in self.happening.made)
+            if (lump.where is not old or lump in spent) and not made_here:
                 self.happening.moved.append((lump, old, lump.where))
-        self.happening.moved += [(lump, None, lump.where) for lump in self.happening.made]
+        for product in self.happening.made:
+            if not spent or any(self.before[id(lump)] is not product.where for lump in spent):
+                self.happening.moved.append((product, None, product.where))
 
     def is_liquid(self, one: Said) -> bool:
         """Whether a food output is a liquid in the state that it says."""

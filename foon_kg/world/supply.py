@@ -155,7 +155,8 @@ class Supply:
         if mention.thing is not None:
             return self._from_kitchen(said, happening, mention.thing)
         known = self.known_lumps.get(said.node)
-        if known is not None and known not in happening.inputs and _is_still(known, said):
+        beside = any(vessel.label == said.place and known not in vessel.lumps for vessel in happening.vessels)
+        if known is not None and known not in happening.inputs and _is_still(known, said) and not beside:
             return known
         best = max(self._candidates(said, happening), key=lambda row: row[0], default=None)
         if best is not None:
@@ -186,7 +187,8 @@ class Supply:
             if place == 0:
                 continue
             alike = len(set(said.node.states) & set(lump.states)) - len(set(said.node.states) ^ set(lump.states))
-            yield (place, int(lump.label == said.label), alike, lump.last), lump
+            inside = any(lump in vessel.lumps for vessel in happening.vessels)
+            yield (place, int(inside), int(lump.label == said.label), alike, lump.last), lump
 
     def _fit(self, said: Said, lump: Lump, there: list[str]) -> int:
         """Return how well the place of a lump is the one that a node says: 0 not at all, 3 the same."""
@@ -240,7 +242,8 @@ class Supply:
         if said.place is None:
             return None
         inside = next((vessel for vessel in happening.vessels if vessel.label == said.place), None)
-        if _carries(said.place_utensil) and (inside is None or not inside.lumps):
+        beside = any(said.label in vessel.names for vessel in happening.vessels)  # it is scooped in this very step
+        if _carries(said.place_utensil) and (inside is None or not inside.lumps) and not beside:
             happening.fault("W2", f"nobody put {said.label} into the {said.place}", said.node)
         return inside or self.fresh(said.place)
 

@@ -37,7 +37,9 @@ def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel])
         return None
     if one.empty:
         return min(alike, key=lambda v: (len(v.lumps) > 0 and _others_filled(out, one, alike), v.last))
-    return max(alike, key=lambda v: (len(one.names & v.names), v.last))
+    sources = {id(lump.where) for lump in out.happening.inputs if lump.where is not None}
+    poured = out.happening.does("move") and any(id(vessel) not in sources for vessel in alike)
+    return max(alike, key=lambda v: (not (poured and id(v) in sources), len(one.names & v.names), v.last))
 
 
 def _others_filled(out: Outcome, one: Said, alike: Sequence[Vessel]) -> bool:
