@@ -11,8 +11,8 @@ ONE_TOMATO = "tomato (whole) + plate (empty) + knife → SLICE → tomato (slice
 
 
 def report(text, foon=None, **named):
-    """What the judge says of the tree in ``text``."""
-    return check(read_tree(text), foon, **named)
+    """What the judge says of the tree in ``text``; a FOON may be text too, which is read anew each time."""
+    return check(read_tree(text), foon_of(foon) if isinstance(foon, str) else foon, **named)
 
 
 def found(rule, text, foon=None, **named):

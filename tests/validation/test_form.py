@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from validation.judging import ONE_TOMATO, foon_of, found, report
+from validation.judging import ONE_TOMATO, found, report
 
 from foon_kg.model import ObjectNode
 from foon_kg.validation import TaskTree, check
@@ -15,9 +15,11 @@ SALTED = """
 salt (granulated; in shaker) + tomato (sliced; on plate) + plate ({tomato}) → SPRINKLE
   → tomato salad ({salt, tomato}; on plate) + plate ({tomato salad})
 """
-FOON = foon_of(
-    f"name: tomato_salad\ndish: salad\ngoal: tomato salad ({{salt, tomato}}; on plate)\n{ONE_TOMATO}{SALTED}"
-)
+FOON = f"""
+name: tomato_salad
+dish: salad
+goal: tomato salad ({{salt, tomato}}; on plate)
+{ONE_TOMATO}{SALTED}"""
 
 # --- C1 ---
 
@@ -115,6 +117,17 @@ def test_c2_a_name_that_no_video_of_the_dish_type_has():
     (told,) = found("C2", served("tomato surprise"), FOON)
     assert told.startswith("C2 step 2 tomato surprise ({salt, tomato}; on plate): ")
     assert told.endswith(": “tomato surprise” is no end product of the dish type salad in the FOON")
+
+
+def test_c2_a_recorded_end_product_may_be_called_anything():
+    foon = FOON.replace("tomato salad (", "caprese (")
+    assert found("C2", served("caprese"), foon) == []
+    assert found("C2", served("caprese", head=ONE_TOMATO), foon) == []
+
+
+def test_c2_the_dish_type_stands_at_the_end_of_a_name():
+    (told,) = found("C2", served("salad surprise"), FOON)
+    assert "“salad surprise” is no end product" in told
 
 
 def test_c2_the_name_of_another_dish_type_is_none_of_the_one_asked():
@@ -245,6 +258,14 @@ def test_c3_a_step_leads_to_the_goal_through_others():
     assert found("C3", text) == []
 
 
+def test_c3_without_food_the_last_step_is_the_goal():
+    first = "plate (empty) → PUT → plate (empty; on table)\n"
+    assert found("C3", first + "plate (empty; on table) → PUT → plate (empty; on shelf)") == []
+    assert found("C3", first + "bowl (empty) → PUT → bowl (empty; on shelf)") == [
+        "C3 step 1: nothing that it makes leads to the goal"
+    ]
+
+
 def test_c3_a_food_that_ends_in_the_dish_led_there_though_its_node_is_taken_by_nobody():
     text = f"{ONE_TOMATO}\nplate ({{tomato}}) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({{tomato}})"
     assert found("C3", text) == []
@@ -273,6 +294,10 @@ def test_c4_a_forgotten_food_is_told_as_no_node_and_as_not_in_the_goal():
         "C4: no node of the tree is onion, as required",
         "C4 tomato (sliced; on plate): onion is required and is not in the goal",
     ]
+
+
+def test_c4_without_a_goal_no_node_is_told():
+    assert "C4: onion is required and is not in the goal" in found("C4", asked("onion", "bowl → PUT → bowl (on table)"))
 
 
 def test_c4_a_food_that_stays_beside_is_not_in_the_goal():
@@ -357,6 +382,11 @@ def test_c5_water_is_free_unless_a_setting_says_otherwise():
     assert found("C5", text, free=frozenset()) == ["C5 step 2: water comes from the kitchen and nobody asked for it"]
 
 
+def test_c5_a_dish_from_the_kitchen_is_left_to_c6():
+    step = "cheesecake (whole) + plate ({tomato}) → PUT → cheesecake (whole; on plate)"
+    assert found("C5", asked("tomato (sliced)", f"{ONE_TOMATO}\n{step}")) == []
+
+
 def test_c5_a_setting_lets_other_foods_in():
     text = asked("tomato (sliced)", ONE_TOMATO + SALTED)
     assert found("C5", text) == ["C5 step 2: salt comes from the kitchen and nobody asked for it"]
@@ -380,7 +410,7 @@ def taken(leaf, head=""):
         "knife (clean)", "stove (off)",
         "jar (closed; {jam})", "shaker ({salt})", "fridge (on)", "pot (empty; on stove)", "tomato (ripe)",
         "oven (off)", 'stove ("off (ready)")', "dough (frozen; in bag)", 'tomato ("in [bag]")', "flour ({flour})",
-        "pepper (ground; in shaker)",
+        "pepper (ground; in shaker)", "lemon (peel)", 'tomato ("on [sliced bread]")', 'bowl ("on [table]")',
     ],
 )  # fmt: skip
 def test_c6_things_are_as_a_kitchen_has_them(leaf):
@@ -396,6 +426,8 @@ def test_c6_things_are_as_a_kitchen_has_them(leaf):
         ("avocado (slit)", "it is slit before anybody made it so"),
         ("bread (partly toasted)", "it is partly toasted before anybody made it so"),
         ("almond (halved)", "it is halved before anybody made it so"),
+        ("tomato (fresh, sliced)", "it is sliced before anybody made it so"),
+        ("puff pastry ({butter, flour})", "it is made of other foods, and nobody made it"),
         ("tomato (whole; in bowl)", "it is in the bowl before anybody put it there"),
         ("tomato (whole; in oven)", "it is in the oven before anybody put it there"),
         ("cake (whole; {flour, sugar})", "it is made of other foods, and nobody made it"),
@@ -426,6 +458,11 @@ def test_c6_what_an_earlier_step_brought_so_is_no_leaf_of_the_kitchen():
     assert found("C6", text) == []
     filled = "\nplate ({tomato}; on table) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({tomato})"
     assert found("C6", ONE_TOMATO + filled) == []
+
+
+def test_c6_what_an_earlier_step_brought_stays_so_beside_food_from_the_kitchen():
+    step = "tomato (sliced) + onion (whole) + bowl (empty) → PUT → tomato (sliced; in bowl) + onion (whole; in bowl)"
+    assert found("C6", f"{ONE_TOMATO}\n{step}") == []
 
 
 def test_c6_another_vessel_that_nobody_filled_is_told():
@@ -462,13 +499,28 @@ def test_c6_an_assumption_of_what_the_foon_makes_of_a_like_kind():
     assert found("C6", taken("tomatillo (sliced)", head), FOON) == [f"C6 tomatillo (sliced): {reason}"]
 
 
+@pytest.mark.parametrize("states", ["peeled", "fresh, peeled"])
+def test_c6_whatever_was_done_to_a_food_has_an_operator_or_not(states):
+    foon = "name: v\ntomato (whole) + knife → PEEL → tomato (peeled)"
+    head = f"assumed: tomato ({states}): so\n"
+    assert found("C6", taken(f"tomato ({states})", head), foon) == [
+        f"C6 tomato ({states}): it is assumed to be peeled, and FOON has an operator for such a food"
+    ]
+
+
+@pytest.mark.parametrize(("food", "state"), [("tomato", "wet"), ("lemon", "juice"), ("beef", "frozen")])
+def test_c6_a_state_that_nobody_needs_to_make_may_be_assumed(food, state):
+    foon = f"name: v\n{food} (whole) + knife → WORK → {food} ({state})"
+    assert found("C6", taken(f"{food} ({state})", f"assumed: {food} ({state}): so\n"), foon) == []
+
+
 @pytest.mark.parametrize("food", ["tomato (diced)", "beef (sliced)", "wibble (sliced)", "tomato (whole)"])
 def test_c6_an_assumption_of_what_the_foon_cannot_make(food):
     assert found("C6", taken(food, f"assumed: {food}: no step does so\n"), FOON) == []
 
 
 def test_c6_of_an_unknown_food_only_its_own_operators_count():
-    foon = foon_of("name: v\nwobble (whole) + knife → SLICE → wobble (sliced)")
+    foon = "name: v\nwobble (whole) + knife → SLICE → wobble (sliced)"
     assert found("C6", taken("wibble (sliced)", "assumed: wibble (sliced): so\n"), foon) == []
     assert len(found("C6", taken("wobble (sliced)", "assumed: wobble (sliced): so\n"), foon)) == 1
 
@@ -479,6 +531,7 @@ def test_c6_only_what_is_in_the_kitchen_that_was_named_is_there():
 
     assert found("C6", ONE_TOMATO, lacks=lacks) == ["C6 step 1 knife: it is not in the kitchen that was named"]
     assert found("C6", ONE_TOMATO, lacks=lambda node: False) == []
+    assert len(found("C6", ONE_TOMATO, lacks=lambda node: True)) == 3
 
 
 def test_c6_an_assumption_does_not_put_a_thing_into_the_kitchen_that_was_named():

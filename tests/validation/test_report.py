@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import FrozenInstanceError
 
 import pytest
-from validation.judging import ONE_TOMATO, foon_of, report
+from validation.judging import ONE_TOMATO, report
 
 from foon_kg.model import ObjectNode
 from foon_kg.validation import FORM, RULES, TABLE, WORLD, Finding, Report, TaskTree, check
@@ -159,7 +159,7 @@ def test_a_report_as_json_says_everything():
 
 # --- what is asked of a tree ---
 
-SOME_FOON = foon_of(f"name: one_tomato\n{ONE_TOMATO}")
+SOME_FOON = f"name: one_tomato\n{ONE_TOMATO}"
 
 
 def not_asked(text, foon=None):

@@ -209,8 +209,9 @@ def test_of_two_marked_outputs_the_later_is_the_goal():
     assert tree.recipe == Recipe("salad", ())
 
 
-def test_unmarked_foon_text_has_no_goal():
-    tree = TaskTree.from_subgraph(Subgraph("one", (Annotation(FunctionalUnit((), "mix", ())),)))
+def test_unmarked_food_and_marked_utensils_are_no_goal():
+    outputs = (Participant(ObjectNode("salad")), Participant(ObjectNode("bowl"), dish_type="salad"))
+    tree = TaskTree.from_subgraph(Subgraph("one", (Annotation(FunctionalUnit((), "mix", outputs)),)))
     assert tree.goal is None
     assert tree.units[0].motion == "mix"
 
