@@ -17,9 +17,8 @@ from functools import cached_property
 from pathlib import Path
 
 from foon_kg.errors import ReadError, UsageError
-from foon_kg.food.spelling import utensil_names
+from foon_kg.food import tables
 from foon_kg.json_fields import Fields
-from foon_kg.kitchen import singular
 from foon_kg.model import ObjectNode
 from foon_kg.names import canonical
 from foon_kg.recipes import IngredientWords
@@ -133,13 +132,17 @@ class ThingReader:
     def _utensil(self, name: str) -> str | None:
         """Answer the utensil that is called ``name``, be it in the plural."""
         folded = " ".join(name.lower().split())
-        return utensil_names().get(singular(name), folded) if self.words.kitchen.is_utensil(folded) else None
+        row = tables().utensil(name)
+        if not self.words.kitchen.is_utensil(folded):
+            return None
+        return folded if row is None else row.written
 
     def _unknown(self, thing: ObjectNode, kind: str) -> Iterator[str]:
         if self.words.kitchen.is_utensil(thing.label) or (kind != "utensils" and canonical(thing.label) in self._foods):
             return
         what = "utensil" if kind == "utensils" else "food"
-        known = sorted({*utensil_names().values()} | (set() if kind == "utensils" else self._labels))
+        utensils = {row.written for row in tables().utensils.values()}
+        known = sorted(utensils | (set() if kind == "utensils" else self._labels))
         near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE)
         if not near and kind != "utensils":
             alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)

@@ -108,6 +108,7 @@ class Utensil:
 
     ``many``: a kitchen has several alike. An appliance has a ``source`` (heat, cold, power, water), ``holds`` what it
     works on (on, in, attached), has one power or one for each vessel (``power``), and may be ``always_on``.
+    ``name`` is in the singular, ``written`` as people write it (scissors).
     """
 
     name: str
@@ -119,6 +120,7 @@ class Utensil:
     holds: str = ""
     power: str = "one"
     always_on: bool = False
+    written: str = ""
 
     @property
     def keeps_food(self) -> bool:

@@ -8,44 +8,102 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from foon_kg.errors import ReadError
+from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable
-from foon_kg.food.rows import Dish, Kind, Level, Motion, State, Utensil
+from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
+from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.words import plain_words, singular, words
 
 UTENSILS_VARIABLE = "FOON_KG_UTENSILS"
 FOODS_VARIABLE = "FOON_KG_FOODS"
 
-ROLES = frozenset({"vessel", "storage", "tool", "appliance", "lid", "wrap", "place"})
-SOURCES = frozenset({"", "heat", "cold", "power", "water"})
-_COOKS = frozenset({"liquid", "dry", "fat"})
-"""Ways to cook: what does one of these heats."""
 
-Toml = Mapping[str, Any]
-
-
-@dataclass(frozen=True, eq=False)
 class Tables:
-    """The five tables, and how a name is looked up in each."""
+    """The five tables, and how a name is looked up in each. Each is read when it is first asked.
 
-    foods: FoodTable
-    states: Mapping[str, State]
-    motions: Mapping[str, Motion]
-    motion_words: Mapping[str, Motion]
-    utensils: Mapping[str, Utensil]
-    utensil_states: Mapping[str, frozenset[str]]
-    dishes: Mapping[str, Dish]
-    unfinished: frozenset[str]
-    contains: Mapping[str, tuple[tuple[str, ...], ...]]
-    _states: dict[str, State] = field(default_factory=dict)
-    _motions: dict[str, Motion] = field(default_factory=dict)
+    ``own_utensils`` and ``own_foods`` are the paths of a user's own tables, ``""`` for none. Raises ReadError where one
+    cannot be read or is not of its form.
+    """
+
+    def __init__(self, own_utensils: str = "", own_foods: str = "") -> None:
+        self._own_utensils = list(_own(own_utensils, UTENSILS))
+        self._own_foods = list(_own(own_foods, FOODS))
+        self._states: dict[str, State] = {}
+        self._motions: dict[str, Motion] = {}
+        if own_utensils:
+            _ = self.utensils  # a fault in a user's own table is told at once
+        if own_foods:
+            self._check_targets()
+
+    def _check_targets(self) -> None:
+        for where, document in self._own_foods:
+            table = self.foods
+            for fault in unknown_targets(document, table.kinds, table.kind_of):
+                raise _refused(where, fault)
+
+    @cached_property
+    def foods(self) -> FoodTable:
+        """The table of foods."""
+        return food_table([("foods.toml", _shipped("foods")), *self._own_foods])
+
+    @cached_property
+    def states(self) -> Mapping[str, State]:
+        """What each listed state says."""
+        return {name.lower(): state_row(name, row) for name, row in _shipped("states")["states"].items()}
+
+    @cached_property
+    def motions(self) -> Mapping[str, Motion]:
+        """Motions of several words that do something else than their words."""
+        return {name.lower(): motion_row(name, row) for name, row in self._motion_table.get("motions", {}).items()}
+
+    @cached_property
+    def motion_words(self) -> Mapping[str, Motion]:
+        """What each word of a motion does."""
+        return {name.lower(): motion_row(name, row) for name, row in self._motion_table["words"].items()}
+
+    @cached_property
+    def _motion_table(self) -> Toml:
+        return _shipped("motions")
+
+    @cached_property
+    def _utensil_table(self) -> Toml:
+        return _shipped("utensils")
+
+    @cached_property
+    def utensils(self) -> Mapping[str, Utensil]:
+        """Every utensil by its name in the singular."""
+        documents = [("utensils.toml", self._utensil_table), *self._own_utensils]
+        return {name: row for where, document in documents for name, row in utensil_rows(document, where)}
+
+    @cached_property
+    def utensil_states(self) -> Mapping[str, frozenset[str]]:
+        """The states of utensils by what they say: at rest, on, off, hot, closed."""
+        return {name: frozenset(listed) for name, listed in self._utensil_table["states"].items()}
+
+    @cached_property
+    def _dish_table(self) -> Toml:
+        return _shipped("dishes")
+
+    @cached_property
+    def dishes(self) -> Mapping[str, Dish]:
+        """What defines each named dish."""
+        return {singular(name): dish_row(name, row) for name, row in self._dish_table["dishes"].items()}
+
+    @cached_property
+    def unfinished(self) -> frozenset[str]:
+        """The names of what is no finished dish: dough, batter, mixture."""
+        return frozenset(map(singular, self._dish_table["products"]["unfinished"]))
+
+    @cached_property
+    def contains(self) -> Mapping[str, tuple[tuple[str, ...], ...]]:
+        """What must be in each product: of every list one."""
+        return {singular(name): needs_of(row) for name, row in self._dish_table["products"]["contains"].items()}
 
     @cached_property
     def dish_words(self) -> frozenset[str]:
@@ -111,149 +169,33 @@ def tables() -> Tables:
 
     Raises ReadError where a file is no table of its form.
     """
-    return _read(os.environ.get(UTENSILS_VARIABLE, ""), os.environ.get(FOODS_VARIABLE, ""))
+    return _tables(os.environ.get(UTENSILS_VARIABLE, ""), os.environ.get(FOODS_VARIABLE, ""))
 
 
 @lru_cache(maxsize=4)
-def _read(own_utensils: str, own_foods: str) -> Tables:
-    foods = [_shipped("foods"), *([_own(own_foods)] if own_foods else [])]
-    utensils = [_shipped("utensils"), *([_own(own_utensils)] if own_utensils else [])]
-    states, motions, dishes = (_shipped(name)[1] for name in ("states", "motions", "dishes"))
-    rows = {name: row for where, document in utensils for name, row in _utensils(document, where)}
-    return Tables(
-        foods=_food_table(foods),
-        states={name.lower(): _state(name, row) for name, row in states["states"].items()},
-        motions={name.lower(): _motion(name, row) for name, row in motions.get("motions", {}).items()},
-        motion_words={name.lower(): _motion(name, row) for name, row in motions["words"].items()},
-        utensils=rows,
-        utensil_states={name: frozenset(listed) for name, listed in utensils[0][1]["states"].items()},
-        dishes={singular(name): _dish(name, row) for name, row in dishes["dishes"].items()},
-        unfinished=frozenset(map(singular, dishes["products"]["unfinished"])),
-        contains={singular(name): _needs(row) for name, row in dishes["products"]["contains"].items()},
-    )
+def _tables(own_utensils: str, own_foods: str) -> Tables:
+    return Tables(own_utensils, own_foods)
 
 
-def _shipped(name: str) -> tuple[str, Toml]:
-    file = f"{name}.toml"
-    return file, tomllib.loads(files("foon_kg.food").joinpath(file).read_text(encoding="utf-8"))
+def _shipped(name: str) -> Toml:
+    return tomllib.loads(files("foon_kg.food").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
 
 
-def _own(path: str) -> tuple[str, Toml]:
+def _own(path: str, sections: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, Toml]]:
+    """Yield a user's own table; ReadError where it cannot be read, or what of it is not of the form."""
+    if not path:
+        return
     try:
-        return path, tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise ReadError(
             f"{path}: the table cannot be read: {error}",
             hint="Take the form of foon_kg/food/utensils.toml or foods.toml; docs/contract.md shows an example.",
         ) from error
+    for fault in malformed(document, sections):
+        raise _refused(path, fault)
+    yield path, document
 
 
 def _refused(where: str, what: str) -> ReadError:
     return ReadError(f"{where}: {what}", hint="Take the form of the table of that name in foon_kg/food.")
-
-
-def _food_table(documents: Iterable[tuple[str, Toml]]) -> FoodTable:
-    kinds: dict[str, Kind] = {}
-    kind_of: dict[str, str] = {}
-    endings: dict[str, str] = {}
-    homonyms: dict[str, tuple[tuple[str, str], ...]] = {}
-    exceptions: dict[str, Mapping[str, object]] = {}
-    for where, document in documents:
-        for name, row in document.get("kinds", {}).items():
-            kinds[name] = _kind(name, row, kinds.get(name), where)
-            for word in row.get("words", []):
-                if word.startswith("*"):
-                    endings[word[1:]] = name
-                else:
-                    kind_of[singular(word)] = name
-        exceptions |= {singular(name): dict(row) for name, row in document.get("foods", {}).items()}
-        homonyms |= {singular(name): tuple(row.items()) for name, row in document.get("homonyms", {}).items()}
-    by_length = sorted(endings.items(), key=lambda row: (-len(row[0]), row[0]))
-    return FoodTable(kinds, kind_of, tuple(by_length), homonyms, exceptions)
-
-
-def _kind(name: str, row: Toml, known: Kind | None, where: str) -> Kind:
-    """Return a kind; a user's file that only adds words to a known kind leaves what is known of it."""
-    if known is not None and set(row) <= {"words"}:
-        return known
-    try:
-        owes = {treatment: Level(level) for treatment, level in row.get("owes", {}).items()}
-    except ValueError as error:
-        raise _refused(where, f"kind “{name}”: {error}") from error
-    return Kind(
-        name,
-        row.get("about", ""),
-        tuple(row.get("of", [])),
-        row.get("sold_in", ""),
-        row.get("sold_as", ""),
-        owes,
-        frozenset(row.get("traits", [])),
-        dict(row.get("when", {})),
-    )
-
-
-def _state(name: str, row: Toml) -> State:
-    return State(
-        name,
-        frozenset(row.get("earns", [])),
-        row.get("fine"),
-        sold=row.get("sold", False),
-        sold_for=frozenset(row.get("sold_for", [])),
-        undivided=row.get("undivided", False),
-        half=row.get("half", False),
-        needs_heat=row.get("needs_heat", False),
-        before=frozenset(row.get("opposite", [])),
-    )
-
-
-def _motion(name: str, row: Toml) -> Motion:
-    tool, does = frozenset(row.get("tool", [])), frozenset(row.get("does", []))
-    return Motion(
-        name,
-        does | {"heat"} if does & _COOKS else does,
-        frozenset(row.get("gives", [])),
-        (tool,) if tool else (),
-        row.get("source", ""),
-    )
-
-
-def _utensils(document: Toml, where: str) -> Iterator[tuple[str, Utensil]]:
-    for group, row in document.get("groups", {}).items():
-        if row.get("role") not in ROLES:
-            raise _refused(where, f"group “{group}”: its role is {row.get('role')!r}, not one of {sorted(ROLES)}")
-        if row.get("source", "") not in SOURCES:
-            raise _refused(where, f"group “{group}”: its source is {row['source']!r}, not one of {sorted(SOURCES)}")
-        for name in row.get("names", []):
-            yield (
-                singular(name),
-                Utensil(
-                    singular(name),
-                    row["role"],
-                    group,
-                    frozenset(row.get("can", [])),
-                    row.get("many", False),
-                    row.get("source", ""),
-                    row.get("holds", ""),
-                    row.get("power", "one"),
-                    row.get("always_on", False),
-                ),
-            )
-
-
-def _dish(name: str, row: Toml) -> Dish:
-    return Dish(
-        singular(name),
-        _needs(row.get("needs", [])),
-        row.get("heated"),
-        row.get("type", False),
-        frozenset(row.get("soft", [])),
-        row.get("baked", False),
-    )
-
-
-def _needs(rows: Iterable[Iterable[str] | str]) -> tuple[tuple[str, ...], ...]:
-    """Return lists of alternatives; a flat list is one list of alternatives."""
-    listed = list(rows)
-    if listed and all(isinstance(row, str) for row in listed):
-        return (tuple(map(str, listed)),)
-    return tuple(tuple(row) for row in listed)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
+from collections.abc import Collection
 
 _WORD = re.compile(r"[^\W\d_]+")
 _IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
@@ -40,3 +41,14 @@ def singular_word(word: str) -> str:
 def plain_words(text: str) -> frozenset[str]:
     """Return the words of a motion or a state as they are written, in lower case."""
     return frozenset(_WORD.findall(text.lower()))
+
+
+def is_among(name: str, names: Collection[str]) -> bool:
+    """Return whether a food is among others, in the same words or with more (broth, chicken broth)."""
+    own = name.split()
+    for other in names:
+        theirs = other.split()
+        nested = set(own) <= set(theirs) or set(theirs) <= set(own)
+        if theirs and own and nested and (own[0] == theirs[0] or own[-1] == theirs[-1]):
+            return True
+    return False

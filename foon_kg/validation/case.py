@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.tree import TaskTree, TreeUnit
 from foon_kg.world import Happening, Lump, Part, World
 from foon_kg.world.reading import Reader, Said
 
-FREE = frozenset({"water"})
+FREE = word_list("free foods")
 """The foods that may be used unasked where no setting says otherwise (C5)."""
 
 
@@ -71,8 +72,8 @@ class Case:
         return {}  # by identity: the tree keeps its nodes, and to compare them costs more than all else
 
     @cached_property
-    def facts(self) -> dict[int, object]:
-        """What rules keep of each unit of the tree, by its identity."""
+    def facts(self) -> dict[tuple[frozenset[str], int], object]:
+        """What rules keep of each unit of the tree, by what is food here and its identity."""
         return {}
 
     @cached_property

@@ -41,8 +41,8 @@ class KnownFoon:
         return {}  # many trees of one level are judged one after another
 
     @cached_property
-    def facts(self) -> dict[int, object]:
-        """What rules keep of each unit of the FOON, by its identity: the units stay as long as this does."""
+    def facts(self) -> dict[tuple[frozenset[str], int], object]:
+        """What rules keep of each unit of the FOON, by what is food and by its identity: units stay as long as this."""
         return {}
 
     @cached_property

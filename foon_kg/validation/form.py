@@ -169,12 +169,8 @@ def _brought_on(case: Case, node: ObjectNode, place: int) -> bool:
     said = case.read(node)
     if said.is_food:
         return not any(part.name == said.label and part.taken == place for part in happening.taken)
-    vessel = next((vessel for vessel in happening.vessels if vessel.label == said.label), None)
-    return (
-        vessel is not None
-        and bool(said.names)
-        and not any(part.taken == place for lump in vessel.lumps for part in lump.parts)
-    )
+    fetched = {part.name for part in happening.taken if part.untold}
+    return bool(said.names) and said.names.isdisjoint(fetched)
 
 
 def _utensil_fault(case: Case, said: Said) -> str:

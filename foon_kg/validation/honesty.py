@@ -162,9 +162,10 @@ class _Facts:
 def _facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
     """Return what a unit works on and with. Those of the FOON's units are kept, for every tree asks for them."""
     kept = case.foon.facts if case.foon is not None and isinstance(unit, FunctionalUnit) else case.facts
-    found = kept.get(id(unit))
+    key = (case.reader.foods, id(unit))  # what is food in one recipe (a wrap) is a utensil in another
+    found = kept.get(key)
     if not isinstance(found, _Facts):
-        found = kept[id(unit)] = _read_facts(case, unit)
+        found = kept[key] = _read_facts(case, unit)
     return found
 
 

@@ -65,7 +65,8 @@ def _is_done(part: Part, treatment: str) -> bool:
 def _asked_so(case: Case, part: Part) -> bool:
     """Whether a recipe asks for the part of a food that this is (a lemon's zest, an onion's skin)."""
     asked = {state for wanted in case.required if wanted.object == part.name for state in wanted.state.split()}
-    return any(asked & set(state.split()) for state in part.states)
+    states = {state for lump in case.dish_lumps if part in lump.parts for state in (*lump.states, *part.states)}
+    return any(asked & set(state.split()) for state in states)
 
 
 def late(case: Case) -> Iterator[Finding]:
@@ -82,9 +83,7 @@ def late(case: Case) -> Iterator[Finding]:
 
 
 def _needs_heat(part: Part) -> bool:
-    return part.food.is_a("water", "broth", "milk") or (
-        part.food.is_a("liquid") and not part.food.is_a("fat", "sweet", "creamy", "topping", "sauce", "spice", "salty")
-    )
+    return part.food.is_a("cooking liquid") and not part.food.is_a("creamy", "fat", "ready")
 
 
 def _cooked_too_much(case: Case) -> Iterator[Finding]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from foon_kg.food import is_among
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
 from foon_kg.world.reading import Said
@@ -74,7 +75,7 @@ def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) ->
             return
     if out.happening.does("separate") and out.lumps():
         _portion_called(out, name, out.lumps()[0], where)
-    elif not _is_among(name, out.brought):
+    elif not is_among(name, out.brought):
         _out_of_nowhere(out, name, node, where)
 
 
@@ -126,7 +127,7 @@ def _to_be_moved(out: Outcome, name: str, vessel: Vessel | None) -> Lump | None:
             continue
         if name in lump.names or any(part.name == name for part in lump.parts):
             return lump
-        if other is None and lump in out.happening.inputs and _is_among(name, lump.names):
+        if other is None and lump in out.happening.inputs and is_among(name, lump.names):
             other = lump
     return other
 
@@ -172,14 +173,3 @@ def _claimed_by(out: Outcome, vessel: Vessel) -> frozenset[str]:
 def _is_part_of(name: str, other: str) -> bool:
     """Whether one name says more of what another names: lemon juice of a lemon, a beaten egg of an egg."""
     return name != other and bool(other) and set(other.split()) < set(name.split())
-
-
-def _is_among(name: str, names: set[str]) -> bool:
-    """Whether a food is among others, in the same words or with more: broth and chicken broth, egg and egg white."""
-    own = name.split()
-    for other in names:
-        theirs = other.split()
-        nested = set(own) <= set(theirs) or set(theirs) <= set(own)
-        if theirs and own and nested and (own[0] == theirs[0] or own[-1] == theirs[-1]):
-            return True
-    return False

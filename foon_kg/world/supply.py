@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from foon_kg.food import Food, Utensil
+from foon_kg.food import Food, Utensil, is_among
 from foon_kg.model import ObjectNode
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Reader, Said
@@ -81,6 +81,8 @@ class Supply:
             happening.fault("W2", f"the {vessel.label} has become a {said.label}", said.node)
         elif said.names and not vessel.lumps:
             happening.fault("W1", f"the {said.label} is empty: its {_names(said.names)} went elsewhere", said.node)
+        elif said.names and (missing := [n for n in sorted(said.names) if not is_among(n, vessel.names)]):
+            happening.fault("W1", f"the {said.label} does not hold {', '.join(missing)}", said.node)
         elif said.empty and vessel.lumps:
             happening.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
         return vessel
@@ -140,7 +142,7 @@ class Supply:
     def _stock(self, vessel: Vessel, said: Said, happening: Happening) -> None:
         """Fill a vessel as the kitchen has it: a jar of salt; for any other vessel C6 says that nobody filled it."""
         for name in sorted(said.names):
-            self.name_lump(name, happening.number, vessel)
+            happening.taken += self.name_lump(name, happening.number, vessel).parts
         self._stand(vessel, said)
 
     def _is_storage(self, said: Said) -> bool:
@@ -170,6 +172,9 @@ class Supply:
             happening.fault("W1", f"it is in the {lump.where.label} and not in the {said.place}", said.node)
         elif said.undivided and (lump.fine > 0 or lump.mixed):
             happening.fault("W1", f"it is {', '.join(lump.states) or 'mixed'} by now", said.node)
+        for state in said.node.states:
+            if state not in lump.states and not self.reader.tables.state(state).sold:
+                happening.fault("K7", f"it is {state}, and nobody made it so", said.node, minor=True)
         return lump
 
     def _candidates(self, said: Said, happening: Happening) -> Iterator[tuple[tuple[int, ...], Lump]]:

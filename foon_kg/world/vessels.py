@@ -31,7 +31,10 @@ def match(out: Outcome) -> None:
 
 def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel]) -> Vessel | None:
     if mention.thing is not None:
-        return out.supply.numbered_vessels.get(mention.thing)
+        vessel = out.supply.numbered_vessels.get(mention.thing)
+        if vessel is not None and vessel.label != one.label:
+            out.happening.fault("W2", f"the {vessel.label} has become a {one.label}", mention.node)
+        return vessel
     alike = [vessel for vessel in free if vessel.label == one.label]
     if not alike:
         return None
