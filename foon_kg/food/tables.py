@@ -105,11 +105,6 @@ class Tables:
         """What must be in each product: of every list one."""
         return {singular(name): needs_of(row) for name, row in self._dish_table["products"]["contains"].items()}
 
-    @cached_property
-    def dish_words(self) -> frozenset[str]:
-        """The words of all names of dishes."""
-        return frozenset(word for name in self.dishes for word in name.split())
-
     def utensil(self, label: str) -> Utensil | None:
         """Return the utensil called ``label``; ``None`` where it is none, and so a food."""
         return self.utensils.get(singular(label))

@@ -85,19 +85,25 @@ def _unfinished(case: Case) -> Iterator[Finding]:
 def namesakes(case: Case, label: str) -> Iterator[str]:
     """Yield the foods that a dish is named after, the words of dish types and dishes apart; longer names win."""
     own, start = words(label), 0
-    dishes = case.tables.dish_words
     while start < len(own):
         for end in range(len(own), start, -1):
             if end - start == len(own) > 1:
                 continue  # the dish itself, as a shop may sell it
             name = " ".join(own[start:end])
-            kind, _, match = case.tables.foods.find(name)
-            made = {"made", "dough"} & case.tables.foods.kinds[kind].traits if match is Match.NAME else {"made"}
-            if match is Match.NAME and not made and not dishes.issuperset(own[start:end]):
+            if _is_food_name(case, name, last=end == len(own)) and name not in case.tables.dishes:
                 yield name
                 start = end - 1
                 break
         start += 1
+
+
+def _is_food_name(case: Case, name: str, *, last: bool) -> bool:
+    """Whether a name is that of a food, and not of something made; what a label ends with may be bought ready."""
+    kind, _, match = case.tables.foods.find(name)
+    if match is not Match.NAME:
+        return False
+    made = {"made", "dough", *(("ready", "creamy", "liquid") if last else ())}
+    return made.isdisjoint(case.tables.foods.kinds[kind].traits)
 
 
 def _is_in(case: Case, food: str) -> bool:

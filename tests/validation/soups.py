@@ -39,10 +39,7 @@ SOUP = (
         " > cutting board{carrot}; carrot(sliced)@on cutting_board; knife"
     ),
     "pot(empty); stove(off) > pick-and-place > pot(empty)@on stove; stove(off)",
-    (
-        "measuring cup{water}; water(liquid)@measuring_cup; pot(empty)@on stove > pour"
-        " > water(liquid)@pot; pot{water}@on stove; measuring cup(empty)"
-    ),
+    ("water(liquid)@faucet; pot(empty)@on stove > pour > water(liquid)@pot; pot{water}@on stove"),
     (
         "cutting board{carrot}; carrot(sliced)@on cutting_board; pot{water}@on stove > pour"
         " > carrot(sliced)@pot; pot{carrot,water}@on stove; cutting board(empty)"

@@ -23,6 +23,7 @@ DOCUMENT = Path(__file__).parents[2] / "docs" / "contract.md"
 
 COMPARED_WITH_A_FOON = {"C2", "C6", "C7", "C8"}
 
+
 def every_rule():
     """One case a rule."""
     return [pytest.param(one, id=one.id) for one in rules()]

@@ -119,7 +119,6 @@ def test_k5_a_dish_that_is_a_food_that_a_shop_sells_is_not_called_after_itself()
     assert found("K5", served("half and half salad", "tomato")) != []
 
 
-@pytest.mark.xfail(reason="foods whose words stand in names of dishes (onion ring) are no namesakes", strict=True)
 @pytest.mark.parametrize("label", ["onion salad", "green onion salad"])
 def test_k5_a_food_whose_words_other_dishes_have_too_is_in_it(label):
     assert found("K5", served(label, "tomato", "salt")) != []
@@ -501,6 +500,6 @@ def test_k7_a_word_that_was_read_right_or_has_one_meaning(asked, taken):
     assert misread(asked, taken) == []
 
 
-@pytest.mark.xfail(reason="the judge asks of coffee only under W2, where water alone makes none", strict=True)
-def test_k7_coffee_that_comes_of_plain_water_is_minor():
-    assert found("K7", "water (liquid; in bottle) + cup (empty) → BREW → coffee (hot; in cup) + cup ({coffee})") != []
+def test_coffee_that_comes_of_plain_water_is_fatal_as_tea_is():
+    coffee = "water (liquid; in bottle) + cup (empty) → BREW → coffee (hot; in cup) + cup ({coffee})"
+    assert "coffee does not come of water" in str(found("W2", coffee))
