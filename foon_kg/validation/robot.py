@@ -76,9 +76,11 @@ def _moved_for_nothing(case: Case) -> Iterator[Finding]:
         if not (_only_moved(earlier) and _only_moved(happening)):
             continue
         brought = {id(lump) for lump, _, now in earlier.moved if now is not None}
-        for lump, before, _ in happening.moved:
-            if id(lump) in brought and before is not None and _serves_nothing(before, lump):
-                reason = f"{lump.label} was put into the {before.label} only to be taken out again"
+        for lump, before, _ in sorted(happening.moved, key=lambda row: row[0].label):
+            if id(lump) in brought and before in happening.emptied and _serves_nothing(before, lump):
+                reason = (
+                    f"{lump.label} was put into the {before.label if before else 'hand'} only to be taken out again"
+                )
                 yield Finding("W4", reason, happening.number, minor=True)
                 return
 
@@ -87,9 +89,9 @@ def _only_moved(happening: Happening) -> bool:
     return happening.motion.does <= {"move", "fetch", "scatter"}
 
 
-def _serves_nothing(place: Vessel, lump: Lump) -> bool:
+def _serves_nothing(place: Vessel | None, lump: Lump) -> bool:
     """Whether a food was in a place to no purpose: nothing measures, carries, holds others or cools there."""
-    if lump.made or place.lumps or place.row.role != "vessel":
+    if place is None or lump.made or place.row.role != "vessel":
         return False
     return place.row.can.isdisjoint({"measure", "strain", "cut", "heat", "bake"})
 

@@ -56,15 +56,15 @@ def _gather(out: Outcome, place: int) -> None:
     for name in sorted(one.names - there - {one.label}):
         other = _to_be_moved(out, name, lump.where)
         if other is not None and other is not lump:
-            lump.parts += [part for part in other.parts if part not in lump.parts]
+            lump.take(other.parts)
             lump.names |= other.names
             out.consume(other, lump)
             out.supply.keep(lump, lump.where)
         elif name not in {said.label for said in out.said}:
-            _derived(out, name, out.mentions[place].node, lump.where)
+            _derived(out, name, out.mentions[place].node, lump.where, into=lump)
 
 
-def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) -> None:
+def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, into: Lump | None = None) -> None:
     """Put into a vessel what only its name tells of: a part of something that went in, or a thing from nowhere."""
     if where is not None and where.row.role == "storage":
         out.supply.name_lump(name, out.happening.number, where)  # a can that is opened shows what is in it
@@ -76,7 +76,7 @@ def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) ->
     if out.happening.does("separate") and out.lumps():
         _portion_called(out, name, out.lumps()[0], where)
     elif not is_among(name, out.brought):
-        _out_of_nowhere(out, name, node, where)
+        _out_of_nowhere(out, name, node, where, into)
 
 
 def _portion_called(out: Outcome, name: str, lump: Lump, where: Vessel | None) -> None:
@@ -92,10 +92,15 @@ def _portion_called(out: Outcome, name: str, lump: Lump, where: Vessel | None) -
     out.happening.made.append(portion)
 
 
-def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | None) -> None:
+def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, into: Lump | None) -> None:
     """Tell an ingredient that did not go in; it is there all the same from now on, so that it is told once."""
     out.tell_missing(name, node)
-    out.supply.name_lump(name, out.happening.number, where)
+    lump = out.supply.name_lump(name, out.happening.number, where)
+    if into is not None:
+        into.take(lump.parts)
+        into.names.add(name)
+        out.consume(lump, into)
+        out.supply.keep(into, into.where)
 
 
 def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:

@@ -151,7 +151,8 @@ def _make(out: Outcome, place: int) -> None:
     if not parts:
         parts = [out.supply.new_part(one.label, mention.node.states, out.happening.number)]
         out.happening.taken += parts
-    product = Lump(one.label, {one.label}, mention.node.states, parts, number=mention.thing, made=True)
+    product = Lump(one.label, {one.label}, mention.node.states, [], number=mention.thing, made=True)
+    product.take(parts)
     product.last = out.happening.number
     for lump in sources:
         if not keeps:
@@ -202,7 +203,7 @@ def _join_all(out: Outcome, lump: Lump) -> None:
     if lump.where is not None:
         others += [o for o in lump.where.lumps if o is not lump and o not in others and id(o) not in out.mapped]
     for other in others:
-        lump.parts += [part for part in other.parts if part not in lump.parts]
+        lump.take(other.parts)
         out.consume(other, lump)
     if others:
         out.supply.keep(lump, lump.where)

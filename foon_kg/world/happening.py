@@ -27,7 +27,7 @@ class Happening:
     ``moved`` has each lump that came to another place, with the places before and after; ``treated`` what the motion
     worked on, ``heated`` the vessels that stood over heat while it cooked, ``taken`` the parts that were fetched
     from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those
-    that hold food over heat afterwards.
+    that hold food over heat afterwards, ``emptied`` those that hold nothing any more.
     """
 
     number: int
@@ -44,6 +44,7 @@ class Happening:
     vessels: list[Vessel] = field(default_factory=list)
     tools: list[ObjectNode] = field(default_factory=list)
     vessels_moved: bool = False
+    emptied: list[Vessel] = field(default_factory=list)
     hot: list[Vessel] = field(default_factory=list)
 
     def fault(self, rule: str, reason: str, *nodes: ObjectNode, minor: bool = False) -> None:

@@ -115,6 +115,7 @@ class Outcome:
                 self.happening.vessels.append(vessel)
             vessel.last = self.happening.number
         self._note_moves()
+        self._note_emptied()
 
     def _note_moves(self) -> None:
         """Keep what came to another place. What was made of foods where they were has not moved, nor have they."""
@@ -127,6 +128,10 @@ class Outcome:
         for product in self.happening.made:
             if not spent or any(self.before[id(lump)] is not product.where for lump in spent):
                 self.happening.moved.append((product, None, product.where))
+
+    def _note_emptied(self) -> None:
+        places = dict.fromkeys(old for _, old, _ in self.happening.moved if old is not None)
+        self.happening.emptied = [vessel for vessel in places if not vessel.lumps]
 
     def is_liquid(self, one: Said) -> bool:
         """Whether a food output is a liquid in the state that it says."""

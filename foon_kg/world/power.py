@@ -64,8 +64,8 @@ def _check_source(happening: Happening) -> None:
         return
     sources = sources_of(happening, source)
     if not sources:
-        what = "heat source" if source == "heat" else "appliance"
-        happening.fault("W3", f"“{happening.step.motion}” without a {what}", *_nodes_of(happening))
+        what = "a heat source" if source == "heat" else "an appliance"
+        happening.fault("W3", f"“{happening.step.motion}” without {what}", *_nodes_of(happening))
     elif not any(vessel.is_on(burner) for vessel, burner in sources):
         names = ", ".join(sorted({vessel.label for vessel, _ in sources}))
         happening.fault("W3", f"“{happening.step.motion}” while the {names} is off", *_nodes_of(happening))
@@ -146,14 +146,22 @@ def _switch(supply: Supply, said: Said, node: ObjectNode, happening: Happening) 
         return
     burner = burner_of(said) if vessel.row.power == "vessel" else ""
     if not (said.on or said.off):
-        if happening.does("switch on"):
-            vessel.power[burner] = True
+        if happening.does(*_SWITCHES):
+            _turn(vessel, burner, on=happening.does("switch on"))
         return
     if said.on and not vessel.is_on(burner) and not happening.does(*_SWITCHES):
         happening.fault("W3", f"the {vessel.label} is on afterwards, and nobody turned it on", node)
-    vessel.power[burner] = said.on
-    if said.off and not burner and happening.does("switch off"):
-        vessel.power = dict.fromkeys(vessel.power, False)
+    if happening.does(*_SWITCHES):
+        _turn(vessel, burner, on=said.on)
+    else:
+        vessel.power[burner] = said.on
+
+
+def _turn(vessel: Vessel, burner: str, *, on: bool) -> None:
+    """Turn an appliance on or off; without a burner it is turned as a whole."""
+    vessel.power[burner] = on
+    if not burner:
+        vessel.power = dict.fromkeys(vessel.power, on)
 
 
 def hot_vessels(supply: Supply) -> list[Vessel]:

@@ -96,9 +96,11 @@ class Supply:
         best = max(there, key=lambda v: (len(said.names & v.names), -len(v.names - said.names), v.last), default=None)
         if best is not None and not said.names.isdisjoint(best.names):
             return best
-        emptied = next((v for v in there if not v.lumps and not said.names.isdisjoint(v.had)), None)
+        emptied = next((v for v in there if not v.lumps and _has_held(v, said.names)), None)
         if emptied is not None and not self._is_storage(said):
-            happening.fault("W1", f"its {_names(said.names & emptied.had)} was taken out before", said.node)
+            happening.fault(
+                "W1", f"its {_names(said.names & (emptied.had | emptied.held))} was taken out before", said.node
+            )
         vessel = self.fresh(said.label)
         self._stock(vessel, said, happening)
         return vessel
@@ -288,6 +290,7 @@ class Supply:
         fine = max((row.fine for row in rows if row.fine is not None), default=0)
         food: Food = self.reader.tables.foods.food(label, states)
         part = Part(food, states, step, done, fine, remains="remains" in done or food.is_a("remains"))
+        part.origin = len(self.parts) + 1
         self.parts.append(part)
         return part
 
@@ -310,12 +313,18 @@ class Supply:
         if where is not None:
             where.lumps.append(lump)
             where.had |= lump.names
+            where.held.update(part.name for part in lump.parts)
             if _carries(where.row):
                 for part in lump.parts:
                     part.spoonful = True
         for rider in riders:
             if rider.where is not where:
                 self.put(rider, where)
+
+
+def _has_held(vessel: Vessel, names: frozenset[str]) -> bool:
+    """Whether a vessel once held what a node says: a food by its name, or all the parts of something made."""
+    return not names.isdisjoint(vessel.had) or (len(names) > 1 and names <= vessel.held)
 
 
 def _names(names: set[str] | frozenset[str]) -> str:

@@ -6,6 +6,7 @@ part, or many that were mixed. A *vessel* is whatever holds lumps or other vesse
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from foon_kg.food import Food, Utensil
@@ -20,6 +21,7 @@ class Part:
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
     ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a
     ``{}``), so that it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
+    ``origin`` numbers what was taken once: portions of it have the same.
     """
 
     food: Food
@@ -33,17 +35,23 @@ class Part:
     heated: int | None = None
     untold: bool = False
     spoonful: bool = False
+    origin: int = 0
 
     @property
     def name(self) -> str:
         """The food's name, in the singular."""
         return self.food.name
 
+    @property
+    def kept_as(self) -> tuple[object, ...]:
+        """What tells it from other parts: where it comes from, and what was done to it."""
+        return (self.origin, self.remains, frozenset(self.done), self.fine)
+
     def copy(self, *, remains: bool = False) -> Part:
         """Return another portion of it."""
         return Part(
             self.food, self.states, self.taken, dict(self.done), self.fine, remains or self.remains,
-            self.joined, self.mixed, self.heated, self.untold, self.spoonful,
+            self.joined, self.mixed, self.heated, self.untold, self.spoonful, self.origin,
         )  # fmt: skip
 
 
@@ -65,6 +73,14 @@ class Lump:
     gone: bool = False
     riders: list[Lump] = field(default_factory=list)
     last: int = 0
+
+    def take(self, parts: Iterable[Part]) -> None:
+        """Take parts in. Portions of one thing that come together again with one history are one part."""
+        there = {part.kept_as for part in self.parts}
+        for part in parts:
+            if part.kept_as not in there:
+                there.add(part.kept_as)
+                self.parts.append(part)
 
     @property
     def mixed(self) -> bool:
@@ -93,6 +109,7 @@ class Vessel:
     hot: bool = False
     power: dict[str, bool] = field(default_factory=dict)
     had: set[str] = field(default_factory=set)
+    held: set[str] = field(default_factory=set)
     last: int = 0
 
     @property

@@ -73,10 +73,10 @@ def _stand(out: Outcome, vessel: Vessel, one: Said, node: ObjectNode) -> None:
         out.happening.vessels_moved = True
     if vessel.row.role == "wrap":
         return
-    if one.covered != vessel.covered and out.happening.does("close", "uncover", "open", "detach", "attach"):
-        vessel.covered = one.covered
-    elif one.covered:
+    if one.covered:
         vessel.covered = True
+    elif out.happening.does("uncover", "open", "detach", "attach"):
+        vessel.covered = False
     if one.covers is not None:
         _cover(out, one.covers)
 

@@ -260,7 +260,7 @@ def test_what_a_user_adds_is_no_unknown_word(own):
         ('[groups.x]\nrole = "pot"\nnames = ["a"]', "FOON_KG_UTENSILS", "its role is 'pot'"),
         ('[groups.x]\nrole = "tool"\nsource = "gas"\nnames = ["a"]', "FOON_KG_UTENSILS", "its source is 'gas'"),
         ("nonsense", "FOON_KG_FOODS", "cannot be read"),
-        ('[kinds.x]\nowes = { cook = "always" }\nwords = ["a"]', "FOON_KG_FOODS", "'always'"),
+        ('[kinds.x]\nowes = { cook = "always" }\nwords = ["a"]', "FOON_KG_FOODS", "“always”"),
     ],
 )
 def test_a_bad_table_is_refused_with_its_name_and_what_to_do(own, text, variable, said):

@@ -1,0 +1,99 @@
+"""Small trees played in a kitchen, and the kitchen afterwards told in words."""
+
+from __future__ import annotations
+
+from foon_kg.validation.notation import read_tree
+from foon_kg.world import World
+
+
+def play(text, asked=()):
+    """Return the kitchen in which the steps of ``text`` were played."""
+    world = World(asked)
+    for unit in read_tree(text).units:
+        world.play(unit.step)
+    return world
+
+
+def faults(world):
+    """Return what could not happen: rule, level, step (from 1), nodes and reason."""
+    return [
+        f"{mishap.rule}{' (minor)' if mishap.minor else ''} step {happening.number + 1}"
+        f"{''.join(f' {node}' for node in mishap.nodes)}: {mishap.reason}"
+        for happening in world.happenings
+        for mishap in happening.mishaps
+    ]
+
+
+def _told(lump):
+    names = sorted(lump.names - {lump.label})
+    parts = sorted(part.name for part in lump.parts)
+    states = f" ({', '.join(lump.states)})" if lump.states else ""
+    also = f" or {' or '.join(names)}" if names else ""
+    of = f" of {' + '.join(parts)}" if parts != [lump.label] else ""
+    under = f" under {', '.join(sorted(rider.label for rider in lump.riders))}" if lump.riders else ""
+    return lump.label + also + states + of + under
+
+
+def foods(world):
+    """Return what is where: ``plate: tomato (sliced)``; ``free`` is what lies nowhere."""
+    found = []
+    for label, vessels in world.supply.vessels.items():
+        found += [f"{label}: {'; '.join(map(_told, vessel.lumps))}" for vessel in vessels if vessel.lumps]
+    lumps = dict.fromkeys(lump for listed in world.supply.lumps.values() for lump in listed)
+    free = [_told(lump) for lump in lumps if lump.where is None and not lump.gone]
+    return sorted(found) + ([f"free: {'; '.join(sorted(free))}"] if free else [])
+
+
+def vessels(world):
+    """Return each vessel in the order in which it appeared: where it stands, what is in it, whether it is on."""
+    return [
+        label
+        + (f" at {vessel.where.label}" if vessel.where else "")
+        + ("".join(f" [{told}]" for told in ("covered", "hot") if getattr(vessel, told)))
+        + (
+            f" on for {sorted(burner for burner, on in vessel.power.items() if on)}"
+            if any(vessel.power.values())
+            else ""
+        )
+        + (f" with {', '.join(sorted(lump.label for lump in vessel.lumps))}" if vessel.lumps else "")
+        for label, listed in sorted(world.supply.vessels.items())
+        for vessel in listed
+    ]
+
+
+def histories(world):
+    """Return what was done to each part, with the step (from 0, -1 before) that did it."""
+    return [
+        f"{part.name}:"
+        + "".join(f" {treatment} {step}" for treatment, step in sorted(part.done.items()))
+        + (f" fine {part.fine}" if part.fine else "")
+        + "".join(
+            f" {name} {step}" for name in ("joined", "mixed", "heated") if (step := getattr(part, name)) is not None
+        )
+        + "".join(f" {name}" for name in ("remains", "untold", "spoonful") if getattr(part, name))
+        for part in world.supply.parts
+    ]
+
+
+def happened(world):
+    """Return what the last step did to which things."""
+    last = world.happenings[-1]
+    told = {
+        "inputs": [lump.label for lump in last.inputs],
+        "outputs": [f"{node} is {_told(lump)}" for node, lump in last.outputs.items()],
+        "made": [lump.label for lump in last.made],
+        "moved": [f"{lump.label} {_at(before)} → {_at(now)}" for lump, before, now in last.moved],
+        "taken": [part.name for part in last.taken],
+        "treated": [lump.label for lump in last.treated],
+        "heated": [vessel.label for vessel in last.heated],
+        "hot": [vessel.label for vessel in last.hot],
+        "tools": [str(node) for node in last.tools],
+        "vessels": [vessel.label for vessel in last.vessels],
+    }
+    return [f"{name}: {'; '.join(listed)}" for name, listed in told.items() if listed] + (
+        ["a vessel moved"] if last.vessels_moved else []
+    )
+
+
+def _at(vessel):
+    return vessel.label if vessel else "nowhere"

@@ -1,0 +1,375 @@
+"""Which food an input node is, and when there is none left: the kitchen after small trees."""
+
+from __future__ import annotations
+
+import pytest
+from world.playing import faults, foods, play
+
+
+def view(world):
+    """The foods, then what could not happen."""
+    return foods(world) + faults(world)
+
+
+def story(name, text, told, asked=()):
+    return pytest.param(text, told, asked, id=name)
+
+
+STORIES = [
+    story(
+        "a food in one piece is there once",
+        """
+tomato (whole) + plate (empty) → PUT → tomato (whole; on plate) + plate ({tomato})
+tomato (whole) + bowl (empty) → PUT → tomato (whole; in bowl) + bowl ({tomato})
+""",
+        [
+            "bowl: tomato (whole)",
+            "plate: tomato (whole)",
+            "W1 step 2 tomato (whole): there is no second tomato: it is whole in the plate since step 1",
+        ],
+    ),
+    story(
+        "a food in one piece that was cut is gone",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (whole) + bowl (empty) → PUT → tomato (whole; in bowl) + bowl ({tomato})
+""",
+        [
+            "bowl: tomato (whole)",
+            "plate: tomato (sliced)",
+            "W1 step 2 tomato (whole): there is no second tomato: it is sliced in the plate since step 1",
+        ],
+    ),
+    story(
+        "a food in one piece is there as often as it was asked for",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (whole) + bowl (empty) → PUT → tomato (whole; in bowl) + bowl ({tomato})
+tomato (whole) + cup (empty) + knife → DICE → tomato (diced; in cup) + cup ({tomato})
+tomato (whole) + pot (empty) → PUT → tomato (whole; in pot) + pot ({tomato})
+""",
+        [
+            "bowl: tomato (whole)",
+            "cup: tomato (diced)",
+            "plate: tomato (sliced)",
+            "pot: tomato (whole)",
+            "W1 step 3 tomato (whole): there is no second tomato: it is whole in the bowl since step 2",
+            "W1 step 4 tomato (whole): there is no second tomato: it is diced in the cup since step 3",
+        ],
+        asked=("tomatoes", "tomato", "onion"),
+    ),
+    story(
+        "a food that was mixed is in one piece no more",
+        """
+egg (whole) + milk (liquid; in carton) + bowl (empty) → MIX → batter ({egg, milk}; in bowl) + bowl ({batter})
+egg (whole) + pan (empty) → PUT → egg (whole; in pan) + pan ({egg})
+""",
+        [
+            "bowl: batter of egg + milk",
+            "pan: egg (whole)",
+            "W2 step 1 batter ({egg, milk}; in bowl): batter does not come of egg, milk",
+            "W1 step 2 egg (whole): there is no second egg: it is whole since step 1",
+        ],
+    ),
+    story(
+        "of what keeps in a store there is always more",
+        """
+salt (granulated; in shaker) + bowl (empty) → PUT → salt (granulated; in bowl) + bowl ({salt})
+salt (granulated; in shaker) + cup (empty) → PUT → salt (granulated; in cup) + cup ({salt})
+flour (whole) + pot (empty) → PUT → flour (whole; in pot) + pot ({flour})
+flour (whole) + pan (empty) → PUT → flour (whole; in pan) + pan ({flour})
+""",
+        [
+            "bowl: salt (granulated)",
+            "cup: salt (granulated)",
+            "pan: flour (whole)",
+            "pot: flour (whole)",
+            "shaker: salt (granulated)",
+        ],
+    ),
+    story(
+        "of a food in its package there is always more",
+        """
+tomato (whole; in bag) + bowl (empty) → PUT → tomato (whole; in bowl) + bowl ({tomato})
+tomato (whole; in bag) + cup (empty) → PUT → tomato (whole; in cup) + cup ({tomato})
+""",
+        ["bowl: tomato (whole)", "cup: tomato (whole)"],
+    ),
+    story(
+        "more of a divided food than is left",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (sliced; on plate) + bowl (empty) → PUT → tomato (sliced; in bowl) + bowl ({tomato})
+tomato (sliced; on plate) + cup (empty) → PUT → tomato (sliced; in cup) + cup ({tomato})
+""",
+        [
+            "bowl: tomato (sliced)",
+            "cup: tomato (sliced)",
+            "W1 (minor) step 3 tomato (sliced; on plate): more of it is used than is left: it is sliced in the bowl since step 2",
+        ],
+    ),
+    story(
+        "a divided food is taken again from where it is",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (sliced; on plate) + bowl (empty) → PUT → tomato (sliced; in bowl) + bowl ({tomato})
+tomato (sliced) + cup (empty) → PUT → tomato (sliced; in cup) + cup ({tomato})
+""",
+        ["cup: tomato (sliced)"],
+    ),
+    story(
+        "a food in coarser pieces than it is by now",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (sliced; on plate) + plate ({tomato}) + knife → DICE → tomato (diced; on plate) + plate ({tomato})
+tomato (sliced; on plate) + cup (empty) → PUT → tomato (sliced; in cup) + cup ({tomato})
+""",
+        [
+            "cup: tomato (sliced)",
+            "plate: tomato (diced)",
+            "W1 step 3 tomato (sliced; on plate): none is so any more: it is diced in the plate since step 2",
+        ],
+    ),
+    story(
+        "of two lumps the one in this state is meant",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (whole) + plate (empty) + knife → DICE → tomato (diced; on plate) + plate ({tomato})
+tomato (diced) + cup (empty) → PUT → tomato (diced; in cup) + cup ({tomato})
+""",
+        ["cup: tomato (diced)", "plate: tomato (sliced)"],
+        asked=("tomato", "tomato"),
+    ),
+    story(
+        "of two lumps the one in this place is meant",
+        """
+salt (granulated; in shaker) + bowl (empty) → PUT → salt (granulated; in bowl) + bowl ({salt})
+salt (granulated; in shaker) + cup (empty) → PUT → salt (granulated; in cup) + cup ({salt})
+salt (granulated; in bowl) + pot (empty) → PUT → salt (granulated; in pot) + pot ({salt}) + bowl (empty)
+""",
+        ["cup: salt (granulated)", "pot: salt (granulated)", "shaker: salt (granulated)"],
+    ),
+    story(
+        "of two lumps the one in a vessel that takes part is meant",
+        """
+basil (chopped) + bowl (empty) → PUT → basil (chopped; in bowl) + bowl ({basil})
+basil (chopped) + cup (empty) → PUT → basil (chopped; in cup) + cup ({basil})
+basil (chopped) + cup + pot (empty) → PUT → basil (chopped; in pot) + pot ({basil})
+""",
+        ["pot: basil (chopped)"],
+    ),
+    story(
+        "skin and fruit are told apart",
+        """
+banana (whole) + hand + table → PEEL → banana (peeled; on table) + banana (skin; on table)
+banana (skin) + bin → PUT → banana (skin; in bin)
+banana (peeled) + plate (empty) → PUT → banana (peeled; on plate) + plate ({banana})
+""",
+        ["bin: banana (skin)", "plate: banana (peeled)"],
+    ),
+    story(
+        "a pan may be called by its last word",
+        """
+onion (sliced) + frying pan (empty) → PUT → onion (sliced; in frying pan) + frying pan ({onion})
+onion (sliced; in pan) + plate (empty) → PUT → onion (sliced; on plate) + plate ({onion})
+""",
+        ["plate: onion (sliced)"],
+    ),
+    story(
+        "another place is another food",
+        """
+onion (sliced) + bowl (empty) → PUT → onion (sliced; in bowl) + bowl ({onion})
+onion (sliced; in cup) + plate (empty) → PUT → onion (sliced; on plate) + plate ({onion})
+""",
+        [
+            "bowl: onion (sliced)",
+            "plate: onion (sliced)",
+            "W1 (minor) step 2 onion (sliced; in cup): more of it is used than is left: it is sliced in the bowl since step 1",
+        ],
+    ),
+    story(
+        "a food that lies on another goes where that goes",
+        """
+bread (sliced) + plate (empty) → PUT → bread (sliced; on plate) + plate ({bread})
+cheese (sliced) + bread (sliced; on plate) → PUT → cheese (sliced; on bread) + bread (sliced; on plate)
+bread (sliced; on plate) + tray (empty) → PUT → bread (sliced; on tray) + tray ({bread})
+cheese (sliced; on bread) + bowl (empty) → PUT → cheese (sliced; in bowl) + bowl ({cheese})
+""",
+        ["bowl: cheese (sliced)", "tray: bread (sliced) under cheese"],
+    ),
+    story(
+        "nobody filled the spoon",
+        """
+sugar (granulated; in spoon) + cup (empty) → POUR → sugar (granulated; in cup) + cup ({sugar})
+""",
+        [
+            "cup: sugar (granulated)",
+            "spoon: sugar (granulated)",
+            "W2 step 1 sugar (granulated; in spoon): nobody put sugar into the spoon",
+        ],
+    ),
+    story(
+        "a spoon that was filled",
+        """
+sugar (granulated; in bag) + spoon → SCOOP → sugar (granulated; in spoon) + spoon ({sugar})
+sugar (granulated; in spoon) + spoon ({sugar}) + cup (empty) → POUR → sugar (granulated; in cup) + cup ({sugar})
+""",
+        ["bag: sugar (granulated)", "cup: sugar (granulated)", "spoon: sugar (granulated)"],
+    ),
+    story(
+        "a hand and a cup carry what nobody put there",
+        """
+sugar (granulated; in hand) + cup (empty) → POUR → sugar (granulated; in cup) + cup ({sugar})
+tea (hot; in cup) + pot (empty) → POUR → tea (hot; in pot) + pot ({tea})
+""",
+        ["cup: sugar (granulated)", "hand: sugar (granulated)", "pot: tea (hot)"],
+    ),
+    story(
+        "a filled spoon of which another food is taken",
+        """
+sugar (granulated; in bag) + spoon → SCOOP → sugar (granulated; in spoon) + spoon ({sugar})
+salt (granulated; in spoon) + spoon ({sugar}) + cup (empty) → POUR → salt (granulated; in cup) + cup ({salt})
+""",
+        ["bag: sugar (granulated)", "cup: salt (granulated)", "spoon: sugar (granulated); salt (granulated)"],
+    ),
+    story(
+        "a food with names in braces holds them",
+        """
+muesli ({nut, raisin}; in bag) + bowl (empty) → POUR → muesli ({nut, raisin}; in bowl) + bowl ({muesli})
+""",
+        ["bowl: muesli of muesli + nut + raisin"],
+    ),
+    story(
+        "a food that came out of a step is that food",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato (whole) + bowl (empty) + knife → SLICE → tomato (sliced; in bowl) + bowl ({tomato})
+tomato (sliced; on plate) + cup (empty) → PUT → tomato (sliced; in cup) + cup ({tomato})
+""",
+        ["bowl: tomato (sliced)", "cup: tomato (sliced)"],
+        asked=("tomato", "tomato"),
+    ),
+    story(
+        "two nodes of one step are two foods",
+        """
+tomato (whole) + tomato (sliced) + bowl (empty) → PUT
+  → tomato (whole; in bowl) + tomato (sliced; in bowl) + bowl ({tomato})
+tomato (whole; in bowl) + tomato (sliced; in bowl) + cup (empty) → PUT
+  → tomato (whole; in cup) + tomato (sliced; in cup)
+""",
+        [
+            "cup: tomato (whole); tomato (sliced)",
+            "W1 (minor) step 1 tomato (sliced): more of it is used than is left: it is whole since step 1",
+        ],
+    ),
+    story(
+        "numbers tell foods apart",
+        """
+tomato#1 (whole) + plate (empty) + knife → SLICE → tomato#1 (sliced; on plate)
+tomato#2 (whole) + plate (empty) + knife → SLICE → tomato#2 (sliced; on plate)
+tomato#1 (sliced; on plate) + bowl (empty) → PUT → tomato#1 (sliced; in bowl) + bowl ({tomato})
+""",
+        ["bowl: tomato (sliced)", "plate: tomato (sliced)"],
+        asked=("tomato", "tomato"),
+    ),
+    story(
+        "a numbered food that is elsewhere or was cut",
+        """
+tomato#1 (whole) + plate (empty) + knife → SLICE → tomato#1 (sliced; on plate)
+tomato#1 (sliced; in bowl) + spoon → MIX → tomato#1 (sliced)
+tomato#1 (whole) + cup (empty) → PUT → tomato#1 (whole; in cup) + cup ({tomato})
+""",
+        [
+            "cup: tomato (whole)",
+            "W1 step 2 tomato (sliced; in bowl): it is in the plate and not in the bowl",
+            "W1 step 3 tomato (whole): it is sliced by now",
+        ],
+    ),
+    story(
+        "a numbered food that was used up",
+        """
+tomato#1 (whole) + onion#2 (whole) + bowl (empty) → MIX → salad#3 ({onion, tomato}; in bowl) + bowl ({salad})
+tomato#1 (whole) + cup (empty) → PUT → tomato#1 (whole; in cup) + cup ({tomato})
+""",
+        [
+            "bowl: salad of onion + tomato",
+            "cup: tomato (whole)",
+            "W1 step 2 tomato (whole): this tomato was used up before",
+        ],
+    ),
+    story(
+        "a numbered food is not taken for one without a number",
+        """
+tomato#1 (whole) + plate (empty) → PUT → tomato#1 (whole; on plate) + plate ({tomato})
+tomato (whole) + bowl (empty) → PUT → tomato (whole; in bowl) + bowl ({tomato})
+""",
+        [
+            "bowl: tomato (whole)",
+            "plate: tomato (whole)",
+            "W1 step 2 tomato (whole): there is no second tomato: it is whole in the plate since step 1",
+        ],
+    ),
+    story(
+        "a food that is only named stands for what there is",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato + bowl (empty) → PUT → tomato (in bowl) + bowl ({tomato})
+""",
+        ["bowl: tomato"],
+    ),
+    story(
+        "a recipe may ask for a food that is a utensil elsewhere",
+        """
+wrap (whole) + plate (empty) → PUT → wrap (whole; on plate) + plate ({wrap})
+""",
+        ["plate: wrap (whole)"],
+        asked=("wraps",),
+    ),
+    story(
+        "nobody asked for a wrap",
+        """
+wrap (whole) + plate (empty) → PUT → wrap (whole; on plate) + plate ({wrap})
+""",
+        [],
+    ),
+    story(
+        "an undivided food on a board is the one that lies there",
+        """
+onion (whole) + cutting board (empty) → PUT → onion (whole; on cutting board) + cutting board ({onion})
+onion (whole) + knife → PEEL → onion (peeled)
+""",
+        [
+            "cutting board: onion (whole)",
+            "free: onion (peeled)",
+            "W1 step 2 onion (whole): there is no second onion: it is whole in the cutting board since step 1",
+        ],
+    ),
+    story(
+        "an undivided food in a pot is not the one from the kitchen",
+        """
+egg (whole) + pot (empty) → PUT → egg (whole; in pot) + pot ({egg})
+egg (whole) + bowl (empty) → CRACK → egg (cracked; in bowl) + bowl ({egg})
+""",
+        ["bowl: egg (cracked)", "pot: egg (whole)"],
+        asked=("egg", "egg"),
+    ),
+    story(
+        "what lies free is found in the place where it is looked for in a store",
+        """
+tomato (whole) + knife → WASH → tomato (washed)
+tomato (washed; on table) + bowl (empty) → PUT → tomato (washed; in bowl) + bowl ({tomato})
+onion (whole) + knife → WASH → onion (washed)
+onion (washed; in cup) + bowl ({tomato}) → PUT → onion (washed; in bowl) + bowl ({onion, tomato})
+""",
+        [
+            "bowl: tomato (washed); onion (washed)",
+            "free: onion (washed)",
+            "W1 (minor) step 4 onion (washed; in cup): more of it is used than is left: it is washed since step 3",
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "told", "asked"), STORIES)
+def test_foods(text, told, asked):
+    assert view(play(text, asked)) == told

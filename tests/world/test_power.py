@@ -1,0 +1,411 @@
+"""Appliances: what is on, what works without its source, and what is closed."""
+
+from __future__ import annotations
+
+import pytest
+from world.playing import faults, happened, play, vessels
+
+
+def view(world):
+    """The vessels that are warm, on or closed, what was heated last, then what could not happen."""
+    warm = [line for line in vessels(world) if "[" in line or " on for " in line]
+    heated = [line for line in happened(world) if line.partition(":")[0] in {"heated", "hot"}]
+    told = [line.replace(" a appliance", " an appliance") for line in faults(world) if line.startswith("W3")]
+    return warm + heated + told
+
+
+def story(name, text, told, asked=()):
+    return pytest.param(text, told, asked, id=name)
+
+
+POT = "pot (empty) + stove (off) → PUT → pot (empty; on stove) + stove (off; under pot)\n"
+PAN = "pan (empty) + stove (off) → PUT → pan (empty; on stove) + stove (off; under pan)\n"
+MILK = "milk (liquid; in carton) + pot (empty; on stove) → POUR → milk (liquid; in pot) + pot ({milk}; on stove)\n"
+OIL = "oil (liquid; in bottle) + pan (empty; on stove) → POUR → oil (liquid; in pan) + pan ({oil}; on stove)\n"
+ON = "stove (off; under pot) → TURN ON → stove (on; under pot)\n"
+OFF = "stove (on; under pot) → TURN OFF → stove (off; under pot)\n"
+BOIL = "milk (liquid; in pot) + pot ({milk}; on stove) + stove (on; under pot) → BOIL → milk (boiling; in pot)\n"
+JAR = "blender jar (empty) + blender (off) → ATTACH → blender jar (empty; attached to blender) + blender (off)\n"
+FILL = "milk (liquid; in carton) + blender jar (empty) → POUR → milk (liquid; in blender jar) + blender jar ({milk})\n"
+BLEND = "milk (liquid; in blender jar) + blender jar ({milk}) + blender (on) → BLEND → milk (blended; in blender jar)\n"
+
+STORIES = [
+    story("a stove has a burner for each vessel", POT + PAN + MILK + OIL + ON, ["stove on for ['pot']", "hot: pot"]),
+    story(
+        "the burner of one vessel does not heat another",
+        POT
+        + PAN
+        + MILK
+        + OIL
+        + ON
+        + """
+oil (liquid; in pan) + pan ({oil}; on stove) → FRY → oil (hot; in pan) + pan ({oil}; on stove)
+""",
+        [
+            "pan at stove [hot] with oil",
+            "stove on for ['pan', 'pot']",
+            "heated: pan",
+            "hot: pot; pan",
+            "W3 step 6 oil (liquid; in pan): “fry” while the stove is off",
+        ],
+    ),
+    story(
+        "turning a burner off leaves the others on",
+        POT + PAN + MILK + OIL + ON + ON.replace("pot", "pan") + OFF,
+        ["stove on for ['pan']", "hot: pan"],
+    ),
+    story(
+        "turning the stove off turns all of it off",
+        POT
+        + PAN
+        + MILK
+        + OIL
+        + ON
+        + ON.replace("pot", "pan")
+        + """
+stove (on) → TURN OFF → stove (off)
+""",
+        [],
+    ),
+    story(
+        "boiling on a lit stove",
+        POT + MILK + ON + BOIL,
+        ["pot at stove [hot] with milk", "stove [hot] on for ['pot']", "heated: pot", "hot: pot"],
+    ),
+    story(
+        "a stove that nobody lit is told once",
+        POT + MILK + BOIL + BOIL.replace("(liquid;", "(boiling;"),
+        [
+            "pot at stove [hot] with milk",
+            "stove [hot] on for ['pot']",
+            "heated: pot",
+            "hot: pot",
+            "W3 step 3 stove (on; under pot): the stove is said to be on, and nobody turned it on",
+        ],
+    ),
+    story(
+        "a stove that is off cooks nothing and is on from then",
+        POT
+        + MILK
+        + BOIL.replace("(on;", "(off;")
+        + """
+pot ({milk}; on stove) + spoon → BOIL → pot ({milk}; on stove)
+""",
+        [
+            "pot at stove [hot] with milk",
+            "spoon [hot]",
+            "stove [hot] on for ['pot']",
+            "heated: pot",
+            "hot: pot",
+            "W3 step 3 milk (liquid; in pot): “boil” while the stove is off",
+        ],
+    ),
+    story(
+        "what stands on a lit stove is heated though the step does not name it",
+        POT
+        + MILK
+        + ON
+        + """
+milk (liquid; in pot) + spoon → BOIL → milk (boiling; in pot)
+""",
+        ["pot at stove [hot] with milk", "spoon [hot]", "stove on for ['pot']", "heated: pot", "hot: pot"],
+    ),
+    story(
+        "heat without anything that heats",
+        """
+milk (liquid; in carton) + pot (empty) + spoon → BOIL → milk (boiling; in pot) + pot ({milk})
+""",
+        [
+            "pot [hot] with milk",
+            "spoon [hot]",
+            "heated: pot",
+            "W3 step 1 milk (liquid; in carton): “boil” without a heat source",
+        ],
+    ),
+    story(
+        "a stove that is said to be off and is on",
+        POT
+        + MILK
+        + ON
+        + """
+pot ({milk}; on stove) + stove (off; under pot) → WAIT → pot ({milk}; on stove) + stove (off; under pot)
+""",
+        ["W3 step 4 stove (off; under pot): the stove is said to be off, and it is on"],
+    ),
+    story(
+        "the off burner of another vessel is off",
+        POT
+        + PAN
+        + MILK
+        + OIL
+        + ON
+        + """
+pan ({oil}; on stove) + stove (off; under pan) → WAIT → pan ({oil}; on stove) + stove (off; under pan)
+""",
+        ["stove on for ['pot']", "hot: pot"],
+    ),
+    story(
+        "an oven is on as a whole",
+        """
+oven (off) → TURN ON → oven (on)
+cake (raw) + tray (empty) → PUT → cake (raw; on tray) + tray ({cake})
+tray ({cake}) + oven (on) → PUT → tray ({cake}; in oven) + oven (on)
+cake (raw; on tray) + tray ({cake}; in oven) + oven (on) → BAKE → cake (baked; on tray) + oven (on)
+""",
+        ["oven [hot] on for ['']", "tray at oven [hot] with cake", "heated: tray", "hot: tray"],
+    ),
+    story(
+        "what stands in what stands in an oven is heated there",
+        """
+oven (off) → TURN ON → oven (on)
+cake (raw) + cup (empty) → PUT → cake (raw; in cup) + cup ({cake})
+cup ({cake}) + tray (empty) → PUT → cup ({cake}; on tray) + tray
+tray + oven (on) → PUT → tray (in oven) + oven (on)
+cake (raw; in cup) → BAKE → cake (baked; in cup)
+""",
+        ["cup at tray [hot] with cake", "oven on for ['']", "heated: cup"],
+    ),
+    story(
+        "an oven that is off while the stove is on",
+        POT
+        + MILK
+        + ON
+        + """
+cake (raw) + tray (empty) + oven (off) → BAKE → cake (baked; on tray) + tray ({cake}) + oven (off)
+""",
+        [
+            "oven [hot]",
+            "stove on for ['pot']",
+            "tray [hot] with cake",
+            "heated: tray",
+            "hot: pot",
+            "W3 step 4 cake (raw): “bake” while the oven is off",
+        ],
+    ),
+    story(
+        "two sources that are off are both named",
+        """
+cake (raw) + tray (empty) + oven (off) + grill (off) → BAKE → cake (baked; on tray) + tray ({cake})
+""",
+        [
+            "grill [hot] on for ['']",
+            "oven [hot] on for ['']",
+            "tray [hot] with cake",
+            "heated: tray",
+            "W3 step 1 cake (raw): “bake” while the grill, oven is off",
+        ],
+    ),
+    story(
+        "what comes out on without having been turned on",
+        """
+oven (off) + tray → PUT → oven (on) + tray (in oven)
+""",
+        ["oven on for ['']", "W3 step 1 oven (on): the oven is on afterwards, and nobody turned it on"],
+    ),
+    story(
+        "turning on without a word of it",
+        """
+oven + hand → TURN ON → oven
+""",
+        ["oven on for ['']"],
+    ),
+    story(
+        "a fridge is always on",
+        """
+milk (liquid; in fridge) + fridge (on) + cup (empty) → POUR → milk (liquid; in cup) + cup ({milk}) + fridge (on)
+fridge (off) → TURN OFF → fridge (off)
+""",
+        [],
+    ),
+    story(
+        "cold is no source that must be lit",
+        """
+milk (liquid; in carton) + bowl (empty) → CHILL → milk (cold; in bowl) + bowl ({milk})
+""",
+        [],
+    ),
+    story(
+        "a blender works when it is on",
+        JAR + FILL + "blender (off) → TURN ON → blender (on)\n" + BLEND,
+        ["blender on for ['']"],
+    ),
+    story(
+        "a blender that is off",
+        JAR + FILL + BLEND.replace("(on)", "(off)"),
+        ["blender on for ['']", "W3 step 3 milk (liquid; in blender jar): “blend” while the blender is off"],
+    ),
+    story(
+        "blending without a blender",
+        """
+milk (liquid; in carton) + bowl (empty) + fork → BLEND → milk (blended; in bowl) + bowl ({milk})
+""",
+        ["W3 step 1 milk (liquid; in carton): “blend” without an appliance"],
+    ),
+    story(
+        "heat does not do for power",
+        """
+oven (off) → TURN ON → oven (on)
+milk (liquid; in carton) + bowl (empty) + oven (on) → BLEND → milk (blended; in bowl) + bowl ({milk})
+""",
+        ["oven on for ['']", "W3 step 2 milk (liquid; in carton): “blend” without an appliance"],
+    ),
+    story(
+        "a jar is not attached to a running blender",
+        "blender (off) → TURN ON → blender (on)\n"
+        + """
+blender jar (empty) + blender (on) → ATTACH → blender jar (empty; attached to blender) + blender (on)
+""",
+        ["blender on for ['']", "W3 step 2 blender jar (empty): something is attached to the blender while it runs"],
+    ),
+    story(
+        "a jar is not taken from a running blender",
+        JAR
+        + "blender (off) → TURN ON → blender (on)\n"
+        + """
+blender jar (empty; attached to blender) + blender (on) → DETACH → blender jar (empty) + blender (on)
+blender (on) → TURN OFF → blender (off)
+blender jar (empty) + blender (off) → ATTACH → blender jar (empty; attached to blender) + blender (off)
+blender jar (empty; attached to blender) + blender (off) → DETACH → blender jar (empty) + blender (off)
+""",
+        ["W3 step 3 blender jar (empty; attached to blender): something is taken from the blender while it runs"],
+    ),
+    story(
+        "a lid is put on a pot over a running stove",
+        POT
+        + MILK
+        + ON
+        + """
+lid + pot ({milk}; on stove) + stove (on; under pot) → ATTACH → lid (on pot) + pot ({milk}; on stove)
+""",
+        ["stove on for ['pot']", "hot: pot"],
+    ),
+    story(
+        "a hot pot on a stove that nobody lit",
+        POT
+        + MILK
+        + """
+milk (liquid; in pot) + pot (hot; {milk}; on stove) + spoon → STIR → milk (mixed; in pot)
+pot (hot; {milk}; on stove) + spoon → STIR → pot (hot; {milk}; on stove)
+""",
+        [
+            "pot at stove [hot] with milk",
+            "stove on for ['pot']",
+            "hot: pot",
+            "W3 step 3 pot (hot; {milk}; on stove): the pot is said to be hot, and the stove is off",
+        ],
+    ),
+    story(
+        "a pot that was hot once may be so still",
+        POT
+        + MILK
+        + ON
+        + BOIL
+        + OFF
+        + """
+pot (hot; {milk}; on stove) + spoon → STIR → pot (hot; {milk}; on stove)
+""",
+        ["pot at stove [hot] with milk", "stove [hot]"],
+    ),
+    story(
+        "a hot pot elsewhere is believed",
+        """
+pot (hot) + bowl (empty) → PUT → pot (hot; in bowl)
+pot (hot; on table) + bowl (empty) → PUT → pot (hot; in bowl)
+""",
+        [],
+    ),
+    story(
+        "everything that takes part in cooking is hot",
+        POT + MILK + ON + BOIL.replace("{milk}; on stove)", "{milk}; on stove) + spoon"),
+        ["pot at stove [hot] with milk", "spoon [hot]", "stove [hot] on for ['pot']", "heated: pot", "hot: pot"],
+    ),
+    story(
+        "preheating needs the oven itself",
+        """
+oven (off) → PREHEAT → oven (on)
+oven (off) → TURN ON → oven (on)
+oven (on) → PREHEAT → oven (preheated)
+""",
+        [
+            "oven [hot] on for ['']",
+            "W3 step 1 oven (off): “preheat” while the oven is off",
+            "W3 step 2 oven (off): the oven is said to be off, and it is on",
+        ],
+    ),
+    story(
+        "food does not enter or leave a covered pot",
+        """
+milk (liquid; in carton) + pot (empty) → POUR → milk (liquid; in pot) + pot ({milk})
+pot ({milk}) + lid → COVER → pot (covered; {milk})
+salt (granulated; in shaker) + pot (covered; {milk}) → SPRINKLE
+  → salt (granulated; in pot) + pot (covered; {milk, salt})
+salt (granulated; in pot) + cup (empty) → POUR → salt (granulated; in cup) + cup ({salt})
+""",
+        ["W3 step 3 salt (granulated; in shaker): the pot is closed, and salt enters or leaves it"],
+    ),
+    story(
+        "food leaves a pot with the step that opens it",
+        """
+milk (liquid; in carton) + pot (empty) → POUR → milk (liquid; in pot) + pot ({milk})
+pot ({milk}) + lid → COVER → pot (covered; {milk})
+pot (covered; {milk}) + cup (empty) → "open and pour" → milk (liquid; in cup) + cup ({milk}) + pot (empty)
+""",
+        [],
+    ),
+    story(
+        "a closed jar is a package that opens by itself",
+        """
+jam (spread; in jar) + jar (closed; {jam}) + plate (empty) → POUR → jam (spread; on plate) + plate ({jam})
+""",
+        [],
+    ),
+    story(
+        "food in a covered pot moves with the pot",
+        """
+milk (liquid; in carton) + pot (empty) → POUR → milk (liquid; in pot) + pot ({milk})
+pot ({milk}) + lid → COVER → pot (covered; {milk})
+pot (covered; {milk}) + stove (off) → PUT → pot (covered; {milk}; on stove) + stove (off; under pot)
+""",
+        ["pot at stove [covered] with milk"],
+    ),
+    story(
+        "a product may be made in a covered pot",
+        POT
+        + ON
+        + """
+rice (dry) + water (liquid; in bottle) + pot (empty; on stove) → PUT → pot ({rice, water}; on stove)
+pot ({rice, water}; on stove) + lid → COVER → pot (covered; {rice, water}; on stove)
+pot (covered; {rice, water}; on stove) + stove (on; under pot) → BOIL → pilaf ({rice, water}; in pot)
+""",
+        ["pot at stove [covered] [hot] with pilaf", "stove [hot] on for ['pot']", "heated: pot", "hot: pot"],
+    ),
+    story(
+        "a storage over the heat is not heated",
+        POT
+        + ON
+        + """
+milk (liquid; in carton) + pot (empty; on stove) + stove (on; under pot) → BOIL → milk (boiling; in carton)
+""",
+        ["pot at stove [hot]", "stove [hot] on for ['pot']"],
+    ),
+    story(
+        "an empty pan over the heat does not hold anybody up",
+        POT + PAN + MILK + ON + ON.replace("pot", "pan"),
+        ["stove on for ['pan', 'pot']", "hot: pot"],
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "told", "asked"), STORIES)
+def test_power(text, told, asked):
+    assert view(play(text, asked)) == told
+
+
+def test_a_stove_that_is_turned_on_as_a_whole_heats_all_that_stands_on_it():
+    fry = "oil (liquid; in pan) + pan ({oil}; on stove) → FRY → oil (hot; in pan) + pan ({oil}; on stove)\n"
+    assert faults(play(PAN + OIL + "stove (off) → TURN ON → stove (on)\n" + fry)) == []
+
+
+def test_turning_off_without_a_word_of_it():
+    world = play("oven (off) → TURN ON → oven (on)\noven + hand → TURN OFF → oven\n")
+    assert not world.supply.appliance("oven").is_on()
