@@ -105,7 +105,10 @@ tomato (sliced; on plate) + cup (empty) → PUT → tomato (sliced; in cup) + cu
         [
             "bowl: tomato (sliced)",
             "cup: tomato (sliced)",
-            "W1 (minor) step 3 tomato (sliced; on plate): more of it is used than is left: it is sliced in the bowl since step 2",
+            (
+                "W1 (minor) step 3 tomato (sliced; on plate): more of it is used than is left:"
+                " it is sliced in the bowl since step 2"
+            ),
         ],
     ),
     story(
@@ -184,7 +187,10 @@ onion (sliced; in cup) + plate (empty) → PUT → onion (sliced; on plate) + pl
         [
             "bowl: onion (sliced)",
             "plate: onion (sliced)",
-            "W1 (minor) step 2 onion (sliced; in cup): more of it is used than is left: it is sliced in the bowl since step 1",
+            (
+                "W1 (minor) step 2 onion (sliced; in cup): more of it is used than is left:"
+                " it is sliced in the bowl since step 1"
+            ),
         ],
     ),
     story(

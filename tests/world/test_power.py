@@ -252,7 +252,7 @@ milk (liquid; in carton) + bowl (empty) + oven (on) → BLEND → milk (blended;
     story(
         "a jar is not attached to a running blender",
         "blender (off) → TURN ON → blender (on)\n"
-        + """
+        """
 blender jar (empty) + blender (on) → ATTACH → blender jar (empty; attached to blender) + blender (on)
 """,
         ["blender on for ['']", "W3 step 2 blender jar (empty): something is attached to the blender while it runs"],
