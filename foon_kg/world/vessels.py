@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Utensil
-from foon_kg.model import ObjectNode
+from foon_kg.model import NodeSortKey, ObjectNode
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Said
 from foon_kg.world.step import Mention
@@ -13,9 +13,13 @@ from foon_kg.world.things import Vessel
 
 
 def match(out: Outcome) -> None:
-    """Give every output vessel its thing, and let it stand where its node says."""
+    """Give every output vessel its thing, and let it stand where its node says.
+
+    What holds most of what it is said to hold is matched first, so that the order of the outputs decides nothing.
+    """
     free = list(out.happening.vessels)
-    for place, one in enumerate(out.said):
+    for place in sorted(range(len(out.said)), key=lambda place: _surest_first(out, place)):
+        one = out.said[place]
         if one.utensil is None:
             continue
         vessel = _matching(out, out.mentions[place], one, free)
@@ -27,6 +31,12 @@ def match(out: Outcome) -> None:
             free.remove(vessel)
         out.vessel_of[place] = vessel
         _stand(out, vessel, one, out.mentions[place].node)
+
+
+def _surest_first(out: Outcome, place: int) -> tuple[int, NodeSortKey]:
+    one = out.said[place]
+    alike = [len(one.names & vessel.names) for vessel in out.happening.vessels if vessel.label == one.label]
+    return -max(alike, default=0), one.node.sort_key
 
 
 def _matching(out: Outcome, mention: Mention, one: Said, free: Sequence[Vessel]) -> Vessel | None:

@@ -16,6 +16,7 @@ from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Reader, Said, reader
 from foon_kg.world.step import Mention, Step
 from foon_kg.world.supply import Supply
+from foon_kg.world.things import Vessel
 
 
 class World:
@@ -53,16 +54,20 @@ class World:
         return happening
 
     def _take_vessels(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
-        for mention, one in zip(mentions, said, strict=True):
-            if one.utensil is None:
-                continue
-            vessel = self.supply.vessel(mention, one, happening)
+        """Find the vessels that go in: those that say most first, so that the order of the inputs decides nothing."""
+        places = [place for place, one in enumerate(said) if one.utensil is not None]
+        found: dict[int, Vessel] = {}
+        for place in sorted(places, key=lambda place: (-len(said[place].names), mentions[place].node.sort_key)):
+            one = said[place]
+            vessel = self.supply.vessel(mentions[place], one, happening)
             vessel.last = happening.number
             happening.vessels.append(vessel)
-            if one.utensil.role in {"tool", "lid"}:
-                happening.tools.append(mention.node)
+            found[place] = vessel
             if one.place_utensil is not None and (vessel.where is None or vessel.where.label != one.place):
                 self.supply.stand(vessel, self.supply.holder(str(one.place)))
+        happening.vessels = [found[place] for place in places]
+        tools = [place for place in places if found[place].row.role in {"tool", "lid"}]
+        happening.tools = [mentions[place].node for place in tools]
 
     def _take_foods(self, mentions: Sequence[Mention], said: Sequence[Said], happening: Happening) -> None:
         for mention, one in zip(mentions, said, strict=True):
