@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from world.kitchen_walk import VESSELS, Line, Told, Walk
+from world.kitchen_things import VESSELS, Line, Told, Walk
 
 from foon_kg.model import ObjectNode
 
@@ -121,7 +121,7 @@ def _into_a_cup(line: Line) -> Line | None:
 
 
 def left_whole(walk: Walk) -> Iterator[Fault]:
-    """A food that is never cut, peeled or cooked, though nobody eats it so: the step is left out as if it had not been."""
+    """A food that is never cut or peeled, though nobody eats it so: later lines tell it as it was before."""
     for food in walk.foods:
         for owed in sorted(food.kind.owes):
             places = [place for place, line in enumerate(walk.lines) if _gives(line, owed, food.number)]
