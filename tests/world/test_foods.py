@@ -373,6 +373,157 @@ onion (washed; in cup) + bowl ({tomato}) → PUT → onion (washed; in bowl) + b
             "W1 (minor) step 4 onion (washed; in cup): more of it is used than is left: it is washed since step 3",
         ],
     ),
+    story(
+        "a numbered food that was halved, and one that was mixed",
+        """
+tomato#1 (whole) + plate (empty) + knife → HALVE → tomato#1 (halved, wet; on plate)
+tomato#1 (whole) + cup (empty) → PUT → tomato#1 (whole; in cup) + cup ({tomato})
+muesli#2 ({nut, raisin}; in bag) + bowl (empty) → POUR → muesli#2 (in bowl) + bowl ({muesli})
+muesli#2 (whole) + cup (empty) → PUT → muesli#2 (whole; in cup) + cup ({muesli})
+""",
+        [
+            "cup: muesli (whole) of muesli + nut + raisin",
+            "cup: tomato (whole)",
+            "W1 step 2 tomato (whole): it is halved, wet by now",
+            "W1 step 4 muesli (whole): it is mixed by now",
+        ],
+    ),
+    story(
+        "a numbered food in one piece is taken as often as one likes",
+        """
+tomato#1 (whole) + plate (empty) → PUT → tomato#1 (whole; on plate)
+tomato#1 (whole; on plate) + cup (empty) → PUT → tomato#1 (whole; in cup)
+tomato#1 (whole) + bowl (empty) → PUT → tomato#1 (whole; in bowl)
+""",
+        ["bowl: tomato (whole)"],
+    ),
+    story(
+        "a numbered food that says a state that nobody gave it",
+        """
+tomato#1 (whole) + plate (empty) → PUT → tomato#1 (whole; on plate)
+tomato#1 (fresh, peeled; on plate) + cup (empty) → PUT → tomato#1 (fresh, peeled; in cup)
+""",
+        [
+            "cup: tomato (fresh, peeled)",
+            "K7 (minor) step 2 tomato (fresh, peeled; on plate): it is peeled, and nobody made it so",
+        ],
+    ),
+    story(
+        "a numbered food in a vessel called by its last word",
+        """
+onion#1 (whole) + frying pan (empty) → PUT → onion#1 (whole; in frying pan)
+onion#1 (whole; in pan) + cup (empty) → PUT → onion#1 (whole; in cup)
+onion#1 (whole; in measuring cup) + bowl (empty) → PUT → onion#1 (whole; in bowl)
+""",
+        ["bowl: onion (whole)"],
+    ),
+    story(
+        "of two slices of cheese the one on the bread is meant",
+        """
+cheese (sliced) + bowl (empty) → PUT → cheese (sliced; in bowl) + bowl ({cheese})
+bread (sliced) + cheese (sliced) + plate (empty) → PUT → cheese (sliced; on bread) + bread (sliced; on plate)
+cheese (sliced) + cup (empty) → PUT → cheese (sliced; in cup) + cup ({cheese})
+cheese (sliced; on bread) + pot (empty) → PUT → cheese (sliced; in pot) + pot ({cheese})
+""",
+        ["bowl: cheese (sliced)", "plate: bread (sliced) under cheese", "pot: cheese (sliced)"],
+    ),
+    story(
+        "a food on an unlisted thing is where it was seen last",
+        """
+cheese (sliced) + bowl (empty) → PUT → cheese (sliced; in bowl) + bowl ({cheese})
+cheese (sliced; on gadget) + pot (empty) → PUT → cheese (sliced; in pot) + pot ({cheese})
+""",
+        [
+            "bowl: cheese (sliced)",
+            "pot: cheese (sliced)",
+            (
+                "W1 (minor) step 2 cheese (sliced; on gadget): more of it is used than is left:"
+                " it is sliced in the bowl since step 1"
+            ),
+        ],
+    ),
+    story(
+        "of equal foods the one used last is meant",
+        """
+salt (granulated; in shaker) + bowl (empty) → PUT → salt (granulated; in bowl) + bowl ({salt})
+salt (granulated; in shaker) + cup (empty) → PUT → salt (granulated; in cup) + cup ({salt})
+salt (granulated) + plate (empty) → PUT → salt (granulated; on plate) + plate ({salt})
+""",
+        ["bowl: salt (granulated)", "cup: salt (granulated)", "plate: salt (granulated)", "shaker: salt (granulated)"],
+    ),
+    story(
+        "a coarser food may stand for a finer one",
+        """
+carrot (whole) + plate (empty) + knife → SLICE → carrot (sliced; on plate) + plate ({carrot})
+carrot (grated) + bowl (empty) → PUT → carrot (grated; in bowl) + bowl ({carrot})
+""",
+        ["bowl: carrot (grated)"],
+    ),
+    story(
+        "a finer food is not taken for a coarser one",
+        """
+carrot (whole) + plate (empty) + grater → GRATE → carrot (grated; on plate) + plate ({carrot})
+carrot (sliced) + bowl (empty) → PUT → carrot (sliced; in bowl) + bowl ({carrot})
+""",
+        [
+            "bowl: carrot (sliced)",
+            "plate: carrot (grated)",
+            "W1 step 2 carrot (sliced): none is so any more: it is grated in the plate since step 1",
+        ],
+    ),
+    story(
+        "what lies on the table is found without a word of it",
+        """
+onion (whole) + table → PUT → onion (whole; on table)
+onion (whole) + knife → PEEL → onion (peeled)
+""",
+        ["table: onion (peeled)"],
+    ),
+    story(
+        "what lies free is found on the table or in its bag",
+        """
+onion (whole) + knife → PEEL → onion (peeled)
+onion (peeled; on table) + bowl (empty) → PUT → onion (peeled; in bowl) + bowl ({onion})
+leek (whole) + knife → PEEL → leek (peeled)
+leek (peeled; in bag) + cup (empty) → PUT → leek (peeled; in cup) + cup ({leek})
+""",
+        ["bowl: onion (peeled)", "cup: leek (peeled)"],
+    ),
+    story(
+        "water is there without end",
+        """
+water (liquid) + bowl (empty) → PUT → water (liquid; in bowl) + bowl ({water})
+water (liquid; in glass) + cup (empty) → PUT → water (liquid; in cup) + cup ({water})
+""",
+        ["bowl: water (liquid)", "cup: water (liquid)", "glass: water (liquid)"],
+    ),
+    story(
+        "a food without state and place is whatever is left of it",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced; on plate) + plate ({tomato})
+tomato + onion (whole) + bowl (empty) → MIX → salad ({onion, tomato}; in bowl) + bowl ({salad})
+tomato + cup (empty) → PUT → tomato (in cup) + cup ({tomato})
+tomato (ripe) + pot (empty) → PUT → tomato (ripe; in pot) + pot ({tomato})
+""",
+        ["pot: tomato or salad (ripe) of onion + tomato"],
+    ),
+    story(
+        "the same node twice in one step is taken twice",
+        """
+salt (granulated; in bowl) + sugar (granulated; in bowl) + bowl ({salt, sugar}) + cup (empty) → POUR
+  → cup ({salt, sugar})
+""",
+        ["bowl: salt; sugar", "cup: salt; sugar"],
+    ),
+    story(
+        "a food that was thrown away is told with its last state",
+        """
+tomato (whole) + plate (empty) + knife → SLICE → tomato (sliced, wet; on plate) + plate ({tomato})
+tomato (sliced, wet; on plate) + bin → THROW AWAY → plate (empty)
+tomato (whole) + cup (empty) → PUT → tomato (whole; in cup) + cup ({tomato})
+""",
+        ["cup: tomato (whole)", "W1 step 3 tomato (whole): there is no second tomato: it is sliced, wet since step 2"],
+    ),
 ]
 
 

@@ -393,6 +393,84 @@ milk (liquid; in carton) + pot (empty; on stove) + stove (on; under pot) → BOI
         POT + PAN + MILK + ON + ON.replace("pot", "pan"),
         ["stove on for ['pan', 'pot']", "hot: pot"],
     ),
+    story(
+        "a hot pot over a burner that is off while another one is on",
+        POT
+        + PAN
+        + MILK
+        + OIL
+        + ON
+        + """
+pan (hot; {oil}; on stove) + spoon → STIR → pan (hot; {oil}; on stove)
+""",
+        [
+            "pan at stove [hot] with oil",
+            "stove on for ['pan', 'pot']",
+            "hot: pot; pan",
+            "W3 step 6 pan (hot; {oil}; on stove): the pan is said to be hot, and the stove is off",
+        ],
+    ),
+    story(
+        "a hot tray in an oven that is off",
+        """
+cake (raw) + tray (empty) → PUT → cake (raw; on tray) + tray ({cake})
+tray ({cake}) + oven (off) → PUT → tray ({cake}; in oven)
+tray (hot; {cake}; in oven) + spoon → STIR → tray (hot; {cake}; in oven)
+""",
+        [
+            "oven on for ['']",
+            "tray at oven [hot] with cake",
+            "hot: tray",
+            "W3 step 3 tray (hot; {cake}; in oven): the tray is said to be hot, and the oven is off",
+        ],
+    ),
+    story(
+        "a closed appliance",
+        """
+rice (dry) + rice cooker (off) → PUT → rice (dry; in rice cooker) + rice cooker (off; {rice})
+rice cooker (off; {rice}) + lid → CLOSE → rice cooker (closed, off; {rice})
+water (liquid; in bottle) + rice cooker (closed, off; {rice}) → POUR → water (liquid; in rice cooker)
+salt (granulated; in shaker) + rice cooker (closed, off; {rice}) → SPRINKLE → salt (granulated; in rice cooker)
+""",
+        ["W3 step 3 water (liquid; in bottle): the rice cooker is closed, and water enters or leaves it"],
+    ),
+    story(
+        "a jar that somebody closed",
+        """
+jar ({jam}) + lid → CLOSE → jar (closed; {jam})
+jam (in jar) + jar (closed; {jam}) + plate (empty) → POUR → jam (on plate) + plate ({jam})
+""",
+        ["jar [covered] with jam"],
+    ),
+    story(
+        "food goes from a covered bowl to the tray on which it stands",
+        """
+bowl (empty) + tray (empty) → PUT → bowl (empty; on tray) + tray
+leek (sliced) + bowl (empty; on tray) → PUT → leek (sliced; in bowl) + bowl ({leek}; on tray)
+bowl ({leek}; on tray) + lid → COVER → bowl (covered; {leek}; on tray)
+leek (sliced; in bowl) + tray → PUT → leek (sliced; on tray)
+""",
+        ["bowl at tray [covered]"],
+    ),
+    story(
+        "food goes from a covered tray to the bowl that stands on it",
+        """
+bowl (empty) + tray (empty) → PUT → bowl (empty; on tray) + tray
+leek (sliced) + tray (empty) → PUT → leek (sliced; on tray) + tray ({leek})
+tray ({leek}) + lid → COVER → tray (covered; {leek})
+leek (sliced; on tray) + bowl (empty; on tray) → PUT → leek (sliced; in bowl)
+""",
+        ["tray [covered]"],
+    ),
+    story(
+        "food goes from a covered bowl to another vessel or nowhere",
+        """
+leek (sliced) + bowl (empty) → PUT → leek (sliced; in bowl) + bowl ({leek})
+bowl ({leek}) + lid → COVER → bowl (covered; {leek})
+leek (sliced; in bowl) + bin → DISCARD → bin
+""",
+        ["W3 step 3 leek (sliced; in bowl): the bowl is closed, and leek enters or leaves it"],
+    ),
 ]
 
 
@@ -409,3 +487,30 @@ def test_a_stove_that_is_turned_on_as_a_whole_heats_all_that_stands_on_it():
 def test_turning_off_without_a_word_of_it():
     world = play("oven (off) → TURN ON → oven (on)\noven + hand → TURN OFF → oven\n")
     assert not world.supply.appliance("oven").is_on()
+
+
+@pytest.mark.parametrize(
+    ("motion", "opens"),
+    [
+        ("open and pour", True), ("uncover and pour", True), ("close and pour", True), ("attach and pour", True),
+        ("blend and pour", True), ("combine and pour", True), ("pour", False), ("boil and pour", False),
+    ],
+)  # fmt: skip
+def test_what_opens_or_works_inside_may_reach_into_a_covered_pot(motion, opens):
+    world = play(f"""
+milk (liquid; in carton) + pot (empty) → POUR → milk (liquid; in pot) + pot ({{milk}})
+pot ({{milk}}) + lid → COVER → pot (covered; {{milk}})
+milk (liquid; in pot) + cup (empty) → "{motion}" → milk (liquid; in cup)
+""")
+    told = [line for line in faults(world) if "closed" in line]
+    assert told == (
+        [] if opens else ["W3 step 3 milk (liquid; in pot): the pot is closed, and milk enters or leaves it"]
+    )
+    assert world.supply.vessels["pot"][0].covered is opens
+
+
+@pytest.mark.parametrize("motion", ["turn on", "turn off", "chill", "slice", "put"])
+def test_what_needs_no_heat_is_done_without(motion):
+    assert [
+        told for told in faults(play(f'leek (sliced) + plate → "{motion}" → leek (done)')) if told[:2] == "W3"
+    ] == []

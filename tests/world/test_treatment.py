@@ -377,9 +377,112 @@ apple (halved; in cup) + knife → DICE → apple (diced; in cup)
 """,
         ["apple: peel 0 shell 0", "apple: cut 2 peel 0 shell 0 fine 3"],
     ),
+    story(
+        "an egg that comes out of the pan browned without a heat of its own",
+        HEATED
+        + """
+egg (cracked) + plate (empty) → PUT → egg (cracked; on plate) + plate ({egg})
+egg (cracked; on plate) + spoon → FLIP → egg (browned; on plate)
+leek (sliced) + pot (empty; on stove) → PUT → leek (sliced; in pot) + pot ({leek}; on stove)
+leek (sliced; in pot) + spoon → FLIP → leek (browned; in pot)
+""",
+        ["egg: shell -1", "leek: cut -1 fine 2"],
+    ),
+    story(
+        "the coldest fridge browns nothing",
+        """
+beef (raw) + tray (empty) → PUT → beef (raw; on tray) + tray ({beef})
+tray ({beef}) + oven (off) → PUT → tray ({beef}; in oven)
+oven (off) → TURN ON → oven (on)
+beef (raw; on tray) + tray ({beef}; in oven) → BAKE → beef (raw; on tray) + tray ({beef}; in oven)
+tray ({beef}; in oven) + fridge (on) → PUT → tray ({beef}; in fridge)
+beef (raw; on tray) + spoon → FLIP → beef (browned; on tray)
+""",
+        ["beef: cook 3 heated 3"],
+    ),
 ]
 
 
 @pytest.mark.parametrize(("text", "told", "asked"), STORIES)
 def test_treatment(text, told, asked):
     assert view(play(text, asked)) == told
+
+
+@pytest.mark.parametrize(
+    ("motion", "mixes"),
+    [
+        ("combine", True), ("blend", True), ("knead", True), ("mash", True), ("whip", True), ("put", False),
+        ("boil", False), ("slice", False), ("wait", False), ("shape", False),
+    ],
+)  # fmt: skip
+def test_what_mixes_mixes_all_that_is_in_the_bowl(motion, mixes):
+    world = play(f"""
+tomato (sliced) + onion (sliced) + bowl (empty) → PUT → bowl ({{onion, tomato}})
+bowl ({{onion, tomato}}) + spoon → {motion.upper()} → bowl ({{onion, tomato}}; on table)
+""")
+    assert {part.mixed for part in world.supply.parts} == {1 if mixes else None}
+    assert {part.joined for part in world.supply.parts} == {0}
+
+
+@pytest.mark.parametrize(
+    ("motion", "joins", "mixes"),
+    [
+        ("combine", True, True), ("blend", True, True), ("mash", True, True), ("knead", True, True),
+        ("whip", True, True), ("boil", True, False), ("boil and stir", True, True), ("put", False, False), ("wait", False, False),
+    ],
+)  # fmt: skip
+def test_a_product_without_a_vessel_is_joined_and_mixed_by_what_makes_it(motion, joins, mixes):
+    world = play(f'tomato (sliced) + onion (sliced) → "{motion}" → salad ({{onion, tomato}})')
+    assert {part.joined for part in world.supply.parts} == {0 if joins else None}
+    assert {part.mixed for part in world.supply.parts} == {0 if mixes else None}
+
+
+@pytest.mark.parametrize(
+    ("motion", "treatment"),
+    [
+        ("slice", "cut"), ("grate", "grate"), ("grind", "grind"), ("mash", "mash"), ("peel", "peel"), ("core", "core"),
+        ("pit", "stone"), ("crack", "shell"), ("husk", "husk"), ("open", "open"), ("wash", "wash"),
+    ],
+)  # fmt: skip
+def test_hands_work_on_the_food_that_comes_out_in_another_form(motion, treatment):
+    world = play(f"carrot (whole) + onion (whole) → {motion.upper()} → carrot (done) + onion (whole)")
+    done = {part.name: treatment in part.done for part in world.supply.parts}
+    assert done == {"carrot": True, "onion": False}
+
+
+@pytest.mark.parametrize(("motion", "treatment"), [("soak", "soak"), ("blend", "blend")])
+def test_what_works_by_itself_works_on_all_that_went_in(motion, treatment):
+    world = play(f"carrot (whole) + onion (whole) → {motion.upper()} → carrot (done) + onion (whole)")
+    assert {part.name for part in world.supply.parts if treatment in part.done} == {"carrot", "onion"}
+
+
+@pytest.mark.parametrize(
+    ("motion", "fine"),
+    [("grate", 4), ("grind", 5), ("blend", 5), ("mash", 5), ("cut", 2), ("peel", 0), ("mix", 0), ("squeeze", 0)],
+)
+def test_how_fine_a_motion_makes_a_food_that_tells_no_state_of_it(motion, fine):
+    (part,) = play(f"carrot (whole) → {motion.upper()} → carrot (done)").supply.parts
+    assert part.fine == fine
+
+
+@pytest.mark.parametrize(("first", "fault"), [("sliced", True), ("halved", False), ("chopped", True), ("whole", False)])
+def test_only_what_is_finer_already_is_told(first, fault):
+    world = play(f"carrot ({first}) + knife → HALVE → carrot (halved, again)")
+    assert [told for told in faults(world) if "finer" in told] == (
+        ["K7 (minor) step 1: carrot is in finer pieces already"] if fault else []
+    )
+
+
+@pytest.mark.parametrize("treatment", ["thaw", "soak", "drain", "wash", "open"])
+def test_what_nobody_is_judged_by_is_believed_of_a_motion_that_can_give_it(treatment):
+    states = {"thaw": "thawed", "soak": "soaked", "drain": "drained", "wash": "washed", "open": "opened"}
+    motions = {"thaw": "thaw", "soak": "soak", "drain": "drain", "wash": "rinse", "open": "open"}
+    world = play(
+        f"salmon (frozen) + bowl (empty) → {motions[treatment].upper()} → salmon ({states[treatment]}; in bowl)"
+    )
+    (part,) = world.supply.parts
+    assert part.done[treatment] == 0
+    assert faults(world) == []
+    put = play(f"salmon (frozen) + bowl (empty) → PUT → salmon ({states[treatment]}; in bowl)")
+    assert treatment not in put.supply.parts[0].done
+    assert any("nobody made it so" in told for told in faults(put))

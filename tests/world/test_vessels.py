@@ -374,6 +374,119 @@ bowl (empty) → PUT → bowl (empty; on tray)
 """,
         ["bowl at tray", "table", "tray at table"],
     ),
+    story(
+        "a numbered vessel that holds less than it says",
+        """
+tomato (whole) + bowl#1 (empty) → PUT → tomato (whole; in bowl#1) + bowl#1 ({tomato})
+bowl#1 ({leek, onion, tomato}) + table → PUT → bowl#1 ({tomato}; on table)
+bowl#1 ({tomato}) + shelf → PUT → bowl#1 ({tomato}; on shelf)
+""",
+        [
+            "bowl at shelf with tomato",
+            "shelf",
+            "table",
+            "W1 step 2 bowl ({leek, onion, tomato}): the bowl does not hold leek, onion",
+        ],
+    ),
+    story(
+        "a bowl whose two foods were taken out",
+        """
+tomato (sliced) + onion (sliced) + bowl (empty) → PUT → bowl ({onion, tomato})
+bowl ({onion, tomato}) + cup (empty) → POUR → cup ({onion, tomato}) + bowl (empty)
+bowl ({onion, tomato}) + table → PUT → bowl ({onion, tomato}; on table)
+""",
+        [
+            "bowl",
+            "bowl at table with onion, tomato",
+            "cup with onion, tomato",
+            "table",
+            "W1 step 3 bowl ({onion, tomato}): its onion, tomato was taken out before",
+        ],
+    ),
+    story(
+        "a bowl whose foods became a dish that was taken out",
+        """
+tomato (sliced) + onion (sliced) + bowl (empty) → PUT → bowl ({onion, tomato})
+bowl ({onion, tomato}) → MIX → salad ({onion, tomato}; in bowl) + bowl ({salad})
+salad ({onion, tomato}; in bowl) + cup (empty) → POUR → salad ({onion, tomato}; in cup) + bowl (empty)
+bowl ({onion, tomato}) + table → PUT → bowl ({onion, tomato}; on table)
+bowl ({leek}) + table → PUT → bowl ({leek}; on table)
+""",
+        [
+            "bowl",
+            "bowl at table with onion, tomato",
+            "bowl at table with leek",
+            "cup with salad",
+            "table",
+            "W1 step 4 bowl ({onion, tomato}): its onion, tomato was taken out before",
+        ],
+    ),
+    story(
+        "a bowl that only one of its foods was told of",
+        """
+tomato (sliced) + bowl (empty) → PUT → bowl ({tomato})
+bowl ({tomato}) + onion (sliced) → MIX → salad ({onion, tomato}; in bowl) + bowl ({salad})
+salad ({onion, tomato}; in bowl) + cup (empty) → POUR → salad ({onion, tomato}; in cup) + bowl (empty)
+bowl ({onion}) + table → PUT → bowl ({onion}; on table)
+""",
+        ["bowl", "bowl at table with onion", "cup with salad", "table"],
+    ),
+    story(
+        "an empty pot in the kitchen is not the one on the stove",
+        """
+pot (empty) + stove (off) → PUT → pot (empty; on stove) + stove (off; under pot)
+milk (liquid; in carton) + pot (empty; on table) → POUR → milk (liquid; in pot) + pot ({milk}; on table)
+""",
+        ["carton with milk", "pot at stove", "pot at table with milk", "stove", "table"],
+    ),
+    story(
+        "a tool is a clean one though it is not called empty",
+        """
+jam (spread; in jar) + knife → SCOOP → jam (spread; on knife) + knife ({jam})
+onion (whole) + knife → SLICE → onion (sliced)
+""",
+        ["jar with jam", "knife with jam", "knife"],
+    ),
+    story(
+        "nothing stands in itself",
+        """
+tray#1 (empty) + table → PUT → tray#1 (empty; on tray)
+""",
+        ["table", "tray"],
+    ),
+    story(
+        "three things on each other come off one by one",
+        """
+cup (empty) + plate (empty) + tray (empty) → PUT → cup (empty; on plate) + plate (empty; on tray)
+cup (empty; on plate) → TAKE OUT → cup (clean)
+""",
+        ["cup", "plate at tray", "tray"],
+    ),
+    story(
+        "detaching takes a vessel off and an appliance stays where it is",
+        """
+jug (empty) + coffee maker (off) → ATTACH → jug (empty; attached to coffee maker)
+coffee maker (off) + table → PUT → coffee maker (off; on table)
+jug (empty; attached to coffee maker) + coffee maker (off) → DETACH → jug (empty) + coffee maker (unplugged)
+""",
+        ["coffee maker at table", "jug", "table"],
+    ),
+    story(
+        "a covered vessel that is told twice stays covered",
+        """
+pot (empty) + lid → COVER → pot (covered)
+pot (covered) + stove (off) → PUT → pot (covered; on stove)
+pot (covered; on stove) + lid → "take out" → pot (empty)
+""",
+        ["lid", "pot [covered]", "stove"],
+    ),
+    story(
+        "a lid over one vessel closes no other",
+        """
+pot (empty) + pan (empty) + lid + cup → COVER → lid (covering pot)
+""",
+        ["cup", "lid", "pan", "pot [covered]"],
+    ),
 ]
 
 
