@@ -428,6 +428,7 @@ bowl ({{onion, tomato}}) + spoon → {motion.upper()} → bowl ({{onion, tomato}
     ("motion", "joins", "mixes"),
     [
         ("combine", True, True), ("blend", True, True), ("mash", True, True), ("knead", True, True),
+
         ("whip", True, True), ("boil", True, False), ("boil and stir", True, True), ("put", False, False), ("wait", False, False),
     ],
 )  # fmt: skip
