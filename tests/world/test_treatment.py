@@ -429,7 +429,8 @@ bowl ({{onion, tomato}}) + spoon → {motion.upper()} → bowl ({{onion, tomato}
     [
         ("combine", True, True), ("blend", True, True), ("mash", True, True), ("knead", True, True),
 
-        ("whip", True, True), ("boil", True, False), ("boil and stir", True, True), ("put", False, False), ("wait", False, False),
+        ("whip", True, True), ("boil", True, False), ("boil and stir", True, True),
+        ("put", False, False), ("wait", False, False),
     ],
 )  # fmt: skip
 def test_a_product_without_a_vessel_is_joined_and_mixed_by_what_makes_it(motion, joins, mixes):
