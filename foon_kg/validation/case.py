@@ -95,7 +95,12 @@ class Case:
 
     @cached_property
     def last(self) -> int | None:
-        """The place of the last unit that touches food; ``None`` where none does."""
+        """The place of the last unit that touches food, ``None`` where none does.
+
+        Of a reference tree it is the last unit: any node may have been asked for, a clean bowl too.
+        """
+        if self.tree.level is not None:
+            return len(self.tree.units) - 1 if self.tree.units else None
         places = [place for place, unit in enumerate(self.tree.units) if self.touches_food(unit)]
         return places[-1] if places else None
 

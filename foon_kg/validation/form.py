@@ -45,11 +45,12 @@ def goal(case: Case) -> Iterator[Finding]:
     if tree.error is not None:
         yield Finding("C2", f"there is no tree: {tree.error}")
         return
-    if not tree.units or case.last is None:
+    last = case.last
+    if last is None:
         yield Finding("C2", "the tree has no step with food")
         return
-    if case.goal is None or case.goal not in tree.units[case.last].output_nodes:
-        yield Finding("C2", "the last step with food does not output the goal", case.last, _one(case.goal))
+    if case.goal is None or case.goal not in tree.units[last].output_nodes:
+        yield Finding("C2", "the last step with food does not output the goal", last, _one(case.goal))
     if case.goal is None or case.foon is None or tree.level is not None:
         return
     yield from _name(case, case.goal)
