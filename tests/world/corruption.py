@@ -28,7 +28,7 @@ class Fault:
     @property
     def mild(self) -> bool:
         """Whether a minor finding is enough: a state that nobody gave, or something that was not turned off."""
-        return self.line.kind in GIVES or self.line.kind.endswith(" off")
+        return self.kind.startswith("a new state") or self.line.kind.endswith(" off")
 
 
 MOVES = frozenset({"place", "pour", "scoop", "pour stored", "crack", "cut", "grate", "drain"})
@@ -49,13 +49,19 @@ def dropped(walk: Walk) -> Iterator[Fault]:
 
 def _what(line: Line) -> str:
     """Return what kind of a step it is: a move, into what, a new state, a switch, or a product."""
-    if line.kind in GIVES:
+    if line.kind in GIVES or (line.kind == "cut" and _stays(line)):
         return "a new state"
     if line.kind not in MOVES:
         return "a switch" if line.kind in SWITCHES else "a product"
     filled = [told for told in line.inputs if told.node.label in VESSELS and told.node.ingredients]
     kept = [told for told in line.outputs if any(told.thing == one.thing for one in filled) and told.node.ingredients]
     return "a move between others" if kept else "a move"
+
+
+def _stays(line: Line) -> bool:
+    """Whether the food that a line works on is in one place before and after."""
+    before, after = (next(told for told in side if told.thing == line.about) for side in (line.inputs, line.outputs))
+    return before.inside == after.inside
 
 
 def doubled(walk: Walk) -> Iterator[Fault]:
