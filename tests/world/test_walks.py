@@ -38,7 +38,7 @@ NOT_TOLD_YET = frozenset(
     {
         ("a new state dropped", True), ("a new state dropped", False), ("a move dropped", False),
         ("a move between others dropped", True), ("a move between others dropped", False),
-        ("a move between others swapped", False),
+        ("a move between others swapped", False), ("a product dropped", True), ("a product dropped", False),
     }
 )  # fmt: skip
 """Faults that the judge does not always see yet: of which kind, and whether in trees with numbers."""
