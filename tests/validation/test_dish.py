@@ -294,7 +294,13 @@ def test_k6_an_asked_food_that_lies_unmixed_on_what_is_mixed():
     ]
 
 
-@pytest.mark.parametrize("food", ["parsley", "salt", "sugar", "olive oil", "cream", "milk", "almond", "black pepper"])
+@pytest.mark.parametrize(
+    "food",
+    [
+        "parsley", "bacon", "guava", "lard", "cream", "egg white", "canned tomato", "spice blend", "topping",
+        "sour cream", "sugar", "olive oil", "milk", "almond",
+    ],
+)  # fmt: skip
 def test_k6_what_is_strewn_or_poured_over_a_dish_need_not_be_mixed_in(food):
     assert found("K6", recipe("salad", f"{food}; radish") + on_top(food)) == []
 
@@ -416,6 +422,25 @@ def test_k7_a_tray_that_was_not_made_ready(first):
 def test_k7_greasing_after_baking_is_too_late():
     late = "baking tray ({cake}; in oven) → GREASE → baking tray (greased; {cake}; in oven)"
     assert ungreased(lines(baked(), late)) == ["K7 (minor) step 5: the baking tray is not greased"]
+
+
+@pytest.mark.parametrize("food", ["egg", "flour", "gnocchi", "puff pastry"])
+def test_k7_what_sticks_to_a_tray(food):
+    assert ungreased(lying(food)) == ["K7 (minor) step 4: the baking tray is not greased"]
+
+
+def lying(food):
+    """Steps that bake a mixture of one food and leeks on a tray."""
+    return f"""
+{food} (whole) + leek (whole) + baking tray → MIX → wibble ({{{food}, leek}}; in baking tray) + baking tray ({{wibble}})
+baking tray ({{wibble}}) + oven (off) → PUT → baking tray ({{wibble}}; in oven) + oven (off)
+oven (off) → TURN ON → oven (on)
+baking tray ({{wibble}}; in oven) + oven (on) → BAKE → baking tray ({{wibble}}; in oven) + oven (on)
+"""
+
+
+def test_k7_what_does_not_stick_needs_no_grease():
+    assert ungreased(lying("potato")) == []
 
 
 def test_k7_what_is_not_baked_needs_no_grease():

@@ -387,6 +387,13 @@ def test_c5_a_dish_from_the_kitchen_is_left_to_c6():
     assert found("C5", asked("tomato (sliced)", f"{ONE_TOMATO}\n{step}")) == []
 
 
+def test_c5_what_only_a_vessel_tells_of_is_told_at_the_step_that_takes_it():
+    step = "bowl ({cream}) + plate ({tomato}) → POUR → cream (on plate)"
+    assert found("C5", asked("tomato (sliced)", f"{ONE_TOMATO}\n{step}")) == [
+        "C5 step 2: cream comes from the kitchen and nobody asked for it"
+    ]
+
+
 def test_c5_a_setting_lets_other_foods_in():
     text = asked("tomato (sliced)", ONE_TOMATO + SALTED)
     assert found("C5", text) == ["C5 step 2: salt comes from the kitchen and nobody asked for it"]

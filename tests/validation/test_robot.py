@@ -323,10 +323,17 @@ def test_w4_food_that_was_worked_on_in_between_was_there_for_that(motion):
     assert found("W4", lines(ONE_TOMATO, IN_BOWL, work, on)) == []
 
 
-@pytest.mark.parametrize("vessel", ["measuring cup", "strainer", "pan", "baking tray", "cup"])
+@pytest.mark.parametrize("vessel", ["measuring cup", "strainer", "pan", "baking tray", "cup", "kettle", "ramekin"])
 def test_w4_a_vessel_that_measures_strains_or_cooks_serves_something(vessel):
     into, on = (IN_BOWL.replace("bowl", vessel), IN_BOWL.replace("bowl", "jug").replace("on plate", f"in {vessel}"))
     assert found("W4", lines(ONE_TOMATO, into, on.replace("plate ({tomato})", f"{vessel} ({{tomato}})"))) == []
+
+
+def test_w4_a_dish_may_be_put_from_one_vessel_into_another():
+    mix = "tomato (sliced) + onion (sliced) + bowl (empty) → MIX → salad ({onion, tomato}; in bowl) + bowl ({salad})"
+    one = "salad ({onion, tomato}; in bowl) + bowl ({salad}) + plate (empty) → PUT → salad ({onion, tomato}; on plate)"
+    two = "salad ({onion, tomato}; on plate) + tureen (empty) → PUT → salad ({onion, tomato}; in tureen)"
+    assert found("W4", lines(mix, one, two)) == []
 
 
 def test_w4_a_vessel_in_which_it_joined_others_served_that():

@@ -524,6 +524,48 @@ tomato (whole) + cup (empty) → PUT → tomato (whole; in cup) + cup ({tomato})
 """,
         ["cup: tomato (whole)", "W1 step 3 tomato (whole): there is no second tomato: it is sliced, wet since step 2"],
     ),
+    story(
+        "a slice of cheese in another state is still the one on the bread",
+        """
+bread (sliced) + cheese (sliced) + plate (empty) → PUT → cheese (sliced; on bread) + bread (sliced; on plate)
+cheese (on bread) + pot (empty) → PUT → cheese (in pot) + pot ({cheese})
+""",
+        ["plate: bread (sliced) under cheese", "pot: cheese"],
+    ),
+    story(
+        "of a store in no package there is always more too",
+        """
+sugar (granulated; in cup) + bowl (empty) → PUT → sugar (granulated; in bowl) + bowl ({sugar})
+sugar (granulated; in cup) + plate (empty) → PUT → sugar (granulated; on plate) + plate ({sugar})
+flour (whole; in glass) + pot (empty) → PUT → flour (whole; in pot) + pot ({flour})
+flour (whole; in glass) + pan (empty) → PUT → flour (whole; in pan) + pan ({flour})
+""",
+        [
+            "bowl: sugar (granulated)",
+            "cup: sugar (granulated)",
+            "glass: flour (whole)",
+            "pan: flour (whole)",
+            "plate: sugar (granulated)",
+            "pot: flour (whole)",
+        ],
+    ),
+    story(
+        "a node that was true is another food once that food was moved",
+        """
+leek (sliced) + bowl (empty) → PUT → leek (sliced; in bowl) + bowl ({leek})
+leek (sliced; in bowl) + cup (empty) → PUT → leek (sliced; in cup) + cup ({leek})
+leek (sliced) + bowl (empty) → PUT → leek (sliced; in bowl) + bowl ({leek})
+leek (sliced; in cup) + pot (empty) → PUT → leek (sliced; in pot) + pot ({leek})
+""",
+        [
+            "bowl: leek (sliced)",
+            "pot: leek (sliced)",
+            (
+                "W1 (minor) step 4 leek (sliced; in cup): more of it is used than is left:"
+                " it is sliced in the bowl since step 3"
+            ),
+        ],
+    ),
 ]
 
 

@@ -838,6 +838,88 @@ greek salad ({onion, tomato}; in bowl) + plate (empty) → PUT → greek salad (
 """,
         ["plate: greek salad or salad of onion + tomato", "moved: greek salad bowl → plate", "treated: greek salad"],
     ),
+    story(
+        "coffee comes of its powder though they share no word",
+        """
+espresso (ground; in bag) + cup (empty) → BREW → coffee (hot; in cup) + cup ({coffee})
+""",
+        [
+            "cup: coffee (hot) of espresso",
+            "made: coffee",
+            "moved: espresso bag → nowhere; coffee nowhere → cup",
+            "taken: espresso",
+            "treated: coffee; coffee",
+        ],
+    ),
+    story(
+        "what a bowl is told to hold comes there though the other is not told empty",
+        """
+tomato (sliced) + onion (sliced) + pot (empty) → MIX → soup ({onion, tomato}; in pot) + pot ({soup})
+pot ({soup}) + bowl (empty) → SCOOP → bowl ({soup})
+""",
+        ["bowl: soup of onion + tomato", "moved: soup pot → bowl", "treated: soup"],
+    ),
+    story(
+        "a bowl that is told empty gives all to the pot that tells of some",
+        """
+tomato (sliced) + onion (sliced) + bowl (empty) → PUT → bowl ({onion, tomato})
+bowl ({onion, tomato}) + pot (empty) → POUR → bowl (empty) + pot ({tomato})
+""",
+        [
+            "pot: onion (sliced); tomato (sliced)",
+            "moved: onion bowl → pot; tomato bowl → pot",
+            "treated: onion; tomato",
+        ],
+    ),
+    story(
+        "a food in braces that says more of another is a portion of it",
+        """
+egg (cracked; in bowl) + cup (empty) → PUT → cup ({beaten egg})
+""",
+        ["cup: egg (cracked)", "moved: egg bowl → cup", "taken: egg", "treated: egg"],
+    ),
+    story(
+        "what lies on a food goes with it into what is made of it",
+        """
+bread (sliced) + cheese (sliced) + plate (empty) → PUT → cheese (sliced; on bread) + bread (sliced; on plate)
+bread (sliced; on plate) + bowl (empty) → CRUMBLE → wibble (in bowl) + bowl ({wibble})
+""",
+        [
+            "bowl: wibble of bread + cheese",
+            "plate: cheese (sliced); bread (sliced) under cheese",
+            "made: wibble",
+            "moved: wibble nowhere → bowl",
+            "treated: wibble",
+        ],
+    ),
+    story(
+        "a food lies on one that is called by the last of three words",
+        """
+spring roll wrapper (raw) + plate (empty) → PUT → spring roll wrapper (raw; on plate)
+leek (sliced) + spring roll wrapper (raw; on plate) → PUT
+  → leek (sliced; on wrapper) + spring roll wrapper (raw; on plate)
+""",
+        [
+            "plate: leek (sliced); spring roll wrapper (raw) under leek",
+            "moved: leek nowhere → plate",
+            "taken: leek",
+            "treated: leek; spring roll wrapper",
+        ],
+    ),
+    story(
+        "a food lies on no other that has the word in front",
+        """
+beef patty (raw) + plate (empty) → PUT → beef patty (raw; on plate)
+leek (sliced) + beef patty (raw; on plate) → PUT → leek (sliced; on beef) + beef patty (raw; on plate)
+""",
+        [
+            "plate: beef patty (raw)",
+            "free: leek (sliced)",
+            "taken: leek",
+            "treated: leek; beef patty",
+            "W2 step 2 leek (sliced; on beef): there is no beef on which it could be",
+        ],
+    ),
 ]
 
 

@@ -471,6 +471,44 @@ leek (sliced; in bowl) + bin → DISCARD → bin
 """,
         ["W3 step 3 leek (sliced; in bowl): the bowl is closed, and leek enters or leaves it"],
     ),
+    story(
+        "a stove that nobody touched is off",
+        """
+milk (liquid; in carton) + pot (empty) → POUR → milk (liquid; in pot) + pot ({milk}; on stove)
+milk (liquid; in pot) + pot ({milk}; on stove) → BOIL → milk (boiling; in pot) + pot ({milk}; on stove)
+""",
+        [
+            "pot at stove [hot] with milk",
+            "stove on for ['pot']",
+            "heated: pot",
+            "hot: pot",
+            "W3 step 2 milk (liquid; in pot): “boil” while the stove is off",
+        ],
+    ),
+    story(
+        "taking food off a stove that is told off and is on is a slip",
+        POT
+        + MILK
+        + ON
+        + """
+milk (liquid; in pot) + pot ({milk}; on stove) + stove (off; under pot) + cup (empty) → POUR → milk (liquid; in cup)
+""",
+        [
+            "stove on for ['pot']",
+            "hot: pot",
+            "W3 (minor) step 4 stove (off; under pot): the stove is said to be off, and it is on",
+        ],
+    ),
+    story(
+        "a stove that is on as a whole is not off for one of its vessels",
+        POT
+        + MILK
+        + """
+stove (off) → TURN ON → stove (on)
+pot ({milk}; on stove) + stove (off; under pot) → WAIT → pot ({milk}; on stove) + stove (off; under pot)
+""",
+        ["stove on for ['']", "W3 step 4 stove (off; under pot): the stove is said to be off, and it is on"],
+    ),
 ]
 
 

@@ -400,6 +400,45 @@ beef (raw; on tray) + spoon → FLIP → beef (browned; on tray)
 """,
         ["beef: cook 3 heated 3"],
     ),
+    story(
+        "a shell that comes out under its own name is left over",
+        """
+egg (whole) + bowl (empty) → CRACK → egg shell (in bin) + egg (cracked; in bowl) + bowl ({egg})
+""",
+        ["egg: open 0 shell 0", "egg: remains"],
+    ),
+    story(
+        "a portion was joined, mixed and heated as the whole was",
+        HEATED
+        + """
+leek (sliced) + milk (liquid; in carton) + pot (empty; on stove) → MIX
+  → soup ({leek, milk}; in pot) + pot ({soup}; on stove)
+soup ({leek, milk}; in pot) + pot ({soup}; on stove) + stove (on; under pot) → BOIL
+  → soup (cooked; {leek, milk}; in pot)
+soup (cooked; {leek, milk}; in pot) + cup (empty) + bowl (empty) → PUT → soup (cooked; in cup) + soup (cooked; in bowl)
+""",
+        [
+            "leek: boil 3 cook 3 cut -1 fine 2 joined 2 mixed 2 heated 3",
+            "milk: boil 3 cook 3 core -1 cut -1 peel -1 shell -1 stone -1 joined 2 mixed 2 heated 3",
+            "leek: boil 3 cook 3 cut -1 fine 2 joined 2 mixed 2 heated 3",
+            "milk: boil 3 cook 3 core -1 cut -1 peel -1 shell -1 stone -1 joined 2 mixed 2 heated 3",
+        ],
+    ),
+    story(
+        "raw food in a hot pan over the fire browns when it is turned",
+        HEATED
+        + """
+milk (liquid; in carton) + pot (empty; on stove) → POUR → milk (liquid; in pot) + pot ({milk}; on stove)
+milk (liquid; in pot) + pot ({milk}; on stove) + stove (on; under pot) → BOIL
+  → milk (boiling; in pot) + pot (hot; {milk}; on stove)
+leek (sliced) + pot (hot; {milk}; on stove) → PUT → leek (sliced; in pot) + pot (hot; {leek, milk}; on stove)
+leek (sliced; in pot) + spoon → PUT → leek (browned; in pot)
+""",
+        [
+            "milk: boil 3 cook 3 core -1 cut -1 peel -1 shell -1 stone -1 joined 4 heated 3",
+            "leek: cut -1 fine 2 joined 4",
+        ],
+    ),
 ]
 
 

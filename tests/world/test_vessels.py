@@ -487,6 +487,39 @@ pot (empty) + pan (empty) + lid + cup → COVER → lid (covering pot)
 """,
         ["cup", "lid", "pan", "pot [covered]"],
     ),
+    story(
+        "of two bowls that hold what is said the one that holds less is meant",
+        """
+salt (granulated; in shaker) + bowl (empty) → PUT → bowl (clean; {salt})
+salt (granulated; in shaker) + onion (whole) + bowl (empty) → PUT → bowl (clean; {onion, salt})
+bowl ({salt}) + spoon + table → PUT → bowl ({salt}; on table)
+""",
+        ["bowl at table with salt", "bowl with onion, salt", "shaker with salt", "spoon", "table"],
+    ),
+    story(
+        "a thing stands on the one of its holders that was used last",
+        """
+tray (empty) + table → PUT → tray (empty; on table)
+tomato (whole) + tray (empty; on table) → PUT → tray ({tomato}; on table)
+onion (whole) + tray (empty; on shelf) → PUT → tray ({onion}; on shelf)
+bowl (empty; on tray) → PUT → bowl (empty; on tray) + bowl
+cup (empty) → PUT → cup (empty; on tray)
+tray ({tomato}) → PUT → tray ({tomato}; on desk)
+glass (empty) → PUT → glass (empty; on tray)
+mug (empty; on tray) → WASH → mug (clean; on tray)
+""",
+        [
+            "bowl",
+            "bowl at tray",
+            "cup at tray",
+            "glass at tray",
+            "mug at tray",
+            "shelf",
+            "table",
+            "tray with tomato",
+            "tray at shelf with onion",
+        ],
+    ),
 ]
 
 
