@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import Motion
 from foon_kg.model import ObjectNode
+from foon_kg.world.reading import Said
 from foon_kg.world.step import Step
 from foon_kg.world.things import Lump, Part, Vessel
 
@@ -28,6 +29,7 @@ class Happening:
     worked on, ``heated`` the vessels that stood over heat while it cooked, ``taken`` the parts that were fetched
     from the kitchen, ``made`` the products. ``vessels`` are those that took part, ``hot`` those
     that hold food over heat afterwards, ``emptied`` those that hold nothing any more.
+    ``said_in`` and ``said_out`` are what the nodes of the step say, in their order.
     """
 
     number: int
@@ -45,6 +47,8 @@ class Happening:
     tools: list[ObjectNode] = field(default_factory=list)
     vessels_moved: bool = False
     emptied: list[Vessel] = field(default_factory=list)
+    said_in: list[Said] = field(default_factory=list)
+    said_out: list[Said] = field(default_factory=list)
     hot: list[Vessel] = field(default_factory=list)
 
     def fault(self, rule: str, reason: str, *nodes: ObjectNode, minor: bool = False) -> None:

@@ -30,7 +30,7 @@ class Outcome:
         self.happening = happening
         self.before = before
         self.mentions = happening.step.outputs
-        self.said = [self.supply.reader.read(mention.node) for mention in self.mentions]
+        self.said = happening.said_out
         self.vessel_of: dict[int, Vessel] = {}
         self.mapped: set[int] = set()
         self.brought = self.names_brought()

@@ -11,22 +11,17 @@ from foon_kg.world.things import Lump, Vessel
 _SWITCHES = ("switch on", "switch off")
 
 
-def check_inputs(supply: Supply, happening: Happening) -> None:
+def check_inputs(happening: Happening) -> None:
     """Tell appliances that are not as their input nodes say, work without its source, and food behind closed doors."""
-    pairs = zip(happening.vessels, _utensils(supply, happening), strict=True)
-    for vessel, (said, node) in pairs:
+    utensils = [said for said in happening.said_in if said.utensil is not None]
+    for vessel, said in zip(happening.vessels, utensils, strict=True):
         if vessel.is_appliance:
-            _check_power(vessel, said, node, happening)
+            _check_power(vessel, said, said.node, happening)
         elif said.hot:
-            _check_hot(vessel, node, happening)
+            _check_hot(vessel, said.node, happening)
     _check_source(happening)
     if happening.does("attach") or (happening.does("detach") and not happening.does("fetch")):
         _check_attached(happening)
-
-
-def _utensils(supply: Supply, happening: Happening) -> list[tuple[Said, ObjectNode]]:
-    read = [(supply.reader.read(mention.node), mention.node) for mention in happening.step.inputs]
-    return [(said, node) for said, node in read if said.utensil is not None]
 
 
 def burner_of(said: Said) -> str:
@@ -114,10 +109,9 @@ def _check_attached(happening: Happening) -> None:
 
 def check_outputs(supply: Supply, happening: Happening) -> None:
     """Switch what the motion switches, and tell what enters or leaves something closed."""
-    for mention in happening.step.outputs:
-        said = supply.reader.read(mention.node)
+    for said in happening.said_out:
         if said.is_appliance:
-            _switch(supply, said, mention.node, happening)
+            _switch(supply, said, said.node, happening)
     for lump, before, now in happening.moved:
         if lump in happening.made or (lump.gone and any(product.where is before for product in happening.made)):
             continue

@@ -40,10 +40,9 @@ def apply(supply: Supply, happening: Happening) -> None:
             vessel.hot = True
         _heat(supply, happening)
     _join(happening)
-    for mention in happening.step.outputs:
-        said = supply.reader.read(mention.node)
+    for said in happening.said_out:
         if said.is_food:
-            _claimed(said, happening.outputs.get(mention.node), supply, happening)
+            _claimed(said, happening.outputs.get(said.node), supply, happening)
 
 
 def _treated(happening: Happening) -> list[Lump]:

@@ -37,10 +37,11 @@ class World:
         """Play the next step; what cannot happen stands in its ``mishaps``."""
         happening = Happening(len(self.happenings), step, self.tables.motion(step.motion))
         self.happenings.append(happening)
-        said = [self.reader.read(mention.node) for mention in step.inputs]
+        said = happening.said_in = [self.reader.read(mention.node) for mention in step.inputs]
+        happening.said_out = [self.reader.read(mention.node) for mention in step.outputs]
         self._take_vessels(step.inputs, said, happening)
         self._take_foods(step.inputs, said, happening)
-        power.check_inputs(self.supply, happening)
+        power.check_inputs(happening)
         before = {id(lump): lump.where for vessel in happening.vessels for lump in vessel.lumps}
         before |= {id(lump): lump.where for lump in happening.inputs}
         outcome = Outcome(self.supply, happening, before)
