@@ -8,7 +8,7 @@ import pytest
 from validation.judging import ONE_TOMATO, report
 
 from foon_kg.model import ObjectNode
-from foon_kg.validation import FORM, RULES, TABLE, WORLD, Finding, Report, TaskTree, check
+from foon_kg.validation import FORM, RULES, TABLE, WORLD, Finding, Report, TaskTree, check, repeatable
 from foon_kg.validation.notation import read_tree
 
 TOMATO = ObjectNode("tomato", ("sliced",))
@@ -245,3 +245,37 @@ def test_free_foods_that_a_tree_used_are_noted():
 def test_the_report_carries_the_name_of_the_tree():
     assert check(read_tree(ONE_TOMATO, "my tree")).name == "my tree"
     assert check(TaskTree("no tree", (), error="none")).name == "no tree"
+
+
+# --- several answers to one question ---
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "where"),
+    [
+        ({"a": 1}, {"a": 2}, "a"),
+        ({"a": 1}, {"a": 1, "b": 2}, "b"),
+        ({"a": 1, "b": 2}, {"a": 1}, "b"),
+        ({"a": {"b": [1, 2]}}, {"a": {"b": [1, 3]}}, "a.b[1]"),
+        ({"a": {"b": [1, 2]}}, {"a": {"b": [1]}}, "the length of a.b"),
+        ({"a": []}, {"a": [1]}, "the length of a"),
+        ({"a": [{"b": 1}, {"b": 2}]}, {"a": [{"b": 1}, {"b": 3}]}, "a[1].b"),
+        ({"a": [1, 2]}, {"a": [2, 1]}, "a[0]"),
+        ({"a": {"b": 1}}, {"a": [1]}, "a"),
+        ({"a": [1]}, {"a": {"b": 1}}, "a"),
+        ({"a": None}, {"a": 0}, "a"),
+        ({"b": 1, "a": 1}, {"b": 2, "a": 2}, "a"),
+    ],
+)
+def test_c9_two_answers_differ_where_the_first_difference_is(one, other, where):
+    assert [str(found) for found in repeatable([one, other])] == [f"C9: answer 1 differs from the first in {where}"]
+
+
+def test_c9_equal_answers_have_no_finding_whatever_the_order_of_their_fields():
+    assert repeatable([{"a": 1, "b": [2, {"c": 3}]}, {"b": [2, {"c": 3}], "a": 1}]) == ()
+    assert repeatable([{"a": 1}]) == ()
+
+
+def test_c9_every_answer_is_compared_with_the_first():
+    told = [str(found) for found in repeatable([{"a": 1}, {"a": 1}, {"a": 2}, {"a": 2}])]
+    assert told == ["C9: answer 2 differs from the first in a", "C9: answer 3 differs from the first in a"]

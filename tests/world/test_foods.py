@@ -566,6 +566,15 @@ leek (sliced; in cup) + pot (empty) → PUT → leek (sliced; in pot) + pot ({le
             ),
         ],
     ),
+    story(
+        "of two slices the one that lies on the bread is meant though the other was used last",
+        """
+bread (sliced) + cheese (sliced; in bag) + plate (empty) → PUT → cheese (sliced; on bread) + bread (sliced; on plate)
+cheese (sliced; in box) + bowl (empty) → PUT → cheese (sliced; in bowl) + bowl ({cheese})
+cheese (on bread) + pot (empty) → PUT → cheese (in pot) + pot ({cheese})
+""",
+        ["bag: cheese (sliced)", "bowl: cheese (sliced)", "plate: bread (sliced) under cheese", "pot: cheese"],
+    ),
 ]
 
 

@@ -920,6 +920,63 @@ leek (sliced) + beef patty (raw; on plate) → PUT → leek (sliced; on beef) + 
             "W2 step 2 leek (sliced; on beef): there is no beef on which it could be",
         ],
     ),
+    story(
+        "what works in one vessel leaves what is in another alone",
+        """
+tomato (sliced) + bowl (empty) → PUT → tomato (sliced; in bowl) + bowl ({tomato})
+onion (sliced) + cup (empty) + bowl ({tomato}) → BOIL → wibble (in cup)
+""",
+        [
+            "bowl: tomato (sliced)",
+            "cup: wibble of onion",
+            "made: wibble",
+            "moved: onion nowhere → nowhere; wibble nowhere → cup",
+            "taken: onion",
+            "treated: wibble; wibble",
+            "W3 step 2 onion (sliced): “boil” without a heat source",
+        ],
+    ),
+    story(
+        "gnocchi come of flour though nothing of their name does",
+        """
+flour (whole) + egg (cracked) + plate (empty) → PUT → gnocchi (raw; on plate) + plate ({gnocchi})
+""",
+        [
+            "plate: gnocchi (raw) of egg + flour",
+            "made: gnocchi",
+            "moved: flour nowhere → nowhere; egg nowhere → nowhere; gnocchi nowhere → plate",
+            "taken: flour; egg",
+            "treated: gnocchi; gnocchi",
+        ],
+    ),
+    story(
+        "a food comes of one of a broader kind",
+        """
+broccoli (whole) + plate (empty) + knife → SLICE → floret (sliced; on plate) + plate ({floret})
+""",
+        [
+            "plate: floret (sliced) of broccoli",
+            "free: broccoli (whole)",
+            "made: floret",
+            "moved: floret nowhere → plate",
+            "taken: broccoli",
+            "treated: floret",
+        ],
+    ),
+    story(
+        "a food comes of one of a narrower kind",
+        """
+pearl onion (whole) + plate (empty) + knife → SLICE → shallot (sliced; on plate) + plate ({shallot})
+""",
+        [
+            "plate: shallot (sliced) of pearl onion",
+            "free: pearl onion (whole)",
+            "made: shallot",
+            "moved: shallot nowhere → plate",
+            "taken: pearl onion",
+            "treated: shallot",
+        ],
+    ),
 ]
 
 

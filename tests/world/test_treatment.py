@@ -439,6 +439,13 @@ leek (sliced; in pot) + spoon → PUT → leek (browned; in pot)
             "leek: cut -1 fine 2 joined 4",
         ],
     ),
+    story(
+        "a portion of what nobody told of is told of no better",
+        """
+bowl ({apple}) + cup (empty) + glass (empty) → SEPARATE → apple (in cup) + apple (in glass)
+""",
+        ["apple: untold", "apple: untold"],
+    ),
 ]
 
 
