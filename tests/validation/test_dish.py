@@ -136,6 +136,7 @@ def test_k5_a_kind_in_the_name_is_there_where_one_of_it_is():
 def test_k5_a_dough_or_batter_is_no_finished_dish(label):
     told = found("K5", served(label, "flour", "egg", "beef"))
     assert any(line.endswith(f": “{label}” is no finished dish") for line in told)
+    assert all(line.startswith(f"K5 {label} (") for line in told)
 
 
 def test_k5_a_dish_with_dough_inside_its_name_is_finished():

@@ -446,6 +446,14 @@ bowl ({apple}) + cup (empty) + glass (empty) → SEPARATE → apple (in cup) + a
 """,
         ["apple: untold", "apple: untold"],
     ),
+    story(
+        "what lies in no vessel is heated all the same",
+        """
+oven (off) → TURN ON → oven (on)
+beef (raw) + leek (sliced) + oven (on) → BAKE → beef (baked) + oven (on)
+""",
+        ["beef: cook 1 heated 1", "leek: cook 1 cut -1 fine 2 heated 1"],
+    ),
 ]
 
 
