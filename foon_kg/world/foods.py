@@ -202,6 +202,8 @@ def _join_all(out: Outcome, lump: Lump) -> None:
     others = [o for o in out.happening.inputs if o is not lump and id(o) not in out.mapped and not o.gone]
     if lump.where is not None:
         others += [o for o in lump.where.lumps if o is not lump and o not in others and id(o) not in out.mapped]
+    told = {one.label for one in out.said if one.utensil is None}  # what has an output of its own is not mixed in
+    others = [other for other in others if other.label == lump.label or other.label not in told]
     for other in others:
         lump.take(other.parts)
         out.consume(other, lump)

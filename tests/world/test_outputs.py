@@ -1125,7 +1125,6 @@ onion (sliced; in bowl) + cup → PUT → onion (sliced; in cup)
     assert [[vessel.label for vessel in one.emptied] for one in world.happenings] == [[], [], ["bowl"]]
 
 
-@pytest.mark.xfail(reason="what comes out after the mixture is mixed in before it is looked at", strict=True)
 def test_what_comes_out_again_is_not_mixed_in_whatever_the_order():
     mix = "radish (diced; in cup) + salad ({onion, tomato}; in bowl) → MIX"
     told = after(f"{SALAD}{mix} → salad (mixed; {{onion, tomato}}; in bowl) + radish (diced; in cup)")
