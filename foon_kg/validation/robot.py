@@ -40,7 +40,8 @@ def _moves_nothing(happening: Happening) -> bool:
         "mix", "heat", "blend", "knead", "shape", "turn", "close", "attach", "detach", "coat", "switch on"
     ):
         return False
-    if happening.moved or happening.vessels_moved:
+    joined = happening.made and len(happening.inputs) > 1  # a sandwich is laid together where its bread lies
+    if happening.moved or happening.vessels_moved or joined:
         return False
     return not happening.does("cut", "grate", "grind", "peel", "open", "press")
 

@@ -54,14 +54,27 @@ def _gather(out: Outcome, place: int) -> None:
     there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
     there |= {name for rider in lump.riders if not rider.gone for name in rider.names}
     for name in sorted(one.names - there - {one.label}):
-        other = _to_be_moved(out, name, lump.where)
-        if other is not None and other is not lump:
+        other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
+        if all(part.untold for part in lump.parts):
+            lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
+        elif other is not None and other is not lump:
             lump.take(other.parts)
             lump.names |= other.names
             out.consume(other, lump)
             out.supply.keep(lump, lump.where)
         elif name not in {said.label for said in out.said}:
             _derived(out, name, out.mentions[place].node, lump.where, into=lump)
+
+
+def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:
+    """Return a portion of what lay beside a food where it was, and is told to be on or in it where it is now."""
+    old = out.before.get(id(lump))
+    if old is None or old is lump.where:
+        return None
+    for other in old.lumps:
+        if other is not lump and name in other.names:
+            return Lump(name, set(other.names), other.states, [part.copy() for part in other.parts], made=other.made)
+    return None
 
 
 def _derived(out: Outcome, name: str, node: ObjectNode, where: Vessel | None, into: Lump | None = None) -> None:

@@ -100,18 +100,27 @@ def _place(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | No
         return lump.where if stays else None
     if one.place_utensil is None:
         return _on_food(out, one, node, lump)
-    for vessel in (*out.vessel_of.values(), *out.happening.vessels, *out.holders(), *out.standing()):
-        if vessel.label == one.place:
-            return vessel
-    for vessel in (*out.happening.vessels, *out.holders()):
-        if one.place == vessel.label.rpartition(" ")[2] or vessel.label == one.place.rpartition(" ")[2]:
-            return vessel
-    told = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
-    if len(told) == 1 and one.place not in out.supply.vessels:
-        return told[0]  # what holds it is told by another name: a tray is called a pan
+    vessel = _vessel_called(out, one)
+    if vessel is not None:
+        return vessel
+    if any(_is_called(other, one.place) for other in out.lumps() if other is not lump):
+        return _on_food(out, one, node, lump)  # a sheet of dough is called a sheet, as one of foil is
     if one.place_utensil.role != "place" and one.node.relation != "from":
         out.happening.fault("W2", f"there is no {one.place} in which it could be now", node)
     return out.supply.fresh(one.place)
+
+
+def _vessel_called(out: Outcome, one: Said) -> Vessel | None:
+    """Return the vessel that an output food's node names as its place: by its name, its last word, or what it holds."""
+    for vessel in (*out.vessel_of.values(), *out.happening.vessels, *out.holders(), *out.standing()):
+        if vessel.label == one.place:
+            return vessel
+    short = (one.place or "").rpartition(" ")[2]
+    for vessel in (*out.happening.vessels, *out.holders()):
+        if one.place == vessel.label.rpartition(" ")[2] or vessel.label == short:
+            return vessel
+    told = [vessel for place, vessel in out.vessel_of.items() if one.label in out.said[place].names]
+    return told[0] if len(told) == 1 else None  # told by another name: a tray is called a pan
 
 
 def _on_food(out: Outcome, one: Said, node: ObjectNode, lump: Lump) -> Vessel | None:
