@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from foon_kg.form import Report
-from foon_kg.integration import FinalTree, Integration
+from foon_kg.integration.reenacting import FinalTree, Integration
 from foon_kg.model import ObjectNode
 from foon_kg.result import PlanResult
 

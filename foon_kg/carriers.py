@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Literal, Self
 
 from foon_kg import motions
-from foon_kg.integration import FinalTree
+from foon_kg.integration.reenacting import FinalTree
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.ordering import Played

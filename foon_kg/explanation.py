@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from foon_kg.integration import FinalTree, Integration
+from foon_kg.integration.reenacting import FinalTree, Integration
 from foon_kg.lines import FoodLine
 from foon_kg.model import KnownUnit, RequiredIngredient
 from foon_kg.party import Addition

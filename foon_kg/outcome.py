@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Self
 
-from foon_kg.integration import FinalTree
+from foon_kg.integration.reenacting import FinalTree
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode, Recipe
 from foon_kg.progress import progress_lines

@@ -13,7 +13,7 @@ from functools import cached_property
 from foon_kg.avoidance import kitchen_without
 from foon_kg.carriers import MOST_UNITS, Read
 from foon_kg.explanation import Explanation
-from foon_kg.goals import RankedGoal
+from foon_kg.goals.ranking import RankedGoal
 from foon_kg.kitchen import Kitchen, words
 from foon_kg.knowledge import KnowledgeView, Vocabulary
 from foon_kg.likeness import Likeness

@@ -15,8 +15,8 @@ from foon_kg.carriers import Carriers, blamed, carried
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.explanation import Explanation, explanations
 from foon_kg.form import CONTRACT, KnownFoon, Report, check
-from foon_kg.goals import RankedGoal, likeliest, near_ties, rank_goals
-from foon_kg.integration import FinalTree, Integration
+from foon_kg.goals.ranking import RankedGoal, likeliest, near_ties, rank_goals
+from foon_kg.integration.reenacting import FinalTree, Integration
 from foon_kg.knowledge import LikelyGoals, Vocabulary
 from foon_kg.likeness import Likeness
 from foon_kg.model import DISH_TYPES, Goal, KnownUnit, ObjectNode, Recipe, RequiredIngredient

@@ -12,7 +12,7 @@ from dataclasses import replace
 from foon_kg.attempt import Attempt
 from foon_kg.errors import NoTreeError
 from foon_kg.form import CONTRACT
-from foon_kg.integration import Integration
+from foon_kg.integration.reenacting import Integration
 
 MOST_REPAIRS = 4
 """How often a tree of one goal is made anew without the choices in which the judge found a fault."""

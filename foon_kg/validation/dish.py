@@ -8,7 +8,7 @@ from foon_kg.food import Match, singular, words
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
-from foon_kg.world import Happening, Part, Vessel
+from foon_kg.world import Happening, Part
 from foon_kg.world.becoming import meets
 
 
@@ -33,20 +33,7 @@ def defined(case: Case) -> Iterator[Finding]:
 
 def _baked(case: Case) -> bool:
     """Whether something of the dish was in dry heat, in an oven or in a microwave."""
-    for happening in case.happenings:
-        ovens = [vessel for vessel in happening.heated if _stands_in_oven(vessel)]
-        if happening.does("heat") and (happening.does("dry") or ovens):
-            return True
-    return False
-
-
-def _stands_in_oven(vessel: Vessel) -> bool:
-    place: Vessel | None = vessel
-    while place is not None:
-        if place.row.source == "heat" and place.row.holds == "in":
-            return True
-        place = place.where
-    return False
+    return any(happening.does("heat") and (happening.does("dry") or happening.in_oven) for happening in case.happenings)
 
 
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
@@ -141,9 +128,11 @@ def _parts_of(case: Case, food: str) -> list[Part]:
 
 
 def _left_out(part: Part, last: int) -> bool:
+    if part.mixed == last:
+        return False  # it came on with the mixture: batter into a greased tin
     later = part.joined is not None and part.joined > last
     return later and not part.food.is_a(
-        "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "ready"
+        "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
     )
 
 

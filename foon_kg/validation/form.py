@@ -14,6 +14,8 @@ from foon_kg.world.reading import Said
 
 _CLOSES = ("switch off", "close", "uncover", "open", "detach", "discard", "clean")
 _ENABLES = ("switch on", "attach", "warm")
+_SWITCHES = ("switch on", "switch off", "attach", "detach", "close", "uncover")
+"""What may be done again once it was undone: W3 asks whether it was."""
 
 
 def executable(case: Case) -> Iterator[Finding]:
@@ -80,7 +82,7 @@ def purposeful(case: Case) -> Iterator[Finding]:
     for place, unit in enumerate(units):
         if not unit.new_outputs:
             yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
-        if unit.identity in seen:
+        if unit.identity in seen and not case.happenings[place].does(*_SWITCHES):
             yield Finding("C3", f"it is the same as step {seen[unit.identity] + 1}", place)
         seen.setdefault(unit.identity, place)
         if place not in leads and not case.happenings[place].does(*_CLOSES):

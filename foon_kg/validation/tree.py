@@ -55,8 +55,9 @@ class TreeUnit:
 
     @cached_property
     def new_outputs(self) -> tuple[ObjectNode, ...]:
-        """The outputs that are no inputs: what the step makes."""
-        return tuple(node for node in self.output_nodes if node not in self.input_nodes)
+        """The outputs that are no inputs: what the step makes. A thing with a number is another than its like."""
+        inputs = set(self.step.inputs)
+        return tuple(mention.node for mention in self.step.outputs if mention not in inputs)
 
 
 @dataclass(frozen=True)

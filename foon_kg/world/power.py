@@ -100,6 +100,16 @@ def heated_vessels(happening: Happening) -> list[Vessel]:
     return found
 
 
+def stands_in_oven(vessel: Vessel) -> bool:
+    """Whether a vessel stands in what heats from all sides."""
+    place: Vessel | None = vessel
+    while place is not None:
+        if place.row.source == "heat" and place.row.holds == "in":
+            return True
+        place = place.where
+    return False
+
+
 def _check_attached(happening: Happening) -> None:
     for vessel in happening.vessels:
         if vessel.is_appliance and vessel.row.holds == "attached" and vessel.is_on():

@@ -36,6 +36,7 @@ def apply(supply: Supply, happening: Happening) -> None:
             _treat(part, lump, supply, happening)
     if happening.does("heat", "warm"):
         happening.heated = power.heated_vessels(happening)
+        happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
         for vessel in (*happening.vessels, *happening.heated):
             vessel.hot = True
         _heat(supply, happening)

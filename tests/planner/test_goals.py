@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import node
 
-from foon_kg.goals import LOOKED_AT, likeliest, rank_goals
+from foon_kg.goals.ranking import LOOKED_AT, likeliest, rank_goals
 from foon_kg.knowledge import LikelyGoals
 from foon_kg.model import Goal, RequiredIngredient
 

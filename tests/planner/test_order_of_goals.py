@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kitchen_stories import node
 
-from foon_kg.goals import NEAR, RankedGoal, near_ties, rank_goals
+from foon_kg.goals.ranking import NEAR, RankedGoal, near_ties, rank_goals
 from foon_kg.model import Goal, RequiredIngredient
 
 FOODS = frozenset({"carrot", "egg", "egg salad", "onion", "salad", "green onion"})

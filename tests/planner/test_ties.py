@@ -14,7 +14,7 @@ from planner.dishes import KITCHEN, SETTINGS, LikeByKind, questions
 
 from foon_kg import goals
 from foon_kg.errors import NoTreeError
-from foon_kg.goals import NEAR, RankedGoal, near_ties
+from foon_kg.goals.ranking import NEAR, RankedGoal, near_ties
 from foon_kg.model import Goal, Recipe, RequiredIngredient
 from foon_kg.planner import plan
 from foon_kg.question import FIRST_GOALS

@@ -1,0 +1,1 @@
+"""Algorithm 1: which recorded dish a recipe is made like."""

@@ -1,0 +1,115 @@
+"""Which frame a recipe is made after: vetoes first, then how natural its foods are there (algorithms 1 and 2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from foon_kg.food import Tables
+from foon_kg.integration.frames import Frame
+from foon_kg.integration.places import NATURAL, Join, Matcher
+from foon_kg.integration.preparation import Want, owed
+from foon_kg.world.becoming import meets
+
+_CARRIES = frozenset({"dough", "dry starch", "egg", "fish", "flour", "meat"})
+"""Traits of foods that a dish is built on."""
+
+_SEASONS = frozenset({"fat", "herb", "leaven", "spice", "sweet", "water", "topping", "salty"})
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How well a frame suits a recipe: where its foods join, what speaks against it, and a score (greater is better)."""
+
+    frame: Frame
+    joins: tuple[Join, ...]
+    vetoes: tuple[str, ...]
+    score: float
+
+    @property
+    def order(self) -> tuple[object, ...]:
+        """The best first, the same in every run."""
+        return (len(self.vetoes), -round(self.score, 6), self.frame.video, self.frame.goal.sort_key, self.frame.dish_type)
+
+
+def weight(want: Want, known: Tables) -> float:
+    """Return how much a food matters to a dish: most what it is built on, least what only seasons it."""
+    if want.facts.is_a(*_CARRIES) or {"cook", "boil"} & owed(want, known):
+        return 2.0
+    return 0.4 if want.facts.is_a(*_SEASONS) else 1.0
+
+
+def fits(frames: Iterable[Frame], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> list[Fit]:
+    """Return how well each frame suits, the best first."""
+    frames = list(frames)
+    ends = {closing_heat(frame, matcher) for frame in frames if frame.dish_type == dish_type}
+    found = []
+    for frame in frames:
+        if frame.dish_type == dish_type or not ends or closing_heat(frame, matcher) in ends:
+            found.append(_fit(frame, wants, dish_type, title, matcher))
+    return sorted(found, key=lambda fit: fit.order)
+
+
+def closing_heat(frame: Frame, matcher: Matcher) -> tuple[str, str]:
+    """Return how a dish is heated last: what is done, and on what (``("", "")`` for a cold one)."""
+    heats = [spot for spot in matcher.spots(frame) if "heat" in spot.stage.does and not spot.side]
+    if not heats:
+        return ("", "")
+    last = heats[-1]
+    dry = "dry" in last.stage.does or last.stage.appliance in {"oven", "microwave"}
+    return ("bake", "") if dry else ("heat", matcher.group(last.stage.vessel))
+
+
+def _fit(frame: Frame, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
+    known = matcher.known
+    joins = matcher.joins(frame, wants)
+    vetoes = tuple(_vetoes(frame, joins, wants, dish_type, title, matcher))
+    weights = [weight(want, known) for want in wants]
+    natural = sum(w * join.fit for w, join in zip(weights, joins, strict=True)) / sum(weights)
+    taken = {id(join.slot) for join in joins if join.slot is not None}
+    slots = list(frame.line.all_slots())
+    mattering = [slot for slot in slots if not known.foods.food(slot.food, slot.states).is_a(*_SEASONS)]
+    used = sum(id(slot) in taken for slot in mattering) / max(len(mattering), 1)
+    own = 0.2 if frame.dish_type == dish_type else 0.0
+    bare = 0.0 if not missing_core(frame, wants, known) else 0.25
+    return Fit(frame, joins, vetoes, natural + 0.3 * used + own - bare - 0.1 * len(frame.weak))
+
+
+def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[str, ...]:
+    """Return what the goal's name promises and the recipe does not have."""
+    found = []
+    foods = [want.facts for want in wants]
+    for dish in known.dishes_named(frame.goal.label):
+        for needs in dish.needs:
+            if not any(meets(need, food, known) for need in needs for food in foods):
+                found.append(dish.name)
+    names = {word for want in wants for word in (*want.facts.name.split(), *want.facts.taken_for.split())}
+    for word in frame.goal.label.split():
+        if known.foods.is_listed(word) and word not in names and not known.foods.food(word).is_a("made", "dough"):
+            found.append(word)
+    return tuple(found)
+
+
+def _vetoes(
+    frame: Frame, joins: Sequence[Join], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher
+) -> Iterable[str]:
+    known = matcher.known
+    spots = matcher.spots(frame)
+    for dish in known.dishes_named(dish_type, title):
+        for needs in dish.needs:
+            if not any(meets(need, want.facts, known) for need in needs for want in wants):
+                yield f"no {dish.name} without {' or '.join(dict.fromkeys(need.rpartition(':')[2] for need in needs))}"
+    heats = any("heat" in spot.stage.does for spot in spots)
+    bakes = any("dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"} for spot in spots if "heat" in spot.stage.does)
+    for dish in known.dishes_named(dish_type, title):
+        if dish.baked and not bakes:
+            yield f"{dish.name} is baked, and {frame.goal.label} is not"
+        if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):
+            yield f"{dish.name} is hot, and {frame.goal.label} is not"
+    for join in joins:
+        facts = join.want.facts
+        work = join.spot.post[0]
+        if join.slot is None and work in {"knead", "shape"} and not facts.is_a("flour", "leaven", "liquid", "spice"):
+            yield f"{join.want.label} would be worked into it"
+        elif join.slot is None and facts.is_a(*_CARRIES) and join.fit < NATURAL / 2:
+            yield f"{join.want.label} has no place in it"

@@ -1,0 +1,314 @@
+"""Frames from videos: a video is played in the world, and the lumps of matter are followed to its goals.
+
+Two foods that are in one place from some step on until the dish is done have met there: one of them joined the other.
+So the lines of a dish are found backwards from its goal, where all is in one place, by refining that set step by step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+
+from foon_kg.food import Tables, singular, tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Frame, Line, Slot, Stage
+from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.world import Happening, Lump, Part, Step, World
+from foon_kg.world.things import Vessel
+
+_WORK = frozenset({
+    "blend", "coat", "cut", "grind", "heat", "knead", "mash", "mix", "shape", "turn", "wait", "warm", "whip",
+})  # fmt: skip
+_FLAT = word_list("flat utensils")
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a part is after a step: what tells its place from others, the lump it is in, and that lump's vessel."""
+
+    key: Hashable
+    lump: Lump
+    label: str
+    states: tuple[str, ...]
+    vessel: str
+    relation: str
+    stands: str
+
+
+@dataclass(eq=False)
+class _Cluster:
+    """Parts that stay together from now on."""
+
+    parts: frozenset[int]
+    stages: list[Stage] = field(default_factory=list)
+    waiting: list[Slot | Line] = field(default_factory=list)
+    cooked: list[str] = field(default_factory=list)
+    place: _Place | None = None
+    brought: tuple[str, tuple[str, ...], str] = ("", (), "")
+
+
+def frame_of(
+    units: Sequence[FunctionalUnit], goal: ObjectNode, dish_type: str, video: str, known: Tables | None = None
+) -> Frame | None:
+    """Return how ``units``, those of one video in their order, make ``goal``; ``None`` where it is not followed."""
+    return _Derivation(units, known or tables()).frame(goal, dish_type, video)
+
+
+def frames_of(
+    units: Sequence[FunctionalUnit], goals: Iterable[tuple[ObjectNode, str]], video: str, known: Tables | None = None
+) -> tuple[Frame, ...]:
+    """Return how one video makes each of its ``goals`` (node, dish type)."""
+    derivation = _Derivation(units, known or tables())
+    found = (derivation.frame(goal, dish_type, video) for goal, dish_type in goals)
+    return tuple(frame for frame in found if frame is not None)
+
+
+class _Derivation:
+    def __init__(self, units: Sequence[FunctionalUnit], known: Tables) -> None:
+        self.units = units
+        self.known = known
+        self.world = World(known=known)
+        self.places: list[dict[int, _Place]] = []
+        self.heated: list[frozenset[int]] = []
+        for unit in units:
+            number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
+            self.places.append(self._places())
+            self.heated.append(frozenset(id(part) for part in self.world.supply.parts if part.heated == number))
+
+    def frame(self, goal: ObjectNode, dish_type: str, video: str) -> Frame | None:
+        last = max((n for n, unit in enumerate(self.units) if goal in unit.output_nodes), default=None)
+        if last is None:
+            return None
+        lump = self.world.happenings[last].outputs.get(goal)
+        if lump is None:
+            return None
+        parts = {id(part): part for part in self._parts_of(lump, last) if not part.remains}
+        if not parts:
+            return None
+        clusters = self._refined(parts, last)
+        whole = self._followed(parts, clusters, last)
+        line = _line(whole, last)
+        return Frame(goal, dish_type, video, line) if line.stages else None
+
+    def _parts_of(self, lump: Lump, last: int) -> list[Part]:
+        there = self.places[last]
+        key = next((place.key for place in there.values() if place.lump is lump), None)
+        found = [part for part in self.world.supply.parts if id(part) in there and there[id(part)].key == key]
+        return found or list(lump.parts)
+
+    def _places(self) -> dict[int, _Place]:
+        found: dict[int, _Place] = {}
+        below: dict[int, Lump] = {}
+        lumps = {id(lump): lump for lumps in self.world.supply.lumps.values() for lump in lumps if not lump.gone}
+        for lump in lumps.values():
+            for rider in lump.riders:
+                if not rider.gone and rider is not lump:
+                    below[id(rider)] = lump
+        for lump in lumps.values():
+            place = _place(lump, below)
+            for part in lump.parts:
+                found[id(part)] = place
+        return found
+
+    def _place_of(self, part: Part, step: int) -> _Place | None:
+        """Return where a part was after a step: it, or what it is a portion of."""
+        there = self.places[step]
+        return there.get(id(part)) or next(
+            (there[id(p)] for p in self.world.supply.parts if p.origin == part.origin and id(p) in there), None
+        )
+
+    def _refined(self, parts: dict[int, Part], last: int) -> list[dict[int, int]]:
+        """Return for each step the number of the cluster in which each part is."""
+        steps: list[dict[int, int]] = []
+        later = dict.fromkeys(parts, 0)
+        for step in range(last, -1, -1):
+            numbers: dict[Hashable, int] = {}
+            now: dict[int, int] = {}
+            for name, part in parts.items():
+                place = self._place_of(part, step)
+                key = (later[name], place.key if place is not None and part.taken <= step else ("new", name))
+                now[name] = numbers.setdefault(key, len(numbers))
+            steps.append(now)
+            later = now
+        return steps[::-1]
+
+    def _followed(self, parts: dict[int, Part], steps: list[dict[int, int]], last: int) -> _Cluster:
+        clusters = [_Cluster(frozenset([name])) for name in parts]
+        for step in range(last + 1):
+            happening = self.world.happenings[step]
+            groups: dict[int, list[_Cluster]] = {}
+            for cluster in clusters:
+                groups.setdefault(steps[step][min(cluster.parts)], []).append(cluster)
+            clusters = [self._together(group, parts, happening, step) for group in groups.values()]
+        return clusters[0]
+
+    def _together(
+        self, group: list[_Cluster], parts: dict[int, Part], happening: Happening, step: int
+    ) -> _Cluster:
+        first = self._receiver(group, parts, step)
+        members = frozenset().union(*(cluster.parts for cluster in group))
+        place = next((self._place_of(parts[name], step) for name in sorted(members)), None)
+        involved = self._involved(members, parts, happening, step)
+        if len(group) > 1:
+            told = self._tells(happening)
+            adds = [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
+            for cluster in group:
+                if cluster is not first:
+                    adds.append(_joined(cluster, parts, self.known, told, step))
+            first.waiting = _distinct([*first.waiting, *adds], first.stages, self.known)
+        single = len({parts[name].name for name in members}) == 1
+        was = first.place
+        first.parts, first.place = members, place or first.place
+        if not involved:
+            return first
+        works = not happening.motion.does.isdisjoint(_WORK)
+        if single and not first.stages and not first.waiting:
+            if happening.does("heat") and not self.heated[step].isdisjoint(members):
+                first.cooked.append(happening.step.motion)
+            if place is not None and (was is None or was.vessel != place.vessel):
+                first.brought = (*self._tells(happening), was.vessel if was is not None else "")
+            return first
+        moved = was is not None and place is not None and (was.vessel, was.stands) != (place.vessel, place.stands)
+        if works or (moved and was is not None and place is not None and was.vessel != place.vessel):
+            first.stages.append(self._stage(first, happening, place, step, works=works))
+            first.waiting = []
+        return first
+
+    def _stage(self, cluster: _Cluster, happening: Happening, place: _Place | None, step: int, *, works: bool) -> Stage:
+        motion, tools = self._tells(happening)
+        appliance, source = _appliance(happening, place, self.known) if works else ("", "")
+        return Stage(
+            tuple(cluster.waiting),
+            motion,
+            happening.motion.does,
+            tools,
+            place.vessel if place else "",
+            place.relation if place else "in",
+            appliance,
+            source,
+            place.label if place else "",
+            place.states if place else (),
+            step,
+        )
+
+    def _tells(self, happening: Happening) -> tuple[str, tuple[str, ...]]:
+        return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
+
+    def _involved(self, members: frozenset[int], parts: dict[int, Part], happening: Happening, step: int) -> bool:
+        lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
+        lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
+        lumps += [lump for lump, _, _ in happening.moved]
+        inside = {id(part) for lump in lumps for part in lump.parts}
+        return not inside.isdisjoint(members)
+
+    def _receiver(self, group: list[_Cluster], parts: dict[int, Part], step: int) -> _Cluster:
+        """Return the cluster that stays where it is while others come to it."""
+
+        def order(cluster: _Cluster) -> tuple[bool, int, int, int]:
+            place = self._place_of(parts[min(cluster.parts)], step)
+            stays = cluster.place is not None and place is not None and cluster.place.vessel == place.vessel
+            first = min(parts[name].taken for name in cluster.parts)
+            return (stays and not cluster.place.vessel == "", len(cluster.parts), -first, -min(parts[n].origin for n in cluster.parts))
+
+        return max(group, key=order)
+
+
+def _joined(
+    cluster: _Cluster, parts: dict[int, Part], known: Tables, told: tuple[str, tuple[str, ...]], step: int
+) -> Slot | Line:
+    if cluster.stages or cluster.waiting:
+        return _line(cluster, step)
+    source = cluster.place.vessel if cluster.place is not None else ""
+    return _slot(cluster, parts, known, (*told, source))
+
+
+def _slot(
+    cluster: _Cluster, parts: dict[int, Part], known: Tables, brought: tuple[str, tuple[str, ...], str]
+) -> Slot:
+    part = parts[min(cluster.parts)]
+    states = cluster.place.states if cluster.place is not None else part.states
+    kind = known.foods.food(part.name, part.states).kind
+    return Slot(part.name, kind, states, tuple(dict.fromkeys(cluster.cooked)), *brought)
+
+
+def _distinct(adds: Sequence[Slot | Line], stages: Sequence[Stage], known: Tables) -> list[Slot | Line]:
+    """Leave out foods that are only the name of what is made here, and portions of one food that come together."""
+    kept: list[Slot | Line] = []
+    inside = {slot.food for stage in stages for slot in stage.slots}
+    made = {singular(stage.label) for stage in stages}
+    for add in adds:
+        if isinstance(add, Line):
+            made |= {singular(stage.label) for stage in add.stages}
+            inside |= {slot.food for slot in add.all_slots()}
+    for add in adds:
+        if isinstance(add, Slot):
+            facts = known.foods.food(add.food, add.states)
+            if add.food in inside or add.food in made or facts.is_a("made") and facts.is_a("batter", "dough"):
+                continue
+            inside.add(add.food)
+        kept.append(add)
+    return kept
+
+
+def _line(cluster: _Cluster, step: int) -> Line:
+    stages = list(cluster.stages)
+    if cluster.waiting:
+        place = cluster.place
+        stages.append(
+            Stage(
+                tuple(cluster.waiting), "", frozenset(), (), place.vessel if place else "",
+                place.relation if place else "in", "", "", place.label if place else "",
+                place.states if place else (), step,
+            )
+        )  # fmt: skip
+    last = stages[-1:] if stages and _only_moves(stages[-1]) else []
+    return Line((*_without_detours(stages[: len(stages) - len(last)]), *last))
+
+
+def _without_detours(stages: Sequence[Stage]) -> list[Stage]:
+    """Leave out bringing the whole to a place from which it is only brought on."""
+    kept: list[Stage] = []
+    for stage in stages:
+        if kept and _only_moves(kept[-1]):
+            before = kept.pop()
+            stage = replace(stage, adds=(*before.adds, *stage.adds))  # noqa: PLW2901
+        kept.append(stage)
+    return kept
+
+
+def _only_moves(stage: Stage) -> bool:
+    return stage.does.isdisjoint(_WORK)
+
+
+def _place(lump: Lump, below: dict[int, Lump]) -> _Place:
+    base = lump
+    seen = {id(lump)}
+    while id(base) in below and id(below[id(base)]) not in seen:
+        base = below[id(base)]
+        seen.add(id(base))
+    where = lump.where
+    label = where.label if where is not None else ""
+    relation = "on" if label.rpartition(" ")[2] in _FLAT else "in"
+    stands = where.where.label if where is not None and where.where is not None else ""
+    keeps = where is None or where.row.role in {"storage", "place", "appliance"} or where.row.keeps_food
+    cuts = where is not None and "cut" in where.row.can
+    own: Hashable = ("lump", id(base)) if keeps or cuts else ("vessel", id(where))
+    return _Place(own, lump, lump.label, lump.states, label, relation, stands)
+
+
+def _appliance(happening: Happening, place: _Place | None, known: Tables) -> tuple[str, str]:
+    found: list[Vessel] = [vessel for vessel in happening.vessels if vessel.is_appliance]
+    for vessel in happening.vessels:
+        below = vessel.where
+        while below is not None:
+            if below.is_appliance:
+                found.append(below)
+            below = below.where
+    if place is not None and place.stands:
+        row = known.utensil(place.stands)
+        if row is not None and row.role == "appliance":
+            return place.stands, row.source
+    for vessel in found:
+        if vessel.row.source in {"heat", "cold", "power"}:
+            return vessel.label, vessel.row.source
+    return "", ""

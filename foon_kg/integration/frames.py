@@ -1,0 +1,81 @@
+"""How a recorded dish is made, as data: lines of stages, and the slots at which foods join."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from foon_kg.model import ObjectNode
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A food that joins a stage.
+
+    ``states`` are those in which it joins, ``cooked`` the motions that cooked it by itself before. It is brought by
+    ``motion`` with ``tools`` out of ``source`` (a vessel's label, ``""`` for none). ``grease``: it is fat or flour that
+    somebody put on bakeware before anything else was there.
+    """
+
+    food: str
+    kind: str
+    states: tuple[str, ...] = ()
+    cooked: tuple[str, ...] = ()
+    motion: str = ""
+    tools: tuple[str, ...] = ()
+    source: str = ""
+    grease: bool = False
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What joins, and what is then done to the whole.
+
+    ``adds`` are slots and lines in the order in which they join. ``motion`` is ``""`` where nothing is done after it.
+    The whole is then in or on ``vessel``; ``appliance`` is what works on it or keeps it (``""`` for none). ``label``
+    and ``states`` are what the whole is called afterwards. ``step`` is the place of the unit in its video.
+    """
+
+    adds: tuple[Slot | Line, ...]
+    motion: str
+    does: frozenset[str]
+    tools: tuple[str, ...]
+    vessel: str
+    relation: str
+    appliance: str
+    source: str
+    label: str
+    states: tuple[str, ...]
+    step: int
+
+    @property
+    def slots(self) -> Iterator[Slot]:
+        """The foods that join here by themselves."""
+        return (add for add in self.adds if isinstance(add, Slot))
+
+
+@dataclass(frozen=True)
+class Line:
+    """Stages one after another that lead to one thing: the dish, or what joins it (a dressing, a batter)."""
+
+    stages: tuple[Stage, ...]
+
+    def all_slots(self) -> Iterator[Slot]:
+        """Yield every slot of this line and of the lines that join it."""
+        for stage in self.stages:
+            for add in stage.adds:
+                if isinstance(add, Slot):
+                    yield add
+                else:
+                    yield from add.all_slots()
+
+
+@dataclass(frozen=True)
+class Frame:
+    """How the dish ``goal`` is made in the video ``video``."""
+
+    goal: ObjectNode
+    dish_type: str
+    video: str
+    line: Line
+    weak: tuple[str, ...] = ()

@@ -1,0 +1,233 @@
+"""Operators: in which ways a FOON does something to which foods, each with the units that attest it.
+
+An operator is a motion with its tools. It is *attested* for a food by the units that do it to that food; for a food
+that no unit has, by those that do it to a like food, or to one of its kind.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+from functools import cached_property
+
+from foon_kg.food import Tables, tables
+from foon_kg.model import FunctionalUnit, KnownUnit, Sighting
+from foon_kg.world.reading import Reader, Said, reader
+
+MOST_SIGHTINGS = 3
+"""How many units are named as evidence of one step."""
+
+Way = tuple[str, tuple[str, ...]]
+"""A motion and the labels of its tools, sorted."""
+
+Likes = Callable[[str], Sequence[tuple[str, float]]]
+"""The known foods that can stand for a food, best first, each with its confidence."""
+
+
+Alike = Callable[[str, str], float]
+"""How sure a cook is to accept a known food (the second) for another one (the first), 0 to 1."""
+
+
+class Nearness(IntEnum):
+    """How near the evidence of a step is: the same food, a like one, one of its kind, the motion alone."""
+
+    FOOD = 0
+    LIKE = 1
+    KIND = 2
+    MOTION = 3
+
+    @property
+    def word(self) -> str:
+        """The word of a plan result."""
+        return self.name.lower()
+
+
+@dataclass(frozen=True)
+class Attested:
+    """A way of doing something, and the units that attest it. ``like`` is (food, equivalent, confidence) if any is."""
+
+    way: Way
+    nearness: Nearness
+    seen_in: tuple[Sighting, ...]
+    like: tuple[str, str, float] | None = None
+
+
+@dataclass(frozen=True)
+class _Evidence:
+    foods: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
+    kinds: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
+    all: list[Sighting] = field(default_factory=list)
+    appliances: Counter[str] = field(default_factory=Counter)
+
+
+class Operators:
+    """The operators of a FOON. ``units`` may come in any order; what is kept does not depend on it."""
+
+    def __init__(self, units: Iterable[KnownUnit], known: Tables | None = None) -> None:
+        self.known = known or tables()
+        self._reader: Reader = reader(self.known)
+        self._evidence: defaultdict[Way, _Evidence] = defaultdict(_Evidence)
+        self._acts: defaultdict[Way, _Evidence] = defaultdict(_Evidence)
+        self.giving: defaultdict[str, Counter[Way]] = defaultdict(Counter)
+        self.bringing: defaultdict[tuple[str, str], Counter[Way]] = defaultdict(Counter)
+        self.onto: defaultdict[Way, Counter[str]] = defaultdict(Counter)
+        self.states: defaultdict[str, set[str]] = defaultdict(set)
+        self.foods: set[str] = set()
+        for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
+            self._add(known_unit)
+
+    def _add(self, known_unit: KnownUnit) -> None:
+        unit, seen = known_unit.unit, known_unit.seen_in[:MOST_SIGHTINGS]
+        inputs = [self._reader.read(node) for node in unit.input_nodes]
+        outputs = [self._reader.read(node) for node in unit.output_nodes]
+        tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"}
+        way = (unit.motion, tuple(sorted(tools)))
+        self._attest(self._evidence[way], _foods(inputs) | _foods(outputs), seen)
+        for said in (*inputs, *outputs):
+            if said.is_appliance:
+                self._evidence[way].appliances[said.label] += 1
+        changed = self._changes(unit, inputs, outputs, way)
+        if changed:
+            self._attest(self._acts[way], changed, seen)
+
+    def _attest(self, evidence: _Evidence, foods: set[str], seen: Sequence[Sighting]) -> None:
+        evidence.all.extend(seen)
+        self.foods |= foods
+        for food in sorted(foods):
+            evidence.foods[food].extend(seen)
+        for kind in sorted({self.known.foods.find(food)[0] for food in foods} - {"unknown"}):
+            evidence.kinds[kind].extend(seen)
+
+    def _changes(self, unit: FunctionalUnit, inputs: list[Said], outputs: list[Said], way: Way) -> set[str]:
+        """Note what a unit gives to which food and from where to where it brings one; return the foods it changes."""
+        before = {said.label: said for said in inputs if said.is_food}
+        changed = set()
+        for said in (*inputs, *outputs):
+            if said.is_food:
+                for name in (said.label, f"kind:{self.known.foods.food(said.label, said.node.states).kind}"):
+                    self.states[name].update(said.node.states)
+        for said in outputs:
+            was = before.get(said.label)
+            if not said.is_food or was is None or was.node == said.node:
+                continue
+            changed.add(said.label)
+            if said.place_utensil is not None and said.place_utensil.role == "vessel":
+                self.onto[way][str(said.place)] += 1
+            for state in sorted(set(said.node.states) - set(was.node.states)):
+                self.giving[state.lower()][way] += 1
+            if said.place != was.place and said.place_utensil is not None:
+                facts = self.known.foods.food(said.label, was.node.states)
+                role = was.place_utensil.role if was.place_utensil is not None else ""
+                for name in (said.label, f"kind:{facts.kind}", f"form:{form_of(self.known, said.label, was.node.states)}"):
+                    self.bringing[name, role][way] += 1
+        del unit
+        return changed
+
+    def attested(self, way: Way, foods: Sequence[str], likes: Likes | None = None, *, act: bool = False) -> Attested | None:
+        """Return the nearest evidence that ``way`` is done to one of ``foods`` (singular names, the main one first).
+
+        ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
+        their kind.
+        """
+        evidence = (self._acts if act else self._evidence).get(way)
+        if evidence is None:
+            return None
+        for food in foods:
+            if food in evidence.foods:
+                return Attested(way, Nearness.FOOD, _few(evidence.foods[food]))
+        if not foods:
+            return Attested(way, Nearness.MOTION, _few(evidence.all))
+        if likes is not None:
+            for food in foods:
+                for like, confidence in likes(food):
+                    if like in evidence.foods:
+                        return Attested(way, Nearness.LIKE, _few(evidence.foods[like]), (food, like, confidence))
+        for food in foods:
+            kind = self.known.foods.find(food)[0]
+            if kind in evidence.kinds:
+                return Attested(way, Nearness.KIND, _few(evidence.kinds[kind]))
+        return None
+
+    def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
+        """Return the evidence for the likest of all foods to which ``way`` is done, however unlike it is."""
+        evidence = (self._acts if act else self._evidence).get(way)
+        if evidence is None or not foods or not evidence.foods:
+            return None
+        sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
+        return Attested(way, Nearness.LIKE, _few(evidence.foods[known]), (food, known, sure))
+
+    @cached_property
+    def ways(self) -> Mapping[str, tuple[Way, ...]]:
+        """The ways whose motion does each class of thing (cut, peel, heat …), the most frequent first."""
+        found: defaultdict[str, list[Way]] = defaultdict(list)
+        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+            for name in self.known.motion(way[0]).does:
+                found[name].append(way)
+        return {name: tuple(ways) for name, ways in found.items()}
+
+    def ways_of(self, motion: str) -> tuple[Way, ...]:
+        """Return the ways with one motion, the most frequent first."""
+        return self._ways_of.get(motion, ())
+
+    @cached_property
+    def _ways_of(self) -> Mapping[str, tuple[Way, ...]]:
+        found: defaultdict[str, list[Way]] = defaultdict(list)
+        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+            found[way[0]].append(way)
+        return {motion: tuple(ways) for motion, ways in found.items()}
+
+    def works_on(self, way: Way, appliance: str) -> bool:
+        """Whether some unit does it with an appliance."""
+        evidence = self._evidence.get(way)
+        return evidence is not None and appliance in evidence.appliances
+
+    def count(self, way: Way) -> int:
+        """Return how many units do it."""
+        evidence = self._evidence.get(way)
+        return len(evidence.all) if evidence is not None else 0
+
+    def making(self, state: str) -> Iterator[Way]:
+        """Yield the ways that give a state in this FOON, the most frequent first, then those that can."""
+        given = self.giving.get(state, Counter())
+        yield from sorted(given, key=lambda way: (-given[way], way))
+        for way in self._able.get(state, ()):
+            if way not in given:
+                yield way
+
+    @cached_property
+    def _able(self) -> Mapping[str, tuple[Way, ...]]:
+        found: defaultdict[str, list[Way]] = defaultdict(list)
+        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+            for state in self.known.motion(way[0]).gives:
+                found[state].append(way)
+        return {state: tuple(ways) for state, ways in found.items()}
+
+
+def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
+    """Return how a food is handled: ``liquid``, ``powder``, ``soft``, ``pieces`` or ``whole``."""
+    facts = known.foods.food(label, states)
+    rows = [known.state(state) for state in states]
+    if facts.is_a("liquid", "water"):
+        return "liquid"
+    if facts.is_a("creamy") or facts.sold_as in {"creamy", "paste", "sauce", "jelly", "thick liquid", "thick sauce", "whipped"}:
+        return "soft"
+    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in {"ground", "granulated", "powder", "dried"}:
+        return "powder"
+    if any((row.fine or 0) > 0 for row in rows) or facts.is_a("stock"):
+        return "pieces"
+    return "whole"
+
+
+def _foods(saids: Iterable[Said]) -> set[str]:
+    found: set[str] = set()
+    for said in saids:
+        found |= said.names
+        if said.is_food:
+            found.add(said.label)
+    return found
+
+
+def _few(sightings: Sequence[Sighting]) -> tuple[Sighting, ...]:
+    return tuple(sorted(set(sightings), key=lambda s: (s.video, s.position))[:MOST_SIGHTINGS])

@@ -1,0 +1,274 @@
+"""One food on its own: how it is sold, how its asked state is read, and what is done to it before it joins.
+
+A cook's duties to a food (peel it, stone it, shell it, cook it) are data (:mod:`foon_kg.food`); how they are done is
+taken from the operators of the FOON. What no operator does is assumed to have been done, and that is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+
+from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.integration.bench import Bench, RefusedError, Stuff
+from foon_kg.integration.operators import Attested, Operators, Way, form_of
+from foon_kg.model import RequiredIngredient
+
+_BY_HAND = ("husk", "shell", "peel", "core", "stone", "choke")
+"""What hands do to a food before it is cut, in this order."""
+
+_STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
+"""What also does for a treatment."""
+
+_CUTS = frozenset({"cut", "grate", "mash", "grind"})
+_NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
+LEAST_ALIKE = 0.01
+"""A food is handled like another one only where that is not quite absurd."""
+
+_POWDER = 5
+"""How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
+
+
+@dataclass(frozen=True)
+class Want:
+    """A required food as it is understood.
+
+    ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
+    somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
+    (``None``: it was taken at its word).
+    """
+
+    number: int
+    label: str
+    asked: str
+    facts: Food
+    leaf: tuple[str, ...]
+    storage: str
+    make: str = ""
+    cooked: bool = False
+    read_as: str | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names under which evidence is sought."""
+        return (singular(self.label),)
+
+
+@dataclass
+class Ready:
+    """A food that is ready to join, and what had to be assumed for it."""
+
+    want: Want
+    stuff: Stuff
+    whole_shell: bool = False
+    read_as: str | None = None
+    assumptions: list[str] = field(default_factory=list)
+
+
+def wants_of(ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators) -> tuple[Want, ...]:
+    """Return the distinct required foods in their order, each with its state as it is understood."""
+    distinct = dict.fromkeys(one for one in ingredients if one.object)
+    return tuple(understood(number, one, known, operators) for number, one in enumerate(distinct, 1))
+
+
+def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
+    """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
+    facts = known.foods.food(one.object, [one.state] if one.state else [])
+    row = known.state(one.state)
+    sold_so = not one.state or row.sold or bool(row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == one.state
+    plain = _plain_leaf(one.object, facts, one.state, known)
+    want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
+    if not one.state or facts.sold_as == one.state:
+        return replace(want, leaf=(one.state,) if one.state else want.leaf)
+    if sold_so or not (row.earns or row.fine or row.half):
+        if one.state in operators.states[singular(one.object)] or one.state in operators.states[f"kind:{facts.kind}"]:
+            return replace(want, leaf=(one.state,))
+        if row.undivided or form_of(known, one.object, (plain,)) == "whole":
+            return replace(want, leaf=(one.state,))
+        return replace(want, read_as=plain)
+    form = form_of(known, one.object, want.leaf)
+    if row.needs_heat and "cook" in row.earns:
+        if "cook" in facts.owes or form == "whole":
+            return replace(want, cooked=True, make=one.state)
+        return replace(want, read_as=plain)
+    ways = [way for way in operators.giving.get(one.state, ()) if operators.attested(way, want.names, act=True)]
+    known_so = any(operators.attested(way, want.names, act=True) for way in operators.making(one.state))
+    if form in {"liquid", "powder", "soft"} and not ways:
+        return replace(want, read_as=plain)
+    if facts.is_a("stock", "ready") and not known_so and (row.fine or 0) in {0, _POWDER}:
+        return replace(want, read_as=plain)
+    if not row.fine and not known_so and not row.earns & facts.owes.keys():
+        return replace(want, read_as=plain)
+    return replace(want, make=one.state)
+
+
+def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
+    """Return the state in which a shop sells the food, such that its name still means the same food."""
+    candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground", asked]
+    for state in candidates:
+        if state and known.foods.food(label, [state]).kind == facts.kind:
+            return state
+    return facts.sold_as
+
+
+def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
+    """Return what a cook still has to do to the food as it is sold: all that is fatal, and minor where asked."""
+    levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}
+    earned = frozenset().union(*(known.state(state).earns for state in want.leaf))
+    return {name for name, how in want.facts.owes.items() if how in levels} - earned
+
+
+class Preparer:
+    """Prepares foods on a bench."""
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.known = bench.known
+        self.operators = bench.operators
+
+    def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, cooked_later: bool = True) -> Ready:
+        """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
+
+        ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
+        blended). A food in a shell that is to be opened over a vessel comes as it is (``whole_shell``).
+        """
+        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
+        due = owed(want, self.known)
+        state = self.known.state(want.make) if want.make else None
+        if state is not None:
+            due |= state.earns & set(_BY_HAND)
+        if "shell" in due and self.opening(want) is not None:
+            ready.whole_shell = True
+            return ready
+        for name in _BY_HAND:
+            if name in due and not (name == "stone" and "core" in due):
+                self._treat(ready, name)
+        cut = self._cut_state(want, form, due, divided=divided)
+        if cut:
+            self._cut(ready, cut)
+        return ready
+
+    def opening(self, want: Want) -> Attested | None:
+        """Return the way to open the food's shell over a vessel, if there is one."""
+        ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
+        ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
+        return self.bench.attest(ways, want.names, act=True) if "shell" in want.facts.owes else None
+
+    def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
+        """Take the shell off a food that was cooked in it, and cut it as it is asked."""
+        self._treat(ready, "shell")
+        cut = self._cut_state(ready.want, form, owed(ready.want, self.known), divided=True)
+        if cut:
+            self._cut(ready, cut)
+
+    def _cut_state(self, want: Want, form: Sequence[str], due: set[str], *, divided: bool) -> str:
+        asked = self.known.state(want.make) if want.make else None
+        if asked is not None and (asked.fine or 0) > 0:
+            return want.make
+        if not divided or any((self.known.state(state).fine or 0) > 0 for state in want.leaf):
+            return ""
+        if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"} or want.facts.is_a("stock"):
+            return ""
+        for state in form:
+            if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
+                return state
+        if "cut" in due:
+            return self._usual_cut(want)
+        return ""
+
+    def _usual_cut(self, want: Want) -> str:
+        """Return the state into which the FOON most often cuts such a food."""
+        counts: dict[str, int] = {}
+        for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
+            for state in self.operators.states.get(name, ()):
+                fine = self.known.state(state).fine or 0
+                if 1 < fine < 5:
+                    counts[state] = counts.get(state, 0) + sum(
+                        n for way, n in self.operators.giving.get(state, {}).items() if self.is_cut(way)
+                    )
+            if any(counts.values()):
+                break
+        counts = counts or {"chopped": 1}
+        return min(counts, key=lambda state: (-counts[state], state))
+
+    def is_cut(self, way: Way) -> bool:
+        """Whether a way divides a food by hand."""
+        does = self.known.motion(way[0]).does
+        return not does.isdisjoint(_CUTS) and does.isdisjoint(_NOT_BY_HAND) and len(way[1]) <= 1
+
+    def _with_tool(self, attested: Attested) -> Attested:
+        """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""
+        if attested.way[1]:
+            return attested
+        tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())
+        return replace(attested, way=(attested.way[0], tool))
+
+    def _treat(self, ready: Ready, name: str) -> None:
+        """Peel, core or stone the food, or assume that it was bought so."""
+        want = ready.want
+        does = (name, *_STANDS_FOR.get(name, ()))
+        ways = [way for one in does for way in self.operators.ways.get(one, ())]
+        ways = [way for way in ways if not self.known.motion(way[0]).does & _NOT_BY_HAND]
+        attested = self.bench.attest(ways, want.names, act=True)
+        if attested is None and not want.facts.is_a("stock", "ready"):
+            attested = self._far(ways, want)
+        if attested is None:
+            if want.facts.owes.get(name) is Level.FATAL or want.make and name in self.known.state(want.make).earns:
+                self._assume(ready, self._state_for(name, want))
+            return
+        able = self.known.motion(attested.way[0]).gives
+        state = want.make if want.make in able else self._gives(attested.way, does)
+        if want.make and not self.known.state(want.make).fine and want.make != state:
+            ready.read_as = state
+        kept = tuple(s for s in ready.stuff.states if not self.known.state(s).undivided and s not in {"unpeeled"})
+        if any(self.known.state(s).undivided for s in ready.stuff.states):
+            kept = (*kept, "whole") if name in {"peel", "shell"} else kept
+        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), self._board(attested.way))
+
+    def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
+        found = self.bench.far(ways, want.names, act=True)
+        return found if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE else None
+
+    def _gives(self, way: Way, does: Sequence[str]) -> str:
+        """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""
+        fit = [s for s, ways in self.operators.giving.items() if way in ways and self.known.state(s).earns & {*does}]
+        fit.sort(key=lambda s: (-self.operators.giving[s][way], s))
+        able = sorted(s for s in self.known.motion(way[0]).gives if self.known.state(s).earns & {*does})
+        return (fit or able or [does[0]])[0]
+
+    def _state_for(self, name: str, want: Want) -> str:
+        if want.make and name in self.known.state(want.make).earns:
+            return want.make
+        found = [s for s, row in self.known.states.items() if row.earns == {name}]
+        return min(found, key=lambda state: (state.count(" "), state), default=name)
+
+    def _assume(self, ready: Ready, state: str) -> None:
+        stuff = ready.stuff
+        stuff.states = tuple(sorted({*(s for s in stuff.states if not self.known.state(s).undivided), state}))
+        why = f"no step of this FOON makes {ready.want.label} {state}, nor a like food or one of its kind"
+        ready.assumptions.append(why)
+
+    def _board(self, way: Way) -> str:
+        """Return what a food lies on or in while it is worked on in this way; ``""`` for the hand."""
+        tools = [self.known.utensil(tool) for tool in way[1]]
+        if not self.is_cut(way) or not tools:
+            return ""
+        places = self.operators.onto.get(way)
+        if not places:
+            places = self.operators.onto[("chop", ("knife",))]
+        return min(places, key=lambda place: (-places[place], place)) if places else "cutting board"
+
+    def _cut(self, ready: Ready, state: str) -> None:
+        want = ready.want
+        ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        attested = self.bench.attest(ways, want.names, act=True)
+        if attested is None and not want.facts.is_a("stock", "ready"):
+            attested = self._far(ways, want)
+        if attested is None:
+            self._assume(ready, state)
+            return
+        attested = self._with_tool(attested)
+        try:
+            self.bench.act(ready.stuff, attested, (state,), self._board(attested.way))
+        except RefusedError:
+            self._assume(ready, state)

@@ -1,0 +1,1 @@
+"""Planning one recipe and many."""
