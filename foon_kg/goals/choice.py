@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, words
 from foon_kg.integration.frames import Frame
-from foon_kg.integration.places import NATURAL, Join, Matcher
+from foon_kg.integration.places import NATURAL, Join, Matcher, Spot
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
 _CARRIES = frozenset({"dough", "dry starch", "egg", "fish", "flour", "meat"})
 """Traits of foods that a dish is built on."""
+
+_WORKED_IN = frozenset({"flour", "leaven", "liquid", "spice", "herb", "fat", "egg"})
 
 _SEASONS = frozenset({"fat", "herb", "leaven", "spice", "sweet", "water", "topping", "salty"})
 
@@ -43,6 +45,8 @@ def fits(frames: Iterable[Frame], wants: Sequence[Want], dish_type: str, title: 
     """Return how well each frame suits, the best first."""
     frames = list(frames)
     ends = {closing_heat(frame, matcher) for frame in frames if frame.dish_type == dish_type}
+    if any(dish.baked for dish in matcher.known.dishes_named(dish_type, title)):
+        ends = {("bake", "")}
     found = []
     for frame in frames:
         if frame.dish_type == dish_type or not ends or closing_heat(frame, matcher) in ends:
@@ -66,13 +70,33 @@ def _fit(frame: Frame, wants: Sequence[Want], dish_type: str, title: str, matche
     vetoes = tuple(_vetoes(frame, joins, wants, dish_type, title, matcher))
     weights = [weight(want, known) for want in wants]
     natural = sum(w * join.fit for w, join in zip(weights, joins, strict=True)) / sum(weights)
+    score = 0.5 * natural + 0.25 * _recalled(frame, joins, known)
+    score += 0.3 if frame.dish_type == dish_type else 0.0
+    score += 0.25 * named_alike(frame.goal.label, dish_type, title)
+    score -= 0.15 if missing_core(frame, wants, known) else 0.0
+    return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak))
+
+
+def _recalled(frame: Frame, joins: Sequence[Join], known: Tables) -> float:
+    """Return which share of what the recorded dish is built on (0 to 1) this recipe has too."""
     taken = {id(join.slot) for join in joins if join.slot is not None}
-    slots = list(frame.line.all_slots())
-    mattering = [slot for slot in slots if not known.foods.food(slot.food, slot.states).is_a(*_SEASONS)]
-    used = sum(id(slot) in taken for slot in mattering) / max(len(mattering), 1)
-    own = 0.2 if frame.dish_type == dish_type else 0.0
-    bare = 0.0 if not missing_core(frame, wants, known) else 0.25
-    return Fit(frame, joins, vetoes, natural + 0.3 * used + own - bare - 0.1 * len(frame.weak))
+    total = found = 0.0
+    for slot in frame.line.all_slots():
+        facts = known.foods.food(slot.food, slot.states)
+        matters = 2.0 if facts.is_a(*_CARRIES) else (0.0 if facts.is_a(*_SEASONS) else 1.0)
+        total += matters
+        found += matters * (id(slot) in taken)
+    return (found + 0.5) / (total + 1.0)
+
+
+def named_alike(label: str, dish_type: str, title: str) -> float:
+    """Return how much (0 to 1) a goal is called like the dish that is asked: by its type, better by its title."""
+    own = set(words(label))
+    asked = set(words(title))
+    head = words(label)[-1:]
+    if head and head[0] in asked:
+        return 1.0
+    return 0.6 if own & set(words(dish_type)) else 0.0
 
 
 def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[str, ...]:
@@ -84,7 +108,7 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
             if not any(meets(need, food, known) for need in needs for food in foods):
                 found.append(dish.name)
     names = {word for want in wants for word in (*want.facts.name.split(), *want.facts.taken_for.split())}
-    for word in frame.goal.label.split():
+    for word in words(frame.goal.label):
         if known.foods.is_listed(word) and word not in names and not known.foods.food(word).is_a("made", "dough"):
             found.append(word)
     return tuple(found)
@@ -106,10 +130,22 @@ def _vetoes(
             yield f"{dish.name} is baked, and {frame.goal.label} is not"
         if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):
             yield f"{dish.name} is hot, and {frame.goal.label} is not"
+    for spot in spots:
+        if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
+            continue
+        inside = [join for join in joins if _comes_through(join.spot, spot)]
+        carried = [join for join in inside if join.want.facts.is_a(*_CARRIES)]
+        if not any(join.slot is not None for join in carried) and (carried or inside):
+            yield f"nothing of it is to be {spot.stage.motion}ed"
+            break
     for join in joins:
         facts = join.want.facts
-        work = join.spot.post[0]
-        if join.slot is None and work in {"knead", "shape"} and not facts.is_a("flour", "leaven", "liquid", "spice"):
+        if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
         elif join.slot is None and facts.is_a(*_CARRIES) and join.fit < NATURAL / 2:
             yield f"{join.want.label} has no place in it"
+
+
+def _comes_through(joined: Spot, spot: Spot) -> bool:
+    """Whether what joins at one stage is in the whole at another one."""
+    return joined.stage is spot.stage or any(stage is spot.stage for stage in joined.after)

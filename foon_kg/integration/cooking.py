@@ -181,7 +181,7 @@ class Cooking:
         want, spot = join.want, join.spot
         due = {"cook", "boil"} & owed(want, self.known)
         if not due and not want.cooked:
-            return ()
+            return self._warmed_first(join)
         if want.facts.kind in self.plan.eased or any(kind in self.plan.eased for kind in want.facts.kinds):
             return ()
         if join.slot is not None and join.slot.cooked:
@@ -200,6 +200,15 @@ class Cooking:
             if self.plan.cooked_by.get(name):
                 return self.plan.cooked_by[name]
         return ("boil",)
+
+    def _warmed_first(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
+        state = join.want.make
+        if not state or not self.known.state(state).needs_heat or not join.spot.stage.does.isdisjoint(_HEATS):
+            return ()
+        ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & _HEATS]
+        found = self.bench.attest([way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names)
+        return (found.way[0],) if found is not None else ()
 
     def _pours(self, want: Want) -> bool:
         """Whether a food is opened over the dish and runs into it: such food is cooked as fast as anything."""
@@ -287,8 +296,10 @@ class Cooking:
 
     def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
         kept = [s for s in stuff.states if s not in {"raw", "uncooked", "processed raw"} and not self.known.state(s).half]
-        asked = [want.make] if want.cooked and want.make in self.known.motion(way[0]).gives else []
-        return tuple(sorted({*kept, *(asked or ["cooked"])}))
+        able = self.known.motion(way[0]).gives | {s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())}
+        if want.make in able and self.known.state(want.make).needs_heat:
+            return tuple(sorted({*(kept if want.cooked else ()), want.make}))
+        return tuple(sorted({*kept, "cooked"}))
 
     def _pan_cook(self, ready: Ready, method: Sequence[str]) -> None:
         bench, want = self.bench, ready.want
@@ -375,6 +386,9 @@ class Cooking:
                 row = self.known.utensil("oven" if "dry" in stage.does else "stove")
         if row is None or row.role != "appliance":
             return "", ""
+        if row.source == "power":
+            used = (self.known.utensil(label) for label in self.bench.devices)
+            row = next((other for other in used if other is not None and other.group == row.group), row)
         if row.source == "power" and not row.holds:
             return row.name, ""
         if "wait" in stage.does and row.source != "cold":
@@ -610,6 +624,8 @@ class Cooking:
         mixes = not stage.does.isdisjoint(_MIXES)
         heats = not stage.does.isdisjoint(_HEATS)
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
+            return  # fat alone is only made hot
         if single and mixes and not heats and stage.does <= {"mix"}:
             return
         if not mixes and not heats and "wait" not in stage.does and single:
@@ -713,6 +729,8 @@ class Cooking:
         does = self.known.motion(way[0]).does
         states: set[str] = set()
         kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
+        if "turn" in does and does.isdisjoint(_HEATS) and len(vessel.contents) == 1:
+            return tuple(sorted({*vessel.contents[0].states, "flipped"}))
         if product and len(vessel.contents) == 1:
             states |= kept
         if "blend" in does and "mix" not in stage.does or way[0] == "blend":
@@ -734,7 +752,9 @@ class Cooking:
             states |= set(able[:1])
         if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(_HEATS):
             known = {s for stuff in vessel.contents for s in stuff.states}
-            able = sorted(s for s in self.bench.operators.giving if way in self.bench.operators.giving[s] and s in self.known.motion(way[0]).gives)
+            given = self.bench.operators.giving
+            able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
+            able = sorted(s for s in able if not self.known.state(s).needs_heat)
             states |= known | set(able[:1])
         return tuple(sorted(states))
 

@@ -86,6 +86,9 @@ class _Derivation:
         if not parts:
             return None
         clusters = self._refined(parts, last)
+        called = {"".join(singular(goal.label).split()), "".join(singular(lump.label).split())}
+        parts = {n: p for n, p in parts.items() if "".join(p.name.split()) not in called} or parts
+        clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
         whole = self._followed(parts, clusters, last)
         line = _line(whole, last)
         return Frame(goal, dish_type, video, line) if line.stages else None

@@ -88,7 +88,7 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         return replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)
     if row.needs_heat and "cook" in row.earns:
-        if "cook" in facts.owes or form == "whole":
+        if form in {"whole", "pieces"} and not facts.is_a("spice", "fat"):
             return replace(want, cooked=True, make=one.state)
         return replace(want, read_as=plain)
     ways = [way for way in operators.giving.get(one.state, ()) if operators.attested(way, want.names, act=True)]
