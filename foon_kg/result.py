@@ -7,6 +7,7 @@ in equality: ``seen_in`` names the units that know it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, Self, cast, get_args
 
@@ -28,10 +29,19 @@ if TYPE_CHECKING:
     import pandas as pd
 from foon_kg.shortage import ShortageError, remedy
 
-Origin = Literal["reference", "foon", "substituted"]
-"""Where a unit comes from: the reference tree, elsewhere in FOON, or a unit of FOON with something substituted."""
+Origin = Literal["foon", "adapted"]
+"""Whether a unit of FOON does this to this food, or one to a like food or one of its kind."""
 
-SubstitutionKind = Literal["object", "state", "motion"]
+Phase = Literal["prepare", "heat", "finish"]
+"""When a unit is carried out: everything is cut first, then heated, then served."""
+
+Grounding = Literal["food", "like", "kind", "motion"]
+"""How near the evidence of a unit is: the same food, a like one, one of its kind, the motion alone."""
+
+SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
+
+Thing = tuple[int | None, int | None]
+"""The number of a thing and of what it is in or on; ``None`` where it has none."""
 
 
 @dataclass(frozen=True)
@@ -39,22 +49,57 @@ class ReferenceSummary:
     """The reference tree in figures: its goal, how many ``units``, and how many required foods it covers.
 
     ``exact`` says that the search proved that no other tree of the goal covers more, or as much in fewer units.
+    ``videos`` are those after which the final tree is made, ``core`` the foods of theirs that the recipe has too.
     """
 
     goal: ObjectNode
     units: int
     overlap: int
     exact: bool
+    videos: tuple[str, ...] = ()
+    core: tuple[str, ...] = ()
 
     def to_json(self) -> JsonObject:
         """Answer the ``reference`` field of a plan result."""
-        return {"goal": node_to_json(self.goal), "units": self.units, "overlap": self.overlap, "exact": self.exact}
+        return {
+            "goal": node_to_json(self.goal),
+            "units": self.units,
+            "overlap": self.overlap,
+            "exact": self.exact,
+            "videos": list(self.videos),
+            "core": list(self.core),
+        }
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
         """Read back what :meth:`to_json` wrote."""
         goal = node_from_json(fields.nested("goal"))
-        return cls(goal, fields.whole_number("units"), fields.whole_number("overlap"), fields.truth("exact"))
+        return cls(
+            goal,
+            fields.whole_number("units"),
+            fields.whole_number("overlap"),
+            fields.truth("exact"),
+            fields.texts("videos") if "videos" in fields else (),
+            fields.texts("core") if "core" in fields else (),
+        )
+
+
+@dataclass(frozen=True)
+class PassedOver:
+    """A goal that is nearer to the recipe by its ingredients (``similarity``, 0 to 1), and why it was not taken."""
+
+    goal: ObjectNode
+    similarity: float
+    why: str
+
+    def to_json(self) -> JsonObject:
+        """Answer one of the ``passed_over`` of a plan result."""
+        return {"goal": node_to_json(self.goal), "similarity": self.similarity, "why": self.why}
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        return cls(node_from_json(fields.nested("goal")), fields.number("similarity"), fields.text("why"))
 
 
 @dataclass(frozen=True)
@@ -71,6 +116,10 @@ class PlannedUnit:
     seen_in: tuple[Sighting, ...]
     accepts_any: bool = field(default=False, compare=False)
     moving: frozenset[ObjectNode] = field(default=frozenset(), compare=False)
+    phase: Phase | None = None
+    grounding: Grounding | None = None
+    input_things: tuple[Thing, ...] = ()
+    output_things: tuple[Thing, ...] = ()
 
     @classmethod
     def of(cls, unit: FunctionalUnit, origin: Origin, seen_in: tuple[Sighting, ...]) -> Self:
@@ -88,24 +137,54 @@ class PlannedUnit:
 
     def to_json(self) -> JsonObject:
         """Answer one of the ``units`` of a plan result."""
-        return {
-            "input_nodes": [node_to_json(node) for node in self.input_nodes],
+        told: JsonObject = {
+            "input_nodes": _things_to_json(self.input_nodes, self.input_things),
             "motion_node": self.motion_node,
-            "output_nodes": [node_to_json(node) for node in self.output_nodes],
-            "origin": self.origin,
-            "seen_in": [sighting_to_json(sighting) for sighting in self.seen_in],
+            "output_nodes": _things_to_json(self.output_nodes, self.output_things),
         }
+        if self.phase is not None:
+            told["phase"] = self.phase
+        told["origin"] = self.origin
+        if self.grounding is not None:
+            told["grounding"] = self.grounding
+        told["seen_in"] = [sighting_to_json(sighting) for sighting in self.seen_in]
+        return told
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
         """Read back what :meth:`to_json` wrote."""
+        inputs, outputs = fields.nested_list("input_nodes"), fields.nested_list("output_nodes")
+        phase = fields.one_of("phase", get_args(Phase)) if "phase" in fields else None
+        grounding = fields.one_of("grounding", get_args(Grounding)) if "grounding" in fields else None
         return cls(
-            tuple(map(node_from_json, fields.nested_list("input_nodes"))),
+            tuple(map(node_from_json, inputs)),
             fields.text("motion_node"),
-            tuple(map(node_from_json, fields.nested_list("output_nodes"))),
+            tuple(map(node_from_json, outputs)),
             cast("Origin", fields.one_of("origin", get_args(Origin))),
             tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
+            phase=cast("Phase | None", phase),
+            grounding=cast("Grounding | None", grounding),
+            input_things=_things_from_json(inputs),
+            output_things=_things_from_json(outputs),
         )
+
+
+def _things_to_json(nodes: Sequence[ObjectNode], things: Sequence[Thing]) -> list[JsonObject]:
+    told = [node_to_json(node) for node in nodes]
+    for node, (thing, container) in zip(told, things, strict=False):
+        if thing is not None:
+            node["thing"] = thing
+        if container is not None:
+            node["container_thing"] = container
+    return told
+
+
+def _things_from_json(entries: Sequence[Fields]) -> tuple[Thing, ...]:
+    """Read the numbers of things; nothing where no node has one."""
+    names = ("thing", "container_thing")
+    found = [tuple(entry.whole_number(name) if name in entry else None for name in names) for entry in entries]
+    things = tuple((thing, container) for thing, container in found)
+    return things if any(thing != (None, None) for thing in things) else ()
 
 
 @dataclass(frozen=True)
@@ -183,6 +262,7 @@ class PlanResult:
     substitutions: tuple[Substitution, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
     progress_lines: tuple[ProgressLine, ...] = ()
+    passed_over: tuple[PassedOver, ...] = ()
 
     def to_json(self) -> JsonObject:
         """Answer the result as ``foon plan --json`` prints it."""
@@ -195,6 +275,7 @@ class PlanResult:
             "substitutions": [substitution.to_json() for substitution in self.substitutions],
             "assumptions": [assumption.to_json() for assumption in self.assumptions],
             "progress_lines": [line.to_json() for line in self.progress_lines],
+            "passed_over": [passed.to_json() for passed in self.passed_over],
         }
 
     @classmethod
@@ -210,6 +291,7 @@ class PlanResult:
             tuple(map(Substitution.from_json, fields.nested_list("substitutions"))),
             tuple(map(Assumption.from_json, fields.nested_list("assumptions"))),
             tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
+            tuple(map(PassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
         )
 
     def to_frame(self) -> pd.DataFrame:

@@ -6,9 +6,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from foon_kg.kitchen import Kitchen
-from foon_kg.likeness import Substitute
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.states import state_similarity
+
+
+@dataclass(frozen=True)
+class Substitute:
+    """A person's choice: ``food``, wherever a recipe asks for it, is handled like the known food ``like``."""
+
+    food: str
+    like: str
 
 
 @dataclass(frozen=True)

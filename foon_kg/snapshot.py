@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.errors import ReadError
+from foon_kg.integration.methods import Methods
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
@@ -94,6 +95,14 @@ class Snapshot:
         """Answer every object node with one of ``labels``, sorted."""
         found = (node for label in set(labels) for node in self._nodes_by_label.get(label, ()))
         return tuple(sorted(found, key=lambda node: node.sort_key))
+
+    def methods(self) -> Methods:
+        """Answer what this FOON teaches: operators and frames."""
+        return self._methods
+
+    @cached_property
+    def _methods(self) -> Methods:
+        return Methods.of(self.units, self._goals)
 
     def motion_costs(self) -> MotionCosts:
         """Answer no weights of motions: FOON files have none."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from foon_kg.food import Tables, words
+from foon_kg.food import Tables, singular, words
 from foon_kg.integration.frames import Frame
+from foon_kg.integration.operators import Likes
 from foon_kg.integration.places import NATURAL, Join, Matcher, Spot
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
@@ -21,12 +22,17 @@ _SEASONS = frozenset({"fat", "herb", "leaven", "spice", "sweet", "water", "toppi
 
 @dataclass(frozen=True)
 class Fit:
-    """How well a frame suits a recipe: where its foods join, what speaks against it, and a score (greater is better)."""
+    """How well a frame suits a recipe: where its foods join, what speaks against it, and a score (greater is better).
+
+    ``similarity`` is how alike the lists of ingredients are, whatever their places: the share of the recipe's foods
+    for which one of the goal's can stand (algorithm 2).
+    """
 
     frame: Frame
     joins: tuple[Join, ...]
     vetoes: tuple[str, ...]
     score: float
+    similarity: float = 0.0
 
     @property
     def order(self) -> tuple[object, ...]:
@@ -41,17 +47,69 @@ def weight(want: Want, known: Tables) -> float:
     return 0.4 if want.facts.is_a(*_SEASONS) else 1.0
 
 
+MOST_FITTED = 32
+"""How many frames are looked at closely."""
+
+
+@dataclass(frozen=True)
+class Outline:
+    """What of a frame is needed to tell whether it is worth a closer look. Names and kinds are those of its slots.
+
+    ``ends`` is how its dish is heated last (:func:`closing_heat`).
+    """
+
+    key: str
+    dish_type: str
+    label: str
+    foods: frozenset[str]
+    kinds: frozenset[str]
+    ends: tuple[str, str]
+
+    @classmethod
+    def of(cls, frame: Frame, matcher: Matcher) -> Outline:
+        """Return the outline of a frame."""
+        slots = list(frame.line.all_slots())
+        return cls(
+            frame.key,
+            frame.dish_type,
+            frame.goal.label,
+            frozenset(slot.food for slot in slots),
+            frozenset(slot.kind for slot in slots) - {"unknown"},
+            closing_heat(frame, matcher),
+        )
+
+
+def shortlisted(
+    outlines: Iterable[Outline], wants: Sequence[Want], dish_type: str, title: str, known: Tables, likes: Likes
+) -> list[str]:
+    """Return the keys of the frames that are worth a closer look, the best first, at most ``MOST_FITTED``.
+
+    They are those of the asked dish type, and of others those whose dish is heated last as some dish of that type is;
+    those first that have a place for most of what the recipe is built on.
+    """
+    outlines = list(outlines)
+    ends = {outline.ends for outline in outlines if outline.dish_type == dish_type}
+    if any(dish.baked for dish in known.dishes_named(dish_type, title)):
+        ends = {("bake", "")}
+    asked = []
+    for want in wants:
+        names = {singular(want.label), want.facts.taken_for, *(name for name, _ in likes(want.label))}
+        asked.append((weight(want, known), names, want.facts.kind))
+    total = sum(weight for weight, _, _ in asked) or 1.0
+    rows = []
+    for outline in outlines:
+        own = outline.dish_type == dish_type
+        if not own and ends and outline.ends not in ends:
+            continue
+        there = sum(w for w, names, kind in asked if kind in outline.kinds or not names.isdisjoint(outline.foods))
+        score = 0.5 * there / total + (0.3 if own else 0.0) + 0.25 * named_alike(outline.label, dish_type, title)
+        rows.append((-round(score, 6), outline.key))
+    return [key for _, key in sorted(rows)[:MOST_FITTED]]
+
+
 def fits(frames: Iterable[Frame], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> list[Fit]:
     """Return how well each frame suits, the best first."""
-    frames = list(frames)
-    ends = {closing_heat(frame, matcher) for frame in frames if frame.dish_type == dish_type}
-    if any(dish.baked for dish in matcher.known.dishes_named(dish_type, title)):
-        ends = {("bake", "")}
-    found = []
-    for frame in frames:
-        if frame.dish_type == dish_type or not ends or closing_heat(frame, matcher) in ends:
-            found.append(_fit(frame, wants, dish_type, title, matcher))
-    return sorted(found, key=lambda fit: fit.order)
+    return sorted((_fit(frame, wants, dish_type, title, matcher) for frame in frames), key=lambda fit: fit.order)
 
 
 def closing_heat(frame: Frame, matcher: Matcher) -> tuple[str, str]:
@@ -74,7 +132,19 @@ def _fit(frame: Frame, wants: Sequence[Want], dish_type: str, title: str, matche
     score += 0.3 if frame.dish_type == dish_type else 0.0
     score += 0.25 * named_alike(frame.goal.label, dish_type, title)
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
-    return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak))
+    alike = sum(join.slot is not None for join in joins) / len(joins)
+    return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
+    """Return what no dish of that type and title can do without, and the recipe has not."""
+    found = []
+    for dish in known.dishes_named(dish_type, title):
+        for needs in dish.needs:
+            if not any(meets(need, want.facts, known) for need in needs for want in wants):
+                names = " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
+                found.append(f"no {dish.name} without {names}")
+    return found
 
 
 def _recalled(frame: Frame, joins: Sequence[Join], known: Tables) -> float:
@@ -119,10 +189,6 @@ def _vetoes(
 ) -> Iterable[str]:
     known = matcher.known
     spots = matcher.spots(frame)
-    for dish in known.dishes_named(dish_type, title):
-        for needs in dish.needs:
-            if not any(meets(need, want.facts, known) for need in needs for want in wants):
-                yield f"no {dish.name} without {' or '.join(dict.fromkeys(need.rpartition(':')[2] for need in needs))}"
     heats = any("heat" in spot.stage.does for spot in spots)
     bakes = any("dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"} for spot in spots if "heat" in spot.stage.does)
     for dish in known.dishes_named(dish_type, title):

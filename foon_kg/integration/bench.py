@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.operators import Alike, Attested, Likes, Nearness, Operators, Way
+from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.world import Mention, Step
 
@@ -80,8 +81,9 @@ Thing = Device | Vessel | Stuff | str
 class Bench:
     """A kitchen during the making of one dish. ``likes`` names the known foods that can stand for one."""
 
-    def __init__(self, operators: Operators, likes: Likes, alike: Alike) -> None:
+    def __init__(self, operators: Operators, likes: Likes, alike: Alike, kitchen: Kitchen | None = None) -> None:
         self.operators = operators
+        self.kitchen = kitchen or Kitchen.default()
         self.alike = alike
         self.known: Tables = operators.known
         self.likes = likes

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
-from foon_kg.model import ObjectNode
+from foon_kg.model import ObjectNode, content_key
 
 
 @dataclass(frozen=True)
@@ -79,3 +80,8 @@ class Frame:
     video: str
     line: Line
     weak: tuple[str, ...] = ()
+
+    @cached_property
+    def key(self) -> str:
+        """The content hash under which the graph keeps this frame: one goal of one video and dish type."""
+        return content_key(self.video, self.goal.key, self.dish_type)

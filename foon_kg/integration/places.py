@@ -156,16 +156,6 @@ def _only_carries(stage: Stage) -> bool:
     return all(stage.does.isdisjoint(does) for _, does in _WORKS)
 
 
-@dataclass(frozen=True)
-class Fit:
-    """How well a frame suits a recipe."""
-
-    frame: Frame
-    joins: tuple[Join, ...]
-    vetoes: tuple[str, ...]
-    score: float
-
-
 class Matcher:
     """Finds where foods join. ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1)."""
 
@@ -173,11 +163,17 @@ class Matcher:
         self.posts = posts
         self.known = posts.known
         self.like = like
-        self._spots: dict[int, tuple[Spot, ...]] = {}
+        self._spots: dict[str, tuple[Spot, ...]] = {}
+
+    def with_likeness(self, like: Callable[[str, str], float]) -> Matcher:
+        """Return a matcher for other foods, which shares what is known of the frames."""
+        other = Matcher(self.posts, like)
+        other._spots = self._spots
+        return other
 
     def spots(self, frame: Frame) -> tuple[Spot, ...]:
         """Return the stages of a frame in the order of execution."""
-        key = id(frame)
+        key = frame.key
         if key not in self._spots:
             self._spots[key] = tuple(spots_of(frame.line))
         return self._spots[key]

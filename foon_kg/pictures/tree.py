@@ -167,7 +167,7 @@ def _paint(box: ObjectBox | MotionBox, unseen: Mapping[str, Substitution]) -> tu
 
 def _manner(box: ObjectBox | MotionBox, unseen: Mapping[str, Substitution]) -> dict[str, object]:
     if isinstance(box, MotionBox):
-        changed = box.unit.origin == "substituted"
+        changed = box.unit.origin == "adapted"
         return {"rx": 2, "stroke-width": 1.4} | ({"stroke-dasharray": _DASHED} if changed else {})
     strange = not unseen.keys().isdisjoint((box.node.label, *box.node.ingredients))
     return {"rx": _ROUND[box.part], "stroke-width": 1.3} | ({"stroke-dasharray": _DASHED} if strange else {})
@@ -203,7 +203,7 @@ def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
         "kitchen": True,
         "object": True,
         "motion": tree.result is not None,
-        "changed": "substituted" in origins,
+        "changed": "adapted" in origins,
         "added": "foon" in origins,
         "unseen-box": bool(tree.unseen),
     }

@@ -39,7 +39,7 @@ class ShownTree:
         source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
             PlannedUnit.of(
-                note.unit, "reference", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
+                note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
             )
             for i, note in enumerate(subgraph.annotations)
         )

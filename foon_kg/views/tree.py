@@ -103,7 +103,7 @@ def _reference(result: PlanResult) -> Text:
     reference = result.reference
     proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
-    videos = [unit.seen_in[0].video for unit in result.units if unit.origin == "reference" and unit.seen_in]
+    videos = [unit.seen_in[0].video for unit in result.units if unit.origin == "foon" and unit.seen_in]
     seen = f" (video {max(sorted(videos), key=videos.count)})" if videos else ""
     return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
 
@@ -136,8 +136,8 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
     taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
     made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
     text = Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made)
-    if unit.origin != "reference" and unit.seen_in:
-        word = "like" if unit.origin == "substituted" else "from"
+    if unit.origin != "foon" and unit.seen_in:
+        word = "like" if unit.origin == "adapted" else "from"
         text.append(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
     return text
 

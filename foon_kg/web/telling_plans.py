@@ -12,7 +12,7 @@ from foon_kg.web.telling import Near, Node, RecipeTold, Unit, Wanted
 class Step(Unit):
     """A unit of a plan, and whether it is of the reference tree, of elsewhere, or has something substituted."""
 
-    origin: Literal["reference", "foon", "substituted"]
+    origin: Literal["foon", "adapted"]
 
 
 class Reference(BaseModel):

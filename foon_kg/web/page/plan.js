@@ -42,7 +42,7 @@ const besides = (plan) => {
 
 const step = (unit, address, unseen) => {
   const seen = seenWords(unit.seen_in, address);
-  const origin = { foon: "from elsewhere in the FOON", substituted: "something substituted" }[unit.origin];
+  const origin = { adapted: "as the FOON does it to a like food" }[unit.origin];
   const where = [seen, origin].filter(Boolean).flatMap((one, i) => (i ? [" · ", one] : [one]));
   return element("li", {}, ...unitWords(unit, unseen), element("div", { class: "where" }, ...where));
 };

@@ -1,0 +1,122 @@
+"""A dish made on a bench, told as a tree: its units with their evidence, what was substituted, what was assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from foon_kg.food import singular
+from foon_kg.integration.bench import Bench, Done, Stuff
+from foon_kg.integration.cooking import Cooking
+from foon_kg.integration.operators import Likes, Nearness
+from foon_kg.integration.preparation import Want
+from foon_kg.model import ObjectNode
+from foon_kg.result import Alternative, Assumption, PlannedUnit, Substitution
+
+MOST_ALTERNATIVES = 3
+_READ = 1.0
+"""How sure it is what a crude word of a recipe means."""
+
+
+@dataclass(frozen=True)
+class FinalTree:
+    """A tree with all that a plan result says of it."""
+
+    goal: ObjectNode
+    units: tuple[PlannedUnit, ...]
+    kitchen: tuple[ObjectNode, ...]
+    substitutions: tuple[Substitution, ...]
+    assumptions: tuple[Assumption, ...]
+
+
+def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want]) -> FinalTree:
+    """Return what happened on ``bench`` until ``dish`` was made."""
+    units = tuple(map(_unit, bench.done))
+    return FinalTree(
+        bench.mention(dish).node,
+        units,
+        tuple(_leaves(units)),
+        (*_objects(bench), *_states(bench, cooking, wants)),
+        tuple(_assumptions(bench, cooking)),
+    )
+
+
+def _unit(done: Done) -> PlannedUnit:
+    step = done.step
+    inputs = dict.fromkeys(step.inputs)
+    return PlannedUnit(
+        tuple(mention.node for mention in inputs),
+        step.motion,
+        tuple(mention.node for mention in step.outputs),
+        "foon" if done.attested.nearness is Nearness.FOOD else "adapted",
+        done.attested.seen_in,
+        phase=done.phase,
+        grounding=done.attested.nearness.word,
+        input_things=tuple((mention.thing, mention.container_thing) for mention in inputs),
+        output_things=tuple((mention.thing, mention.container_thing) for mention in step.outputs),
+    )
+
+
+def _leaves(units: Sequence[PlannedUnit]) -> Iterator[ObjectNode]:
+    """Yield, once each, the inputs that no earlier unit outputs."""
+    there: set[ObjectNode] = set()
+    for unit in units:
+        for node in unit.input_nodes:
+            if node not in there:
+                there.add(node)
+                yield node
+        there.update(unit.output_nodes)
+
+
+def _objects(bench: Bench) -> Iterator[Substitution]:
+    """Yield each food that is handled like another one, with the next best."""
+    told: set[tuple[str, str]] = set()
+    for done in bench.done:
+        if done.attested.like is None:
+            continue
+        food, like, confidence = done.attested.like
+        if (singular(food), like) not in told:
+            told.add((singular(food), like))
+            yield Substitution("object", food, food, like, round(confidence, 4), _others(bench.likes, food, like))
+
+
+def _others(likes: Likes, food: str, chosen: str) -> tuple[Alternative, ...]:
+    others = [(name, sure) for name, sure in likes(food) if name != chosen]
+    return tuple(Alternative(name, round(sure, 4)) for name, sure in others[:MOST_ALTERNATIVES])
+
+
+def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[Substitution]:
+    """Yield each asked state that no node shows, with the one that stands for it."""
+    shown = {
+        (singular(mention.node.label), state)
+        for done in bench.done
+        for mention in (*done.step.inputs, *done.step.outputs)
+        for state in mention.node.states
+    }
+    for want in wants:
+        ready = cooking.ready.get(want.number)
+        if not want.asked or (singular(want.label), want.asked) in shown or ready is None:
+            continue
+        yield Substitution("state", want.label, want.asked, _state_now(bench, ready.stuff, want), _READ)
+
+
+def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
+    """Return the state that a food had last while it was by itself: the one that somebody made, if any did."""
+    last: tuple[str, ...] = ()
+    for done in bench.done:
+        for mention in (*done.step.inputs, *done.step.outputs):
+            if mention.thing == stuff.number and mention.node.states:
+                last = mention.node.states
+    made = [state for state in last if state not in want.leaf]
+    return next(iter((*made, *last, *want.leaf)), "")
+
+
+def _assumptions(bench: Bench, cooking: Cooking) -> Iterator[Assumption]:
+    for number in sorted(cooking.ready):
+        ready = cooking.ready[number]
+        if not ready.assumptions:
+            continue
+        inputs = (mention for done in bench.done for mention in done.step.inputs)
+        node = next((mention.node for mention in inputs if mention.thing == ready.stuff.number), None)
+        if node is not None:
+            yield Assumption(node, "; ".join(dict.fromkeys(ready.assumptions)))

@@ -1,0 +1,64 @@
+"""What a FOON teaches of making dishes: its operators, its frames, and where foods of each kind join."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.food import Tables, tables
+from foon_kg.integration.derivation import frames_of
+from foon_kg.integration.frames import Frame
+from foon_kg.integration.operators import Operators
+from foon_kg.integration.places import Posts
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit
+
+
+@dataclass(frozen=True, eq=False)
+class Methods:
+    """Operators with their evidence, and a frame for each goal of each video, sorted by video and goal."""
+
+    operators: Operators
+    frames: tuple[Frame, ...]
+    goals: tuple[Goal, ...]
+
+    @classmethod
+    def of(cls, units: Collection[KnownUnit], goals: Iterable[Goal], known: Tables | None = None) -> Methods:
+        """Learn from the units of a FOON, which say where they were seen, and from its goals."""
+        known = known or tables()
+        goals = tuple(goals)
+        return cls(Operators(units, known), frames_from(units, goals, known), goals)
+
+    @cached_property
+    def posts(self) -> Posts:
+        """Where foods of each kind join."""
+        return Posts(self.frames, self.operators.known)
+
+    @cached_property
+    def cooked_by(self) -> Mapping[str, tuple[str, ...]]:
+        """The motion by which foods of a kind, or with a trait, are most often cooked by themselves."""
+        found = {}
+        for name, counts in self.posts.cooked.items():
+            motion = min(counts, key=lambda motion: (-counts[motion], motion))
+            found[name] = (motion,)
+        return found
+
+
+def frames_from(units: Iterable[KnownUnit], goals: Iterable[Goal], known: Tables) -> tuple[Frame, ...]:
+    """Return the frames of all goals, each from every video that makes it."""
+    wanted: defaultdict[str, list[tuple[str, Goal]]] = defaultdict(list)
+    for goal in goals:
+        for video in goal.videos:
+            wanted[video].append((goal.dish_type, goal))
+    recorded: defaultdict[str, dict[int, FunctionalUnit]] = defaultdict(dict)
+    for known_unit in units:
+        for sighting in known_unit.seen_in:
+            if sighting.video in wanted:
+                recorded[sighting.video][sighting.position] = known_unit.unit
+    frames: list[Frame] = []
+    for video in sorted(wanted):
+        sequence = [unit for _, unit in sorted(recorded[video].items())]
+        pairs = [(goal.node, dish_type) for dish_type, goal in wanted[video]]
+        frames += frames_of(sequence, pairs, video, known)
+    return tuple(sorted(frames, key=lambda frame: (frame.video, frame.goal.sort_key, frame.dish_type)))

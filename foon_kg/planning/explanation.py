@@ -1,0 +1,128 @@
+"""Why a final tree makes every required food as it does: read off the tree and what it was chosen from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from foon_kg.food import singular
+from foon_kg.integration.places import Join
+from foon_kg.model import RequiredIngredient
+from foon_kg.result import PlannedUnit
+
+if TYPE_CHECKING:
+    from foon_kg.planning.likes import RecipeLikes
+    from foon_kg.planning.planner import Attempt
+
+MOST_OTHERS = 3
+"""How many known foods that were passed over are named."""
+
+How = Literal["played", "made", "sold", "assumed", "missing"]
+"""The recorded dish has a place for such a food; or it is prepared and joins where its kind does; or it joins so as it is
+sold, or is assumed to be; or not at all."""
+
+
+@dataclass(frozen=True)
+class PassedOver:
+    """A known food that might have stood for the required one, how sure that is (0..1), and why not."""
+
+    label: str
+    state: str
+    confidence: float
+    why: str
+
+
+@dataclass(frozen=True)
+class Joining:
+    """Where a food joins the others: the step of the tree (from 1; ``None`` where it is not in it) and its motion.
+
+    ``like`` is the food of the recorded dish in whose place it comes and ``likeness`` how like (0..1); without one it
+    joins where foods of its kind do.
+    """
+
+    step: int | None
+    motion: str
+    like: str = ""
+    likeness: float = 0.0
+    left_open: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Why one required food is made as it is.
+
+    ``label`` is the known food that it is handled like, ``confidence`` how sure that is (0..1) or that a person
+    has ``chosen`` it; ``renamed`` are asked states and what each was read as; ``videos`` say where the evidence is.
+    """
+
+    want: RequiredIngredient
+    how: How
+    label: str = ""
+    confidence: float = 1.0
+    chosen: bool = False
+    renamed: tuple[tuple[str, str], ...] = ()
+    videos: tuple[str, ...] = ()
+    joins: Joining | None = None
+    passed_over: tuple[PassedOver, ...] = ()
+
+
+def explanations(attempt: Attempt, likes: RecipeLikes) -> tuple[Explanation, ...]:
+    """Return why the tree of ``attempt`` has each required food as it has it, in their order."""
+    joins = sorted(attempt.fit.joins, key=lambda join: join.want.number)
+    return tuple(_explained(attempt, join, likes) for join in joins)
+
+
+def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
+    want = join.want
+    asked = RequiredIngredient(want.label, want.asked)
+    ready = attempt.cooking.ready.get(want.number)
+    if ready is None:
+        return Explanation(asked, "missing")
+    number = ready.stuff.number
+    own = [(place, unit) for place, unit in enumerate(attempt.result.units, 1) if _has(unit, number)]
+    prepared = [unit for _, unit in own if unit.phase == "prepare"]
+    how: How = "assumed" if ready.assumptions else "played" if join.slot else "made" if prepared else "sold"
+    like, sure = _handled_like(attempt, want.label)
+    renamed = tuple(
+        (one.required, one.equivalent)
+        for one in attempt.result.substitutions
+        if one.kind == "state" and one.object == want.label and one.required == want.asked
+    )
+    step, motion = _joining(own, number)
+    joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
+    others = tuple(
+        PassedOver(name, "", round(confidence, 4), "less sure") for name, confidence in likes(want.label) if name != like
+    )
+    return Explanation(
+        asked, how, like or want.label, sure, sure == 1.0 and bool(like), renamed, tuple(_videos(unit for _, unit in own)),
+        joining, others[:MOST_OTHERS],
+    )  # fmt: skip
+
+
+def _handled_like(attempt: Attempt, label: str) -> tuple[str, float]:
+    for one in attempt.result.substitutions:
+        if one.kind == "object" and singular(one.object) == singular(label):
+            return one.equivalent, one.confidence
+    return "", 1.0
+
+
+def _has(unit: PlannedUnit, number: int) -> bool:
+    return any(thing == number for thing, _ in (*unit.input_things, *unit.output_things))
+
+
+def _joining(own: Sequence[tuple[int, PlannedUnit]], number: int) -> tuple[int | None, str]:
+    """Return the first step after which a food shares its vessel with others."""
+    for place, unit in own:
+        for node, (thing, container) in zip(unit.output_nodes, unit.output_things, strict=True):
+            if thing != number or container is None:
+                continue
+            vessels = (n for n, (t, _) in zip(unit.output_nodes, unit.output_things, strict=True) if t == container)
+            if any(len(vessel.ingredients) > 1 for vessel in vessels):
+                return place, unit.motion_node
+            del node
+    return (own[-1][0], own[-1][1].motion_node) if own else (None, "")
+
+
+def _videos(units: Iterator[PlannedUnit]) -> Iterator[str]:
+    yield from dict.fromkeys(unit.seen_in[0].video for unit in units if unit.seen_in)

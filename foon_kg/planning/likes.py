@@ -1,0 +1,111 @@
+"""How well the foods of a FOON stand for those of one recipe: the similarity, and what a person chose."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
+
+from foon_kg.errors import UsageError
+from foon_kg.food import singular
+from foon_kg.integration.preparation import Want
+from foon_kg.names import canonical
+from foon_kg.recent import Recent
+from foon_kg.settings import Substitute
+from foon_kg.similarity import Similarity
+
+FAIR = 0.5
+"""From this confidence on a cook would rather accept a food for another one than not."""
+
+MOST_LIKES = 6
+"""How many foods are asked for evidence in the place of one that has none."""
+
+MOST_KEPT = 8192
+_READ = 0.97
+"""How sure it is that a word of a recipe means the food as which the table of foods reads it."""
+
+
+class FoodLikes:
+    """Answers which known foods can stand for a food. Rows of confidences are kept for many recipes."""
+
+    def __init__(self, similarity: Similarity, foods: Iterable[str], substitutes: Sequence[Substitute] = ()) -> None:
+        self.similarity = similarity
+        self.foods = tuple(sorted(foods))
+        self._rows: Recent[str, Mapping[str, float]] = Recent(MOST_KEPT)
+        self._likes: Recent[str, tuple[tuple[str, float], ...]] = Recent(MOST_KEPT)
+        self.chosen: dict[str, str] = {}
+        for substitute in substitutes:
+            self._choose(substitute)
+
+    def learn(self, foods: Iterable[str]) -> None:
+        """Work out at once how well every known food stands for each of ``foods``."""
+        fresh = [food for food in dict.fromkeys(foods) if food not in self._rows]
+        if fresh and self.foods:
+            for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods).tolist(), strict=True):
+                self._rows[food] = dict(zip(self.foods, row, strict=True))
+
+    def alike(self, food: str, known: str) -> float:
+        """Return how sure a cook is (0 to 1) to accept a known food for another one."""
+        self.learn([food])
+        return self._rows[food].get(known, 0.0) if food in self._rows else 0.0
+
+    def likes(self, food: str) -> tuple[tuple[str, float], ...]:
+        """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
+        found = self._likes.find(food)
+        if found is None:
+            self.learn([food])
+            row = self._rows.find(food) or {}
+            fair = [(name, sure) for name, sure in row.items() if sure >= FAIR and name != food]
+            found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
+            like = self.chosen.get(canonical(food))
+            if like is not None:
+                found = ((like, 1.0), *(pair for pair in found if pair[0] != like))
+            self._likes[food] = found
+        return found
+
+    def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
+        """Return the likes for one recipe, in which a word with two meanings means what it does there."""
+        return RecipeLikes(self, wants)
+
+    def _choose(self, substitute: Substitute) -> None:
+        food, like = canonical(substitute.food), singular(substitute.like)
+        if self.chosen.setdefault(food, like) != like:
+            raise UsageError(f"“{substitute.food}” has two substitutes", hint="Choose one of them.")
+        known = next((name for name in self.foods if canonical(name) == canonical(like)), None)
+        if known is None:
+            near = difflib.get_close_matches(substitute.like, self.foods, n=3)
+            near = near or [found.name for found in self.similarity.nearest(substitute.like, self.foods, limit=3)]
+            hint = f"Did you mean {' or '.join(near)}?" if near else "It knows no food at all."
+            raise UsageError(f"this FOON does not know “{substitute.like}”", hint=hint, code="unknown-substitute")
+        self.chosen[food] = known
+
+
+class RecipeLikes:
+    """The likes for the foods of one recipe."""
+
+    def __init__(self, likes: FoodLikes, wants: Sequence[Want]) -> None:
+        self._likes = likes
+        self._read: dict[str, tuple[str, ...]] = {}
+        known = set(likes.foods)
+        for want in wants:
+            name, meant = singular(want.label), want.facts.taken_for
+            if meant and meant != name and meant in known:
+                self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
+        likes.learn(singular(want.label) for want in wants)
+
+    def __call__(self, food: str) -> Sequence[tuple[str, float]]:
+        """Return the known foods that can stand for a food, best first, each with its confidence."""
+        name = singular(food)
+        found = self._likes.likes(name)
+        read = self._read.get(name)
+        if not read or name in {canonical(food) for food in self._likes.chosen}:
+            return found
+        return (*((meant, _READ) for meant in read), *(pair for pair in found if pair[0] not in read))
+
+    def alike(self, food: str, known: str) -> float:
+        """Return how sure a cook is (0 to 1) to accept a known food for another one."""
+        name = singular(food)
+        if known in self._read.get(name, ()):
+            return _READ
+        if self._likes.chosen.get(canonical(food)) == known:
+            return 1.0
+        return self._likes.alike(name, known)

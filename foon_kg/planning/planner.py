@@ -1,0 +1,315 @@
+"""From a recipe to a task tree: the four algorithms of the paper, one after the other.
+
+What the FOON teaches (:class:`~foon_kg.integration.methods.Methods`) is asked of a view once. A recipe's foods are
+understood; the dish that suits them is chosen (algorithms 1 and 2); its exact reference tree is looked up
+(algorithm 3); the final tree is built after its frame in a world that refuses what cannot happen (algorithm 4). What is
+answered has passed the judge (:mod:`foon_kg.validation`).
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.errors import NoTreeError, UsageError
+from foon_kg.food import Tables, singular, tables, words
+from foon_kg.goals.choice import Fit, Outline, fits, missing_core, refusals, shortlisted
+from foon_kg.integration.frames import Frame
+from foon_kg.integration.bench import Bench, RefusedError
+from foon_kg.integration.cooking import Cooking, Plan
+from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.methods import Methods
+from foon_kg.integration.places import Matcher
+from foon_kg.integration.preparation import Want, wants_of
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import KnowledgeView
+from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe
+from foon_kg.planning.explanation import Explanation, explanations
+from foon_kg.planning.likes import FoodLikes, RecipeLikes
+from foon_kg.planning.references import References
+from foon_kg.progress import progress_lines
+from foon_kg.result import PassedOver, PlannedUnit, PlanResult
+from foon_kg.settings import PlanSettings
+from foon_kg.shortage import nearest_first, shortage
+from foon_kg.validation import Report, TaskTree, check
+from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
+from foon_kg.world import Mention, Step
+
+MOST_TRIES = 5
+"""How many frames are tried, the best first, before it is said that there is no tree."""
+
+MOST_PASSED = 3
+"""How many goals that were passed over are named."""
+
+
+def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
+    """Return the task tree that makes ``recipe``.
+
+    A recipe without a dish type (``""``) may become a dish of any; the answer says which. Raises :class:`UsageError`
+    for a recipe without ingredients or with an unknown dish type, and :class:`NoTreeError` where the FOON has no way to
+    make it; the code is ``no-goal``, ``no-way``, ``avoided`` or ``missing``.
+    """
+    return Planner(view, settings or PlanSettings()).plan(recipe)
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """A tree that was built after one frame, with what the judge says of it and what its kitchen lacks."""
+
+    fit: Fit
+    tree: FinalTree
+    result: PlanResult
+    report: Report
+    missing: tuple[ObjectNode, ...]
+    cooking: Cooking
+
+
+class Planner:
+    """Plans recipes from one view.
+
+    For many recipes give ``units``, all of the FOON: they are numbered once for the search of reference trees. Without
+    them each plan asks the view for the units behind its goal.
+    """
+
+    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
+        self.view = view
+        self.settings = settings
+        self.known: Tables = tables()
+        self.references = References(view, settings, units)
+        self._outlines: dict[str, Outline] = {}
+        if settings.substitutes:
+            _ = self.likes  # a substitute that nobody knows is refused before anything is planned
+
+    @cached_property
+    def methods(self) -> Methods:
+        """What the FOON teaches."""
+        return self.view.methods()
+
+    @cached_property
+    def likes(self) -> FoodLikes:
+        """How well the foods of the FOON stand for others, with what a person chose."""
+        return FoodLikes(self.settings.similarity, self.methods.operators.foods, self.settings.substitutes)
+
+    def outline(self, frame: Frame) -> Outline:
+        """Return the outline of a frame, made once."""
+        found = self._outlines.get(frame.key)
+        if found is None:
+            found = self._outlines[frame.key] = Outline.of(frame, self.matcher)
+        return found
+
+    @cached_property
+    def matcher(self) -> Matcher:
+        """What knows the places of all frames, whatever is asked."""
+        return Matcher(self.methods.posts, self.likes.alike)
+
+    def kitchen_for(self, foods: Sequence[str]) -> Kitchen:
+        """Return the kitchen of a recipe that asks for ``foods``."""
+        return kitchen_without(self.settings.kitchen, (*self.settings.avoided, *foods)).with_foods(foods)
+
+    def plan(self, recipe: Recipe) -> PlanResult:
+        """Return the task tree that makes ``recipe``; raises as :func:`plan` does."""
+        return self._told(_Question(self, recipe))
+
+    def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
+        """Return the tree, and why every required food is made as it is; raises as :func:`plan` does."""
+        question = _Question(self, recipe)
+        return self._told(question), explanations(question.best, question.likes)
+
+    def reference_tree(self, recipe: Recipe, goal: ObjectNode) -> tuple[KnownUnit, ...]:
+        """Return the reference tree of ``goal`` for ``recipe``, as it was recorded.
+
+        Raises UsageError where ``goal`` is no goal of this FOON.
+        """
+        found = next((one for one in self.view.goals() if one.node == goal), None)
+        if found is None:
+            raise UsageError(f"this FOON has no goal {goal}", hint="Give the FOON of the plan with --files.")
+        question = _Question(self, recipe)
+        return self.references.tree(found, question.wanted(found.ingredients)).units
+
+    def _told(self, question: _Question) -> PlanResult:
+        best = question.best
+        units = [unit.as_unit() for unit in best.result.units]
+        lines = progress_lines(units, best.result.goal, best.result.recipe.ingredients, question.kitchen)
+        return replace(best.result, progress_lines=lines)
+
+
+class _Question:
+    """One recipe being planned."""
+
+    def __init__(self, planner: Planner, recipe: Recipe) -> None:
+        self.planner = planner
+        self.settings = planner.settings
+        self.known = planner.known
+        self.recipe, _ = without_avoided(recipe, self.settings.avoided)
+        if recipe.dish_type and recipe.dish_type not in DISH_TYPES:
+            close = difflib.get_close_matches(recipe.dish_type, DISH_TYPES, n=3)
+            hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
+            raise UsageError(f"“{recipe.dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
+        self.wants = wants_of(self.recipe.ingredients, self.known, planner.methods.operators)
+        if not self.wants:
+            raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
+        foods = [want.label for want in self.wants]
+        self.kitchen = planner.kitchen_for(foods)
+        self.likes: RecipeLikes = planner.likes.of_recipe(self.wants)
+        self.matcher = planner.matcher.with_likeness(self.likes.alike)
+
+    @cached_property
+    def best(self) -> Attempt:
+        """The tree of the best frame that the judge accepts; raises :class:`NoTreeError` where there is none."""
+        attempts: list[Attempt] = []
+        troubles: list[str] = []
+        for fit in self._fits[:MOST_TRIES]:
+            try:
+                attempt = self._attempt(fit)
+            except RefusedError as error:
+                troubles.append(f"{fit.frame.goal.label}: {error}")
+                continue
+            faults = [finding for finding in attempt.report.findings if not finding.minor]
+            if faults:
+                troubles.append(f"{fit.frame.goal.label}: {faults[0]}")
+            elif attempt.missing:
+                attempts.append(attempt)
+            else:
+                return attempt
+        if attempts:
+            least = min(attempts, key=lambda one: len(one.missing))
+            raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.alike)
+        raise self._no_way(troubles)
+
+    @cached_property
+    def _fits(self) -> list[Fit]:
+        frames = self.planner.methods.frames
+        dish_type, title = self.recipe.dish_type, self.recipe.title or ""
+        if not any(_is_of(frame, dish_type) for frame in frames):
+            there = ", ".join(sorted({frame.dish_type for frame in frames})) or "none"
+            raise NoTreeError(
+                f"this FOON has no {dish_type or 'dish'}",
+                code="no-goal",
+                hint=f"It has goals of these dish types: {there}.",
+            )
+        avoided = self.settings.avoided
+        allowed = [frame for frame in frames if why_avoided(frame.goal.label, avoided) is None]
+        lacks = refusals(self.wants, dish_type, title, self.known)
+        if lacks:
+            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
+        outlines = [self.planner.outline(frame) for frame in allowed]
+        keys = shortlisted(outlines, self.wants, dish_type, title, self.known, self.likes)
+        by_key = {frame.key: frame for frame in allowed}
+        return fits([by_key[key] for key in keys], self.wants, dish_type, title, self.matcher)
+
+    def _nearest(self, lacks: Sequence[str]) -> str:
+        del lacks
+        return "Add what is missing, or ask for another dish type."
+
+    def _attempt(self, fit: Fit) -> Attempt:
+        frame = fit.frame
+        dish_type = self.recipe.dish_type or frame.dish_type
+        own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
+        eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
+        label = frame.goal.label if own else dish_type
+        bench = Bench(self.planner.methods.operators, self.likes, self.likes.alike, self.kitchen)
+        cooking = Cooking(
+            bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.planner.methods.cooked_by, eased)
+        )
+        dish = cooking.make()
+        tree = final_tree(bench, cooking, dish, self.wants)
+        result = self._result(fit, tree, dish_type)
+        self._refuse_avoided(result)
+        report = check(_as_tree(result), free=self.kitchen.free_foods)
+        return Attempt(fit, tree, result, report, self._missing(result), cooking)
+
+    def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
+        frame = fit.frame
+        core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
+        goal = next(goal for goal in self.planner.methods.goals if goal.node == frame.goal and frame.video in goal.videos)
+        summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
+        return PlanResult(
+            replace(self.recipe, dish_type=dish_type),
+            summary,
+            tree.goal,
+            tree.units,
+            tree.kitchen,
+            tree.substitutions,
+            tree.assumptions,
+            passed_over=tuple(self._passed_over(fit)),
+        )
+
+    def _passed_over(self, taken: Fit) -> Iterator[PassedOver]:
+        """Yield the goals of the asked dish type that are nearer by their ingredients, and why they are not taken."""
+        rows = []
+        for fit in self._fits:
+            if fit.frame.goal == taken.frame.goal or fit.frame.dish_type not in {self.recipe.dish_type, taken.frame.dish_type}:
+                continue
+            if fit.similarity > taken.similarity:
+                rows.append((-fit.similarity, fit.frame.goal.sort_key, fit))
+        told: set[ObjectNode] = set()
+        for _, _, fit in sorted(rows, key=lambda row: row[:2]):
+            if fit.frame.goal not in told and len(told) < MOST_PASSED:
+                told.add(fit.frame.goal)
+                why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
+                yield PassedOver(fit.frame.goal, round(fit.similarity, 4), why)
+
+    def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
+        """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""
+        found: dict[str, int] = {}
+        for number, want in enumerate(self.wants):
+            for name in ingredients:
+                if singular(name) == singular(want.label) or self.likes.alike(want.label, singular(name)) >= 0.5:
+                    found.setdefault(name, number)
+        return found
+
+    def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
+        """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""
+        lacking = [node for node in result.kitchen if self.kitchen.lacks(node)]
+        units = [(unit.input_nodes, unit.output_nodes) for unit in result.units]
+        return nearest_first(lacking, units, result.goal) if lacking else ()
+
+    def _refuse_avoided(self, result: PlanResult) -> None:
+        if not self.settings.avoided:
+            return
+        nodes = (node for unit in result.units for node in (*unit.input_nodes, *unit.output_nodes))
+        node = next((node for node in nodes if names_avoided(node, self.settings.avoided)), None)
+        if node is not None:
+            raise RefusedError(f"it names {node.label}, which is to be avoided")
+
+    def _no_way(self, troubles: Sequence[str]) -> NoTreeError:
+        dish = f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
+        near = f" The nearest: {troubles[0]}." if troubles else ""
+        return NoTreeError(
+            f"this FOON knows no way to make {dish}.{near}",
+            code="no-way",
+            hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
+        )
+
+
+def _is_of(frame: Frame, dish_type: str) -> bool:
+    """Whether a dish is of a type, as its annotator has it or as it is called: a blueberry muffin is a muffin."""
+    return not dish_type or frame.dish_type == dish_type or not set(words(dish_type)).isdisjoint(words(frame.goal.label))
+
+
+def _as_tree(result: PlanResult) -> TaskTree:
+    """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
+    return TaskTree(
+        result.recipe.id or result.goal.label,
+        tuple(TreeUnit(_step(unit), unit.origin, unit.grounding, unit.seen_in) for unit in result.units),
+        result.goal,
+        result.recipe,
+        result.kitchen,
+        tuple(
+            Substituted(
+                one.kind, one.object, one.required, one.equivalent, one.confidence,
+                tuple((other.name, other.confidence) for other in one.alternatives),
+            )
+            for one in result.substitutions
+        ),
+        tuple(Assumed(one.node, one.why) for one in result.assumptions),
+    )  # fmt: skip
+
+
+def _step(unit: PlannedUnit) -> Step:
+    inputs = (Mention(node, *things) for node, things in zip(unit.input_nodes, unit.input_things, strict=True))
+    outputs = (Mention(node, *things) for node, things in zip(unit.output_nodes, unit.output_things, strict=True))
+    return Step(tuple(inputs), unit.motion_node, tuple(outputs))
