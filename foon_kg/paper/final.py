@@ -11,7 +11,7 @@ from foon_kg.knowledge import Neighbour, Vocabulary
 from foon_kg.model import ObjectNode, RequiredIngredient
 from foon_kg.names import canonical
 from foon_kg.paper.reference import Knowledge
-from foon_kg.result import Alternative, Origin, PlannedUnit, Substitution, SubstitutionKind
+from foon_kg.result import Alternative, PlannedUnit, Substitution, SubstitutionKind
 from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, retrieve
 from foon_kg.similarity import Similarity
 
@@ -62,29 +62,28 @@ def construct_final_task_tree(
 
     ``made`` has, for each required (object, state), what stands for it. What the reference tree lacks is prepared
     before everything else: of several subtrees the one with the fewest units. What the kitchen has in the required
-    state needs none. Each food is connected to the last unit that is marked to accept any number of inputs; few real
-    units are marked, and without one it is the last that takes several foods, else the last.
+    state needs none. Each food is connected to the last unit that is marked to accept any number of inputs and makes
+    something that gets into the goal; few real units are marked, and without one it is the last such unit that takes
+    several foods, else the last.
 
     Raises NoTreeError where nothing is left of the tree.
     """
     kitchen, goal = knowledge.kitchen, reference.goal
-    units = [PlannedUnit.of(known.unit, "reference", known.seen_in) for known in reference.units]
+    units = [PlannedUnit.of(known.unit, "foon", known.seen_in) for known in reference.units]
     nodes = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
     there = {(canonical(node.label), state) for node in nodes for state in (*node.states, "")}
-    marked = [place for place, unit in enumerate(units) if unit.accepts_any]
-    several = [place for place, unit in enumerate(units) if sum(map(kitchen.is_food, unit.input_nodes)) > 1]
-    place = (marked or several or [len(units) - 1])[-1]
-    keys, before, substitutions = {known.unit.key for known in reference.units}, [], list[Substitution]()
+    place = _connecting(units, goal, kitchen)
+    before, substitutions = list[PlannedUnit](), list[Substitution]()
     for want, food in made.items():
         if (canonical(want.object), want.state) not in there:
-            subtree = _subtree(knowledge, want, food, keys)
+            subtree = _subtree(knowledge, want, food)
             before += subtree.units
             substitutions += subtree.substitutions
             units, goal = _connected(units, place, subtree.goal, goal, kitchen)
     distinct = dict[object, PlannedUnit]()
     for unit in (*before, *units):
         distinct.setdefault((unit.input_nodes, unit.motion_node, unit.output_nodes), unit)
-    whole = FinalTree(goal, tuple(distinct.values()), tuple(substitutions))
+    whole = FinalTree(goal, tuple(distinct.values()), tuple(dict.fromkeys(substitutions)))
     return _without_others(whole, {canonical(want.object) for want in made}, kitchen)
 
 
@@ -100,11 +99,11 @@ def _substitution(
     return Substitution(kind, want.object, required, taken.name, taken.confidence, tuple(others))
 
 
-def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood, reference: Collection[str]) -> FinalTree:
+def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> FinalTree:
     """Return the tree behind ``food``, with its object, state and motion substituted by those of ``want``.
 
     The motion that gives the state becomes the one that most often gives the required state to any food. There are
-    no units where none can make the food. ``reference`` are the keys of the units of the reference tree.
+    no units where none can make the food.
     """
     bare = ObjectNode(want.object, (want.state,) if want.state else ())
     outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
@@ -119,14 +118,13 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood, ref
     rows = [(-row.count, row.motion) for row in knowledge.vocabulary.motions if row.state == want.state]
     found, units = list(food.substitutions), list[PlannedUnit]()
     for known in tree.units:
-        origin: Origin = "reference" if known.unit.key in reference else "foon"
-        unit = PlannedUnit.of(known.unit, origin, known.seen_in)
+        unit = PlannedUnit.of(known.unit, "foon", known.seen_in)
         now = _changed(unit, lambda node: _renamed(node, want, food))
         if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion_node:
             now = replace(now, motion_node=min(rows)[1])
             like = knowledge.similarity.nearest(now.motion_node, [unit.motion_node], limit=1)
             found.append(_substitution("motion", want, now.motion_node, like))
-        units.append(now if now == unit else replace(now, origin="substituted"))
+        units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
 
 
@@ -160,6 +158,15 @@ def _changed(unit: PlannedUnit, change: Callable[[ObjectNode], ObjectNode | None
     return replace(unit, input_nodes=inputs, output_nodes=outputs, moving=frozenset(moving))
 
 
+def _connecting(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen) -> int:
+    """Return the place of the unit that foods are connected to: see :func:`construct_final_task_tree`."""
+    places = range(len(units) - 1, -1, -1)
+    several = [place for place in places if sum(map(kitchen.is_food, units[place].input_nodes)) > 1]
+    likely = (*(place for place in places if units[place].accepts_any), *several)
+    any_food = ObjectNode("any food")
+    return next((p for p in likely if _connected(units, p, any_food, goal, kitchen)[1] != goal), len(units) - 1)
+
+
 def _connected(
     units: Sequence[PlannedUnit], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
 ) -> tuple[list[PlannedUnit], ObjectNode]:
@@ -183,8 +190,9 @@ def _connected(
 
 
 def _is_product(node: ObjectNode, unit: PlannedUnit, kitchen: Kitchen) -> bool:
-    """Whether an output is a food that no input is called: dough, broth."""
-    return kitchen.is_food(node) and node.label not in {other.label for other in unit.input_nodes}
+    """Whether an output is a food that no input is called or has among its ingredients: dough, broth."""
+    names = {name for other in unit.input_nodes for name in (other.label, *other.ingredients)}
+    return kitchen.is_food(node) and node.label not in names
 
 
 def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen) -> FinalTree:
@@ -204,7 +212,8 @@ def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen
 
     def bare(node: ObjectNode) -> ObjectNode | None:
         now = replace(node, ingredients=tuple(filter(stays, node.ingredients)))
-        return now if stays(node.label) or node == tree.goal or kitchen.foods_in(now) else None
+        holds = any(canonical(name) in kept for name in now.ingredients)
+        return now if holds or stays(node.label) or node == tree.goal else None
 
     goal = bare(tree.goal) or tree.goal
     needed, units = {goal}, list[PlannedUnit]()
