@@ -6,18 +6,20 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.places import NATURAL, Join, Matcher, Spot
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
-_CARRIES = frozenset({"dough", "dry starch", "egg", "fish", "flour", "meat"})
-"""Traits of foods that a dish is built on."""
+_CARRIES = word_list("a dish is built on")
+_SEASONS = word_list("only seasons")
+_WORKED_IN = word_list("is worked in")
 
-_WORKED_IN = frozenset({"flour", "leaven", "liquid", "spice", "herb", "fat", "egg"})
 
-_SEASONS = frozenset({"fat", "herb", "leaven", "spice", "sweet", "water", "topping", "salty"})
+_CALLED_SO = 0.6
+"""From this on a goal is called like the dish that is asked (:func:`named_alike`)."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +104,7 @@ def shortlisted(
         if not own and ends and outline.ends not in ends:
             continue
         there = sum(w for w, names, kind in asked if kind in outline.kinds or not names.isdisjoint(outline.foods))
-        score = 0.5 * there / total + (0.3 if own else 0.0) + 0.25 * named_alike(outline.label, dish_type, title)
+        score = there / total + (0.5 if own else 0.0) + 0.5 * named_alike(outline.label, dish_type, title)
         rows.append((-round(score, 6), outline.key))
     return [key for _, key in sorted(rows)[:MOST_FITTED]]
 
@@ -128,9 +130,12 @@ def _fit(frame: Frame, wants: Sequence[Want], dish_type: str, title: str, matche
     vetoes = tuple(_vetoes(frame, joins, wants, dish_type, title, matcher))
     weights = [weight(want, known) for want in wants]
     natural = sum(w * join.fit for w, join in zip(weights, joins, strict=True)) / sum(weights)
-    score = 0.5 * natural + 0.25 * _recalled(frame, joins, known)
-    score += 0.3 if frame.dish_type == dish_type else 0.0
-    score += 0.25 * named_alike(frame.goal.label, dish_type, title)
+    carried = [join.slot is not None for join in joins if join.want.facts.is_a(*_CARRIES)]
+    built, other = _recalled(frame, joins, known)
+    score = 0.3 * (sum(carried) / len(carried) if carried else 0.7) + 0.5 * built + 0.1 * other + 0.25 * natural
+    named = named_alike(frame.goal.label, dish_type, title)
+    own = frame.dish_type == dish_type or named >= _CALLED_SO
+    score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
@@ -147,16 +152,28 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
     return found
 
 
-def _recalled(frame: Frame, joins: Sequence[Join], known: Tables) -> float:
-    """Return which share of what the recorded dish is built on (0 to 1) this recipe has too."""
+def _defined(joins: Sequence[Join], dish_type: str, known: Tables) -> bool:
+    """Whether what defines the dish type (the egg of an omelette) has a natural place."""
+    for dish in known.dishes_named(dish_type):
+        for needs in dish.needs:
+            meeting = [join for join in joins if any(meets(need, join.want.facts, known) for need in needs)]
+            if not any(join.slot is not None for join in meeting):
+                return False
+    return True
+
+
+def _recalled(frame: Frame, joins: Sequence[Join], known: Tables) -> tuple[float, float]:
+    """Return which share of what the recorded dish is built on, and of its other foods, this recipe has too (0 to 1)."""
     taken = {id(join.slot) for join in joins if join.slot is not None}
-    total = found = 0.0
+    built: list[bool] = []
+    other: list[bool] = []
     for slot in frame.line.all_slots():
         facts = known.foods.food(slot.food, slot.states)
-        matters = 2.0 if facts.is_a(*_CARRIES) else (0.0 if facts.is_a(*_SEASONS) else 1.0)
-        total += matters
-        found += matters * (id(slot) in taken)
-    return (found + 0.5) / (total + 1.0)
+        if facts.is_a(*_CARRIES):
+            built.append(id(slot) in taken)
+        elif not facts.is_a(*_SEASONS):
+            other.append(id(slot) in taken)
+    return (sum(built) + 0.35) / (len(built) + 0.5), (sum(other) + 0.25) / (len(other) + 0.5)
 
 
 def named_alike(label: str, dish_type: str, title: str) -> float:
@@ -205,11 +222,8 @@ def _vetoes(
             yield f"nothing of it is to be {spot.stage.motion}ed"
             break
     for join in joins:
-        facts = join.want.facts
-        if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not facts.is_a(*_WORKED_IN):
+        if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
-        elif join.slot is None and facts.is_a(*_CARRIES) and join.fit < NATURAL / 2:
-            yield f"{join.want.label} has no place in it"
 
 
 def _comes_through(joined: Spot, spot: Spot) -> bool:

@@ -86,7 +86,7 @@ class Cooking:
         def order(join: Join) -> tuple[float, int, int]:
             facts = join.want.facts
             if join.slot is not None:
-                place: float = slots.index(join.slot)
+                place: float = slots.index(join.slot) if join.slot in slots else -0.5
             elif facts.is_a("fat") and heats:
                 place = -1
             elif facts.is_a("liquid", "creamy"):
@@ -491,7 +491,7 @@ class Cooking:
         by_line = [add for add in stage.adds if isinstance(add, Line)]
         first_line = min((stage.adds.index(add) for add in by_line), default=len(stage.adds))
         for join in joins:
-            before = join.slot is not None and stage.adds.index(join.slot) < first_line
+            before = join.slot is not None and join.slot in stage.adds and stage.adds.index(join.slot) < first_line
             if waiting and not before and not (heats and join.want.facts.is_a("fat")):
                 stuffs += waiting
                 waiting = []
@@ -693,6 +693,9 @@ class Cooking:
 
     def _way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         foods = foods_of(vessel)
+        if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
+            both = [way for way in self.bench.operators.ways.get("heat", ()) if self.known.motion(way[0]).does == {"heat", "mix"}]
+            return self.bench.require(both, foods)
         own = self.bench.attest([(stage.motion, stage.tools)], foods)
         if own is not None and own.nearness <= Nearness.LIKE:
             return own

@@ -17,8 +17,9 @@ from foon_kg.world import Happening, Lump, Part, Step, World
 from foon_kg.world.things import Vessel
 
 _WORK = frozenset({
-    "blend", "coat", "cut", "grind", "heat", "knead", "mash", "mix", "shape", "turn", "wait", "warm", "whip",
+    "blend", "coat", "cut", "heat", "knead", "mash", "mix", "shape", "turn", "wait", "warm", "whip",
 })  # fmt: skip
+_MAKES = _WORK - {"cut", "turn"}
 _FLAT = word_list("flat utensils")
 
 
@@ -87,7 +88,8 @@ class _Derivation:
             return None
         clusters = self._refined(parts, last)
         called = {"".join(singular(goal.label).split()), "".join(singular(lump.label).split())}
-        parts = {n: p for n, p in parts.items() if "".join(p.name.split()) not in called} or parts
+        named_only = {n for n, p in parts.items() if p.untold and "".join(p.name.split()) in called}
+        parts = {n: p for n, p in parts.items() if n not in named_only} or parts
         clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
         whole = self._followed(parts, clusters, last)
         line = _line(whole, last)
@@ -157,7 +159,7 @@ class _Derivation:
             adds = [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
             for cluster in group:
                 if cluster is not first:
-                    adds.append(_joined(cluster, parts, self.known, told, step))
+                    adds += _joined(cluster, parts, self.known, told, step)
             first.waiting = _distinct([*first.waiting, *adds], first.stages, self.known)
         single = len({parts[name].name for name in members}) == 1
         was = first.place
@@ -180,10 +182,13 @@ class _Derivation:
     def _stage(self, cluster: _Cluster, happening: Happening, place: _Place | None, step: int, *, works: bool) -> Stage:
         motion, tools = self._tells(happening)
         appliance, source = _appliance(happening, place, self.known) if works else ("", "")
+        does = happening.motion.does
+        if source == "heat" and "mix" in does and place is not None and self._told_cooked(place, happening):
+            does |= {"heat"}  # it stands over heat and is cooked afterwards, though nobody noted the cooking
         return Stage(
             tuple(cluster.waiting),
             motion,
-            happening.motion.does,
+            does,
             tools,
             place.vessel if place else "",
             place.relation if place else "in",
@@ -193,6 +198,11 @@ class _Derivation:
             place.states if place else (),
             step,
         )
+
+    def _told_cooked(self, place: _Place, happening: Happening) -> bool:
+        before = {state for lump in happening.inputs for state in lump.states if lump.label == place.label}
+        rows = [self.known.state(state) for state in place.states if state not in before or happening.made]
+        return any(row.needs_heat or "cook" in row.earns or row.half for row in rows)
 
     def _tells(self, happening: Happening) -> tuple[str, tuple[str, ...]]:
         return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
@@ -218,11 +228,14 @@ class _Derivation:
 
 def _joined(
     cluster: _Cluster, parts: dict[int, Part], known: Tables, told: tuple[str, tuple[str, ...]], step: int
-) -> Slot | Line:
+) -> list[Slot | Line]:
     if cluster.stages or cluster.waiting:
-        return _line(cluster, step)
+        line = _line(cluster, step)
+        if any(not stage.does.isdisjoint(_MAKES) for stage in line.stages):
+            return [line]
+        return [add for stage in line.stages for add in stage.adds]  # foods that only were cut together
     source = cluster.place.vessel if cluster.place is not None else ""
-    return _slot(cluster, parts, known, (*told, source))
+    return [_slot(cluster, parts, known, (*told, source))]
 
 
 def _slot(

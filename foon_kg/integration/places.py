@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from foon_kg.food import Tables, singular, tables
+from foon_kg.food import Food, Tables, singular, tables
+from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
 from foon_kg.integration.preparation import Want, owed
 
@@ -25,8 +26,10 @@ _WORKS = (
     ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),
 )  # fmt: skip
 
-_LATE = ("creamy", "herb", "raw", "ready", "salty", "spice", "sweet", "topping")
-"""Traits of foods that may come to a hot dish when it is done."""
+_LATE = word_list("joins late")
+
+_SAME_ROLE = 0.55
+"""How well a food fits where another one is that defines the dish as it does: one vegetable for another."""
 
 NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
@@ -151,6 +154,14 @@ class Posts:
         return sum(min(1.0, mine[other] / 2) for other in others) / len(others)
 
 
+def _is(need: str, food: Food) -> bool:
+    """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
+    scheme, _, name = need.rpartition(":")
+    if scheme == "trait":
+        return name in food.traits
+    return name in food.kinds if scheme == "kind" else food.name == name
+
+
 def _only_carries(stage: Stage) -> bool:
     """Whether a stage brings the dish to where it is served, or only adds to it."""
     return all(stage.does.isdisjoint(does) for _, does in _WORKS)
@@ -192,11 +203,15 @@ class Matcher:
         return tuple(self._join(frame, want) for want in wants)
 
     def _join(self, frame: Frame, want: Want) -> Join:
+        ready_made = self._in_place_of(frame, want)
+        if ready_made is not None:
+            return ready_made
         best: tuple[float, Join] | None = None
         must = bool({"cook", "boil"} & owed(want, self.known))
+        needs = self._needs_met(frame.dish_type, want.facts)
         heats = any("heat" in spot.stage.does for spot in self.spots(frame) if not spot.side)
         for spot in self.spots(frame):
-            slot, fit = self._slot(spot, want)
+            slot, fit = self._slot(spot, want, needs)
             if fit >= NATURAL:
                 score = 1 + fit
             else:
@@ -220,6 +235,21 @@ class Matcher:
             return Join(want, self.spots(frame)[0], 0.0)
         return best[1]
 
+    def _in_place_of(self, frame: Frame, want: Want) -> Join | None:
+        """Return where a food joins that is bought in the place of what the dish makes on its way: dough, a dressing."""
+        own = set(want.facts.name.split())
+        spots = self.spots(frame)
+        for spot in spots:
+            made = set(singular(spot.stage.label).split())
+            if not spot.after or not made or not self.known.foods.food(spot.stage.label).is_a("made", "dough"):
+                continue
+            doughs = want.facts.is_a("dough") and self.known.foods.food(spot.stage.label).is_a("dough")
+            if made == own or doughs or (made < own and want.facts.is_a("made", "dough", "ready")):
+                following = next(other for other in spots if other.stage is spot.after[0])
+                slot = Slot(spot.stage.label, want.facts.kind)
+                return Join(want, following, 0.95, slot)
+        return None
+
     def _drained(self, spot: Spot) -> bool:
         """Whether what is liquid runs out later: the whole comes into a strainer."""
         rows = (self.known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
@@ -228,7 +258,13 @@ class Matcher:
     def _tops(self, want: Want) -> bool:
         return want.facts.is_a("topping", "herb")
 
-    def _slot(self, spot: Spot, want: Want) -> tuple[Slot | None, float]:
+    def _needs_met(self, dish_type: str, food: Food) -> frozenset[str]:
+        """Return what of the needs of a dish type a food is: it can take the place of another one that is the same."""
+        dishes = self.known.dishes_named(dish_type)
+        needs = {need for dish in dishes for needs in dish.needs for need in needs}
+        return frozenset(need for need in needs if _is(need, food))
+
+    def _slot(self, spot: Spot, want: Want, needs: frozenset[str]) -> tuple[Slot | None, float]:
         name = singular(want.label)
         best: tuple[float, Slot | None] = (0.0, None)
         for slot in spot.stage.slots:
@@ -238,6 +274,8 @@ class Matcher:
                 fit = self.like(name, slot.food)
                 if slot.kind == want.facts.kind and slot.kind != "unknown":
                     fit = max(fit, 0.6)
+                elif needs and any(_is(need, self.known.foods.food(slot.food)) for need in needs):
+                    fit = max(fit, _SAME_ROLE)
                 elif slot.kind not in want.facts.kinds and fit < 0.8:
                     fit *= 0.7
             if fit > best[0]:

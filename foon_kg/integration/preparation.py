@@ -25,6 +25,9 @@ _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape
 LEAST_ALIKE = 0.01
 """A food is handled like another one only where that is not quite absurd."""
 
+_JUICE = "juice"
+"""The state of what is squeezed out of a fruit."""
+
 _POWDER = 5
 """How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
 
@@ -47,6 +50,7 @@ class Want:
     make: str = ""
     cooked: bool = False
     read_as: str | None = None
+    squeezed: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -74,6 +78,8 @@ def wants_of(ingredients: Iterable[RequiredIngredient], known: Tables, operators
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
     facts = known.foods.food(one.object, [one.state] if one.state else [])
+    if _JUICE in one.state and facts.is_a("remains"):
+        facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     row = known.state(one.state)
     sold_so = not one.state or row.sold or bool(row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == one.state
     plain = _plain_leaf(one.object, facts, one.state, known)
@@ -92,6 +98,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
             return replace(want, cooked=True, make=one.state)
         return replace(want, read_as=plain)
     ways = [way for way in operators.giving.get(one.state, ()) if operators.attested(way, want.names, act=True)]
+    if "juice" in one.state and form == "whole" and operators.giving.get(_JUICE):
+        return replace(want, make=one.state, squeezed=True)
     known_so = any(operators.attested(way, want.names, act=True) for way in operators.making(one.state))
     if form in {"liquid", "powder", "soft"} and not ways:
         return replace(want, read_as=plain)
@@ -137,16 +145,39 @@ class Preparer:
         state = self.known.state(want.make) if want.make else None
         if state is not None:
             due |= state.earns & set(_BY_HAND)
+        if want.squeezed:
+            due = set()
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
         for name in _BY_HAND:
             if name in due and not (name == "stone" and "core" in due):
                 self._treat(ready, name)
+        if want.squeezed:
+            self._squeeze(ready)
+            return ready
         cut = self._cut_state(want, form, due, divided=divided)
         if cut:
             self._cut(ready, cut)
         return ready
+
+    def _squeeze(self, ready: Ready) -> None:
+        """Halve the food and press its juice into a bowl."""
+        stuff, bench = ready.stuff, self.bench
+        halves = [way for way in self.operators.making("halved") if self.is_cut(way)]
+        bench.act(stuff, self._with_tool(bench.require(halves, ready.want.names, act=True)), ("halved",), "cutting board")
+        ways = [way for way in self.operators.giving.get(_JUICE, ()) if "separate" in self.known.motion(way[0]).does and way[1]]
+        attested = bench.require(ways, ready.want.names)
+        board, bowl = stuff.at, bench.vessel("bowl")
+
+        def change() -> None:
+            if board is not None:
+                board.contents.remove(stuff)
+            bowl.contents.append(stuff)
+            stuff.at, stuff.states = bowl, (_JUICE,)
+
+        bench.emit(attested, [stuff, *([board] if board is not None else []), bowl], change, [stuff, bowl])
+        ready.read_as = _JUICE
 
     def opening(self, want: Want) -> Attested | None:
         """Return the way to open the food's shell over a vessel, if there is one."""
@@ -194,7 +225,8 @@ class Preparer:
     def is_cut(self, way: Way) -> bool:
         """Whether a way divides a food by hand."""
         does = self.known.motion(way[0]).does
-        return not does.isdisjoint(_CUTS) and does.isdisjoint(_NOT_BY_HAND) and len(way[1]) <= 1
+        others = _NOT_BY_HAND - {"mix"} if "mash" in does else _NOT_BY_HAND
+        return not does.isdisjoint(_CUTS) and does.isdisjoint(others) and len(way[1]) <= 1
 
     def _with_tool(self, attested: Attested) -> Attested:
         """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""
@@ -261,9 +293,7 @@ class Preparer:
     def _cut(self, ready: Ready, state: str) -> None:
         want = ready.want
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
-        attested = self.bench.attest(ways, want.names, act=True)
-        if attested is None and not want.facts.is_a("stock", "ready"):
-            attested = self._far(ways, want)
+        attested = self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
         if attested is None:
             self._assume(ready, state)
             return
