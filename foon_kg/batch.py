@@ -8,17 +8,18 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
+from typing import Literal
 
 from foon_kg.avoidance import without_avoided
 from foon_kg.cluster import spread_over
 from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
-from foon_kg.explanation import Explanation
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
-from foon_kg.likeness import Substitute
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.names import canonical
-from foon_kg.planner import Planner
+from foon_kg.paper import plan_by_the_paper
+from foon_kg.planning.explanation import Explanation
+from foon_kg.planning.planner import Planner
 from foon_kg.processes import spread
 from foon_kg.recipes import (
     IngredientWords,
@@ -30,10 +31,13 @@ from foon_kg.recipes import (
     with_states,
 )
 from foon_kg.result import PlanFailure, PlanResult
-from foon_kg.settings import PlanSettings
+from foon_kg.settings import PlanSettings, Substitute
 
 MANY = 4
 """From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
+
+Method = Literal["frames", "paper"]
+"""How trees are made: as foon-kg makes them, or by the paper's four algorithms to the letter, for comparison."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +85,7 @@ class Question:
 class Wishes:
     """How all recipes are to be planned (see :class:`~foon_kg.settings.PlanSettings`), and whether to say why.
 
-    ``time_limit`` (seconds) is for the search of each reference tree.
+    ``time_limit`` (seconds) is for the search of each reference tree. The paper's ``method`` knows nothing of all this.
     """
 
     substitutes: tuple[Substitute, ...] = ()
@@ -89,6 +93,7 @@ class Wishes:
     explain: bool = False
     kitchen: Kitchen = field(default_factory=Kitchen.default)
     time_limit: float | None = 20.0
+    method: Method = "frames"
 
 
 @dataclass(frozen=True)
@@ -110,6 +115,7 @@ class Cook:
         )
         self.view = view
         self.wishes = wishes
+        self.asks_for_parts = units is None
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
@@ -121,7 +127,9 @@ class Cook:
         explanations: tuple[Explanation, ...] = ()
         try:
             read = question.read(self.words_for(question), self.wishes.avoided)
-            if explain or self.wishes.explain:
+            if self.wishes.method == "paper":
+                result = plan_by_the_paper(self.view, read.recipe)
+            elif explain or self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)
             else:
                 result = self.planner.plan(read.recipe)
@@ -132,14 +140,14 @@ class Cook:
 
     def words_for(self, question: Question) -> IngredientWords:
         """Answer the words in which ``question`` is read."""
-        if not self.planner.asks_for_parts:
+        if not self.asks_for_parts:
             return self._all_words
         foods, called = question.names()
         return IngredientWords(self.view.words_for(foods, called), Kitchen.default())
 
     @cached_property
     def _all_words(self) -> IngredientWords:
-        return IngredientWords(self.planner.vocabulary, Kitchen.default())
+        return IngredientWords(self.view.vocabulary(), Kitchen.default())
 
 
 def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:

@@ -16,11 +16,11 @@ from foon_kg.kitchen import singular
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.model_json import node_to_json
+from foon_kg.planning.likes import FAIR
 from foon_kg.search import ReferenceTree, SearchProblem, UnitIndex, retrieve
+from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 from foon_kg.similarity import Similarity, food_similarity
 from foon_kg.stock import StockedKitchen
-from foon_kg.substitution import FAIR
-from foon_kg.workshop import ABSENT, gap_cost, mixtures
 
 LEAST_PROVEN = 10
 """So many of the cheaply ranked goals are proven at least; twice as many as are asked for, where that is more."""

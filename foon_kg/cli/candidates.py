@@ -16,9 +16,10 @@ if TYPE_CHECKING:
 def show_candidates(
     question: Question, view: KnowledgeView, wishes: Wishes, most: int, *, as_json: bool, say: Say
 ) -> None:
-    """Print the reference trees of the goal most like the recipe, best first, after at most ``most`` combinations."""
+    """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
     from foon_kg.batch import Cook
     from foon_kg.model_json import node_to_json, recipe_to_json
+    from foon_kg.planning.candidates import reference_question
     from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
     from foon_kg.views.candidates import candidates_view
 
@@ -26,16 +27,16 @@ def show_candidates(
     read = question.read(cook.words_for(question), wishes.avoided)
     for note in read.notes:
         say(note)
-    ranked, problem = cook.planner.reference_question(read.recipe)
+    goal, problem = reference_question(cook.planner, read.recipe)
     exact = retrieve(problem, time_limit=cook.planner.settings.time_limit)
     found = enumerate_paths(with_gaps_of(problem, exact), limit=most)
     if not as_json:
-        print_view(candidates_view(ranked.goal, found, exact))
+        print_view(candidates_view(goal, found, exact))
         return
     print_json(
         {
             "recipe": recipe_to_json(read.recipe),
-            "goal": node_to_json(ranked.goal.node),
+            "goal": node_to_json(goal.node),
             "exact": _tree(exact),
             "candidates": [_tree(tree) for tree in found.trees],
             "complete": found.complete,

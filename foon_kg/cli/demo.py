@@ -76,7 +76,7 @@ def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
     from foon_kg.demo import demo_recipes
     from foon_kg.graph import Neo4jGraph
     from foon_kg.kitchen import Kitchen
-    from foon_kg.planner import plan
+    from foon_kg.planning.planner import plan
     from foon_kg.recipes import IngredientWords, read_recipe
 
     path = next(path for path in demo_recipes() if path.stem == RECIPE)

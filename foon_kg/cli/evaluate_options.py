@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
@@ -34,6 +34,10 @@ Compare = Annotated[
     Path | None,
     typer.Option("--compare", metavar="OLD.json", help="Say what got better or worse since this (from --json)."),
 ]
+Method = Annotated[
+    Literal["frames", "paper"],
+    typer.Option("--method", help="For comparison: paper is its four algorithms to the letter."),
+]
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
 ]
@@ -52,6 +56,7 @@ class Run:
     dask: str | None
     say: Say
     quiet: bool
+    method: Literal["frames", "paper"] = "frames"
 
     def spread(self, make: Callable[[], Callable[[T], A]], items: Sequence[T]) -> AbstractContextManager[Iterator[A]]:
         """Open what works on ``items``: the cluster, the processes, or for few items just this one."""

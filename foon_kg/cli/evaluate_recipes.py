@@ -32,6 +32,7 @@ EXAMPLES = examples(
     "foon evaluate recipes recipes/ --output plans.jsonl --scores-to sheet.csv",
     "foon evaluate recipes recipes/ --output plans.jsonl --scores sheet.csv",
     "foon evaluate recipes recipes/ --html report.html",
+    "foon evaluate recipes recipes/ --method paper --json > paper.json",
 )
 
 
@@ -52,6 +53,7 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     scores: Annotated[
         Path | None, typer.Option("--scores", metavar="FILE.csv", help="Read their scores, and compare the rule's.")
     ] = None,
+    method: options.Method = "frames",
     html: options.Html = None,
     compare: options.Compare = None,
     jobs: options.Jobs = None,
@@ -85,7 +87,7 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
     sheet = None if scores is None else read_sheet(scores)
     snapshot = whole_foon(files, say)
     asked = _asked(paths or [], dish or [], sample, seed=seed, snapshot=snapshot, say=say)
-    evaluation = _evaluated(asked, snapshot, seed, options.Run(output, jobs, dask, say, quiet))
+    evaluation = _evaluated(asked, snapshot, seed, options.Run(output, jobs, dask, say, quiet, method))
     if scores_to is not None:
         options.write_text(scores_to, write_sheet(evaluation.recipes), "--scores-to")
     agreement = None if sheet is None or scores is None else _agreement(evaluation, sheet, scores)
@@ -189,7 +191,7 @@ def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> 
 
     questions = [Question(given=recipe) for recipe in asked]
     writing = Writing(collect, run.output, run.say, run.quiet, collected=True)
-    answer_all(questions, snapshot, Wishes(), run.jobs, writing, dask=run.dask)
+    answer_all(questions, snapshot, Wishes(method=run.method), run.jobs, writing, dask=run.dask)
     if run.output is None:
         return found
     return [

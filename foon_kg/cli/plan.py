@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -17,7 +17,7 @@ from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 if TYPE_CHECKING:
     from foon_kg.batch import Question
     from foon_kg.cli.answering import Show
-    from foon_kg.likeness import Substitute
+    from foon_kg.settings import Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
@@ -27,6 +27,7 @@ EXAMPLES = examples(
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
     "foon plan recipe.json --enumerate --most 5000",
+    "foon plan recipe.json --method paper",
 )
 
 
@@ -74,6 +75,10 @@ Jobs = Annotated[
 Enumerate = Annotated[
     bool, typer.Option("--enumerate", help="List the reference trees there are to choose from, and the choice.")
 ]
+Method = Annotated[
+    Literal["frames", "paper"],
+    typer.Option("--method", help="For comparison: paper is its four algorithms to the letter, blind to the kitchen."),
+]
 Most = Annotated[
     int, typer.Option("--most", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
 ]
@@ -89,6 +94,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     explain: Explain = False,
     enumerate_all: Enumerate = False,
     most: Most = 1_000,
+    method: Method = "frames",
     substitute: Substitutes = None,
     avoid: Avoided = None,
     output: Output = None,
@@ -112,6 +118,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
     What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
+    --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
     from foon_kg.batch import Wishes
     from foon_kg.cli.answering import Writing, answer_all, knowledge_for
@@ -122,11 +129,14 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
     say = sayer(quiet=quiet)
+    if method == "paper":
+        own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
+        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid)})
     questions = _questions(wanted or [], dish, recipe or [], say)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with knowledge_for(files, len(questions), say) as view:
         at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
-        wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand)
+        wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand, method=method)
         if enumerate_all:
             show_candidates(questions[0], view, wishes, most, as_json=as_json, say=say)
             return
@@ -148,8 +158,14 @@ def _one_form(asked: dict[str, bool]) -> None:
         raise UsageError(f"{' and '.join(forms)} ask for two forms of one answer", hint="Choose one of them.")
 
 
+def _ours_only(asked: dict[str, bool]) -> None:
+    option = next((option for option, chosen in asked.items() if chosen), None)
+    if option is not None:
+        raise UsageError(f"the paper's method knows nothing of {option}", hint="Leave --method paper or that out.")
+
+
 def _substitute(text: str) -> Substitute:
-    from foon_kg.likeness import Substitute
+    from foon_kg.settings import Substitute
 
     food, equals, like = (part.strip() for part in text.partition("="))
     if not (food and equals and like):

@@ -196,7 +196,7 @@ class _Shown:
 
     def difference(self) -> tuple[StepChange, ...]:
         from foon_kg.cli.knowledge import open_knowledge
-        from foon_kg.planner import Planner
+        from foon_kg.planning.planner import Planner
         from foon_kg.settings import PlanSettings
         from foon_kg.step_changes import step_changes
 

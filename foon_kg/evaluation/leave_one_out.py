@@ -1,7 +1,7 @@
 """Leave one out, the paper's future work: every video taken out of the FOON, asked for, and compared with the answer.
 
-Two baselines answer the same questions in the same run: the nearest recipe unchanged, and a search for which nothing
-stands for anything else. A method that finds no tree has nothing in common with the truth.
+Three baselines answer the same questions in the same run: the nearest recipe unchanged, the planner where nothing
+stands for anything else, and the paper's own method. One that finds no tree has nothing in common with the truth.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from foon_kg.evaluation.tree_overlap import NOTHING, Overlap, overlap
 from foon_kg.evaluation.video_figures import VideoFigures
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Recipe, Subgraph
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.recipes import IngredientWords, with_states
 from foon_kg.result import PlanResult
 from foon_kg.settings import PlanSettings

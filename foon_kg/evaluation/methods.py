@@ -1,4 +1,4 @@
-"""The ways to answer a question that leave-one-out compares: foon-kg whole, baselines, and foon-kg without a part."""
+"""The ways to answer a question that leave-one-out compares: foon-kg, the paper's own method and two baselines."""
 
 from __future__ import annotations
 
@@ -7,11 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from foon_kg.errors import NoTreeError
 from foon_kg.knowledge import KnowledgeView, Neighbour
-from foon_kg.model import FunctionalUnit, Recipe
+from foon_kg.model import FunctionalUnit, Goal, Recipe
 from foon_kg.names import canonical
-from foon_kg.planner import Planner
-from foon_kg.settings import PlanSettings, Rules
+from foon_kg.paper import plan_by_the_paper
+from foon_kg.planning.planner import Planner
+from foon_kg.settings import PlanSettings
+from foon_kg.similarity import matching
 from foon_kg.similarity.answers import Confidences, best
 
 Method = Callable[[KnowledgeView, Recipe], Sequence[FunctionalUnit]]
@@ -36,16 +39,23 @@ class SameName:
         return ("the same food",) if canonical(name) == canonical(known) else ()
 
 
-def same_state(one: str, other: str) -> float:
-    """Answer 1 for the same state, else 0."""
-    return float(canonical(one) == canonical(other))
-
-
 def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the reference tree of the goal that algorithm 1 finds nearest, unchanged."""
-    planner = Planner(view, PlanSettings())
-    goal, _ = planner.reference_question(recipe)
-    return [known.unit for known in planner.reference_tree(recipe, goal.goal.node)]
+    """Answer the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
+    goals = view.goals(recipe.dish_type or None)
+    if not goals:
+        raise NoTreeError(f"this FOON has no {recipe.dish_type}", code="no-goal")
+    foods = list(dict.fromkeys(want.object for want in recipe.ingredients))
+
+    def rank(goal: Goal) -> tuple[float, int]:
+        return round(matching(foods, goal.ingredients)[0], 6), -len(goal.ingredients)
+
+    nearest = max(goals, key=rank)
+    return [known.unit for known in Planner(view, PlanSettings()).reference_tree(recipe, nearest.node)]
+
+
+def by_the_paper(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
+    """Answer the tree that the four algorithms of the paper make, to the letter."""
+    return [unit.as_unit() for unit in plan_by_the_paper(view, recipe).units]
 
 
 @dataclass(frozen=True)
@@ -62,22 +72,8 @@ class Planning:
 OURS = "foon-kg"
 BASELINES: Mapping[str, Method] = {
     "nearest recipe": nearest_recipe,
-    "no substitution": Planning(PlanSettings(similarity=SameName(), state_similarity=same_state)),
-}
-PARTS: Mapping[str, Method] = {
     "no similarity": Planning(PlanSettings(similarity=SameName())),
-    "no state classes": Planning(PlanSettings(state_similarity=same_state)),
-    "no motion choice": Planning(PlanSettings(rules=Rules(motions=False))),
-    "no joining rule": Planning(PlanSettings(rules=Rules(joining=False))),
-    "no own steps": Planning(PlanSettings(rules=Rules(carriers=False))),
-    "first goal only": Planning(PlanSettings(rules=Rules(ties=False))),
-    "greedy search": Planning(PlanSettings(time_limit=0.0)),
+    "paper": by_the_paper,
 }
-"""The planner without one of its parts each; a search without time answers the cheapest producers and compares none."""
-METHODS: Mapping[str, Method] = {OURS: Planning(), **BASELINES, **PARTS}
+METHODS: Mapping[str, Method] = {OURS: Planning(), **BASELINES}
 """Every method by its name."""
-
-
-def methods(*, parts: bool) -> tuple[str, ...]:
-    """Answer the names of the methods to be compared, ours first; with ``parts`` those without one of our parts too."""
-    return (OURS, *BASELINES, *(PARTS if parts else ()))

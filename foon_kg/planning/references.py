@@ -32,12 +32,16 @@ class References:
         key = (goal.node, tuple(sorted(wanted.items())))
         found = self._kept.find(key)
         if found is None:
-            problem = SearchProblem(self._index_for(goal), (goal.node,), wanted=dict(wanted))
+            problem = self.problem(goal, wanted)
             explored = self._explored if self.units is not None else Explored()
             found = self._kept[key] = retrieve_once(
                 problem, self.view.memory, time_limit=self.settings.time_limit, explored=explored
             )
         return found
+
+    def problem(self, goal: Goal, wanted: Mapping[str, int]) -> SearchProblem:
+        """Return what is asked of the search where :meth:`tree` is."""
+        return SearchProblem(self._index_for(goal), (goal.node,), wanted=dict(wanted))
 
     def summary(
         self, goal: Goal, wanted: Mapping[str, int], videos: tuple[str, ...], core: tuple[str, ...]

@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
-from foon_kg.explanation import Explanation, Joining, PassedOver
+from foon_kg.planning.explanation import Explanation, Joining, PassedOver
 from foon_kg.views.words import ASIDE, STATE
 
 

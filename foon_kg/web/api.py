@@ -18,8 +18,8 @@ from starlette.staticfiles import StaticFiles
 
 from foon_kg import __version__
 from foon_kg.errors import FoonError
-from foon_kg.likeness import Substitute
 from foon_kg.pictures.svg import dark_colours
+from foon_kg.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit

@@ -6,13 +6,13 @@ from dataclasses import asdict
 
 from foon_kg.batch import Answer
 from foon_kg.durations import Durations
-from foon_kg.explanation import Explanation
 from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen
 from foon_kg.model_json import node_to_json
 from foon_kg.pictures.gantt import schedule_svg
 from foon_kg.pictures.progress import progress_svg
 from foon_kg.pictures.tree import tree_svg
+from foon_kg.planning.explanation import Explanation
 from foon_kg.result import PlanResult
 from foon_kg.schedule import Schedule, schedule
 from foon_kg.shopping import shopping_list

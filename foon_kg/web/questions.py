@@ -8,7 +8,7 @@ from typing import Self
 
 from foon_kg.errors import FoonError, GraphError, NoTreeError, ServerError, UsageError, WriteRefused
 from foon_kg.json_fields import JsonObject
-from foon_kg.likeness import Substitute
+from foon_kg.settings import Substitute
 
 
 @dataclass(frozen=True)
