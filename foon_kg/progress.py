@@ -12,7 +12,7 @@ import itertools
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, Self
+from typing import NamedTuple, Protocol, Self
 
 from foon_kg.json_fields import Fields, JsonObject
 from foon_kg.kitchen import Kitchen, singular
@@ -78,6 +78,49 @@ def progress_lines(
     stages = _Stages.of(units, goal, kitchen)
     lines = (_line(food, stages, kitchen) for food in foods)
     return tuple(dict.fromkeys(lines))
+
+
+class NumberedUnit(Protocol):
+    """A unit whose nodes say by a number which thing they are."""
+
+    @property
+    def input_nodes(self) -> tuple[ObjectNode, ...]: ...
+    @property
+    def output_nodes(self) -> tuple[ObjectNode, ...]: ...
+    @property
+    def motion_node(self) -> str: ...
+    @property
+    def input_things(self) -> tuple[tuple[int | None, int | None], ...]: ...
+    @property
+    def output_things(self) -> tuple[tuple[int | None, int | None], ...]: ...
+
+
+def lines_of_things(
+    units: Sequence[NumberedUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
+) -> tuple[ProgressLine, ...]:
+    """Return a line for each of ``foods`` through a tree that numbers its things; each comes with its number.
+
+    A thing that a unit takes and does not put out has become part of the food that names it among its ingredients.
+    """
+    return tuple(dict.fromkeys(_line_of_thing(units, goal, food, number) for food, number in foods))
+
+
+def _line_of_thing(
+    units: Sequence[NumberedUnit], goal: ObjectNode, food: RequiredIngredient, number: int
+) -> ProgressLine:
+    name, steps, now = singular(food.object), [], number
+    for unit in units:
+        taken = next((n for n, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True) if thing == now), None)
+        if taken is None:
+            continue
+        steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
+        things = [thing for thing, _ in unit.output_things]
+        if now not in things:
+            outputs = zip(unit.output_nodes, things, strict=True)
+            holding = [t for n, t in outputs if t is not None and name in map(singular, n.ingredients)]
+            now = holding[-1] if holding else now
+    ends = any(node == goal for node, (thing, _) in zip(units[-1].output_nodes, units[-1].output_things, strict=True) if thing == now)
+    return ProgressLine(food.object, tuple(steps), goal.label if ends else None)
 
 
 class _Stage(NamedTuple):

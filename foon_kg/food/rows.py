@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 
 class Level(StrEnum):
@@ -62,9 +63,13 @@ class Food:
         """Whether the table knows the food, or at least its last words."""
         return self.match is not Match.UNKNOWN
 
+    @cached_property
+    def _tags(self) -> frozenset[str]:
+        return self.kinds | self.traits | {self.name}
+
     def is_a(self, *names: str) -> bool:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""
-        return any(name in self.kinds or name in self.traits or name == self.name for name in names)
+        return not self._tags.isdisjoint(names)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.operators import Likes
-from foon_kg.integration.places import NATURAL, Join, Matcher, Spot
+from foon_kg.integration.places import Join, Layout, Matcher, Spot
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
@@ -18,6 +18,7 @@ _SEASONS = word_list("only seasons")
 _WORKED_IN = word_list("is worked in")
 
 
+_MOST = 0.6
 _CALLED_SO = 0.6
 """From this on a goal is called like the dish that is asked (:func:`named_alike`)."""
 
@@ -49,7 +50,7 @@ def weight(want: Want, known: Tables) -> float:
     return 0.4 if want.facts.is_a(*_SEASONS) else 1.0
 
 
-MOST_FITTED = 32
+MOST_FITTED = 16
 """How many frames are looked at closely."""
 
 
@@ -68,8 +69,9 @@ class Outline:
     ends: tuple[str, str]
 
     @classmethod
-    def of(cls, frame: Frame, matcher: Matcher) -> Outline:
+    def of(cls, layout: Layout, known: Tables) -> Outline:
         """Return the outline of a frame."""
+        frame = layout.frame
         slots = list(frame.line.all_slots())
         return cls(
             frame.key,
@@ -77,7 +79,7 @@ class Outline:
             frame.goal.label,
             frozenset(slot.food for slot in slots),
             frozenset(slot.kind for slot in slots) - {"unknown"},
-            closing_heat(frame, matcher),
+            closing_heat(layout, known),
         )
 
 
@@ -109,25 +111,27 @@ def shortlisted(
     return [key for _, key in sorted(rows)[:MOST_FITTED]]
 
 
-def fits(frames: Iterable[Frame], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> list[Fit]:
+def fits(layouts: Iterable[Layout], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> list[Fit]:
     """Return how well each frame suits, the best first."""
-    return sorted((_fit(frame, wants, dish_type, title, matcher) for frame in frames), key=lambda fit: fit.order)
+    found = (_fit(layout, wants, dish_type, title, matcher) for layout in layouts)
+    return sorted(found, key=lambda fit: fit.order)
 
 
-def closing_heat(frame: Frame, matcher: Matcher) -> tuple[str, str]:
+def closing_heat(layout: Layout, known: Tables) -> tuple[str, str]:
     """Return how a dish is heated last: what is done, and on what (``("", "")`` for a cold one)."""
-    heats = [spot for spot in matcher.spots(frame) if "heat" in spot.stage.does and not spot.side]
+    heats = [spot for spot in layout.spots if "heat" in spot.stage.does and not spot.side]
     if not heats:
         return ("", "")
     last = heats[-1]
     dry = "dry" in last.stage.does or last.stage.appliance in {"oven", "microwave"}
-    return ("bake", "") if dry else ("heat", matcher.group(last.stage.vessel))
+    row = known.utensil(last.stage.vessel)
+    return ("bake", "") if dry else ("heat", row.group if row is not None else "")
 
 
-def _fit(frame: Frame, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
-    known = matcher.known
-    joins = matcher.joins(frame, wants)
-    vetoes = tuple(_vetoes(frame, joins, wants, dish_type, title, matcher))
+def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
+    known, frame = matcher.known, layout.frame
+    joins = matcher.joins(layout, wants)
+    vetoes = tuple(_vetoes(layout, joins, dish_type, title, known))
     weights = [weight(want, known) for want in wants]
     natural = sum(w * join.fit for w, join in zip(weights, joins, strict=True)) / sum(weights)
     carried = [join.slot is not None for join in joins if join.want.facts.is_a(*_CARRIES)]
@@ -186,6 +190,14 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
     return 0.6 if own & set(words(dish_type)) else 0.0
 
 
+def is_truly(fit: Fit, known: Tables) -> bool:
+    """Whether a dish may be called as the recorded one is: it has most of its foods, those apart that only season it."""
+    taken = {id(join.slot) for join in fit.joins if join.slot is not None}
+    slots = [s for s in fit.frame.line.all_slots() if not known.foods.food(s.food, s.states).is_a(*_SEASONS)]
+    plain = set(words(fit.frame.goal.label)) <= set(words(fit.frame.dish_type)) or not slots
+    return plain or sum(id(slot) in taken for slot in slots) >= _MOST * len(slots)
+
+
 def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[str, ...]:
     """Return what the goal's name promises and the recipe does not have."""
     found = []
@@ -202,10 +214,9 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
 
 
 def _vetoes(
-    frame: Frame, joins: Sequence[Join], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher
+    layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables
 ) -> Iterable[str]:
-    known = matcher.known
-    spots = matcher.spots(frame)
+    frame, spots = layout.frame, layout.spots
     heats = any("heat" in spot.stage.does for spot in spots)
     bakes = any("dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"} for spot in spots if "heat" in spot.stage.does)
     for dish in known.dishes_named(dish_type, title):

@@ -12,16 +12,12 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.operators import Alike, Attested, Likes, Nearness, Operators, Way
+from foon_kg.integration.operators import LIKE_AT_ALL, Alike, Attested, Likes, Nearness, Operators, Way
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
 from foon_kg.world import Mention, Step
 
 _FLAT = word_list("flat utensils")
-LEAST_LIKE = 3
-"""How many of the likest foods are asked where nothing of a food's kind attests a step."""
-
-
 class RefusedError(Exception):
     """A step cannot happen, or nothing in the FOON attests it."""
 
@@ -210,13 +206,16 @@ class Bench:
         return self.require(ways, foods)
 
     def far(self, ways: Iterable[Way], foods: Sequence[str], *, act: bool = False) -> Attested | None:
-        """Return the evidence by the likest food of all, however unlike, for what nothing nearer attests."""
-        best: Attested | None = None
-        for way in ways:
-            found = self.operators.farthest(way, foods, self.alike, act=act)
-            if found is not None and found.like and (best is None or not best.like or found.like[2] > best.like[2]):
-                best = found
-        return best
+        """Return the evidence by the likest food of all, for what nothing nearer attests.
+
+        Where none is like it at all the way decides, and not which food is least unlike.
+        """
+        found = (self.operators.farthest(way, foods, self.alike, act=act) for way in ways)
+        rows = [one for one in found if one is not None and one.like is not None]
+        if not rows:
+            return None
+        best = max(rows, key=lambda one: one.like[2] if one.like else 0.0)
+        return best if best.like is not None and best.like[2] >= LIKE_AT_ALL else rows[0]
 
     # --- steps ---
 

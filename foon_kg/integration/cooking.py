@@ -65,8 +65,9 @@ class Cooking:
             raise RefusedError("nothing of what was asked joins this dish")
         self.bench.phase = "finish"
         self._finish(vessel)
-        (whole,) = vessel.contents
-        return whole
+        if len(vessel.contents) > 1:
+            self._name(vessel, self.plan.label)
+        return vessel.contents[0]
 
     def _in_order(self) -> Iterator[Join]:
         def walk(line: Line) -> Iterator[Join]:
@@ -162,10 +163,9 @@ class Cooking:
             ready.stuff = bowl.contents[0]
 
     def _beating(self, want: Want, state: str) -> Attested | None:
-        ways = [
-            way for way in self.bench.operators.making(state)
-            if self.known.motion(way[0]).does <= {"mix", "whip"} and way[1]
-        ]  # fmt: skip
+        motion = self.known.motion
+        ways = [way for way in self.bench.operators.making(state) if motion(way[0]).does <= {"mix", "whip"} and way[1]]
+        ways.sort(key=lambda way: "whip" not in motion(way[0]).does)
         return self.bench.attest(ways, want.names)
 
     def _open_into(self, ready: Ready, vessel: Vessel) -> None:
@@ -187,6 +187,8 @@ class Cooking:
         if join.slot is not None and join.slot.cooked:
             return join.slot.cooked
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
+        if want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats):
+            return ("boil",)
         if "boil" in due:
             bath = [stage for stage in heats if "dry" not in stage.does]
             if bath and self._has_liquid(spot.path, bath):
@@ -200,6 +202,12 @@ class Cooking:
             if self.plan.cooked_by.get(name):
                 return self.plan.cooked_by[name]
         return ("boil",)
+
+    def _is_boiled(self, state: str) -> bool:
+        """Whether a state is one that only cooking in water gives."""
+        motions = {way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives}
+        own = [motion for motion in motions if any(word.startswith(motion[:4]) for word in state.split())]
+        return bool(own) and all("liquid" in self.known.motion(motion).does for motion in own)
 
     def _warmed_first(self, join: Join) -> tuple[str, ...]:
         """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
@@ -295,11 +303,16 @@ class Cooking:
         bench.emit(drained, [pot, stuff, strainer], drain, [strainer, stuff, pot])
 
     def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
-        kept = [s for s in stuff.states if s not in {"raw", "uncooked", "processed raw"} and not self.known.state(s).half]
+        kept = [s for s in stuff.states if not self._says_raw(s)]
         able = self.known.motion(way[0]).gives | {s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())}
         if want.make in able and self.known.state(want.make).needs_heat:
             return tuple(sorted({*(kept if want.cooked else ()), want.make}))
         return tuple(sorted({*kept, "cooked"}))
+
+    def _says_raw(self, state: str) -> bool:
+        """Whether a state says that a food is as yet uncooked, or in one piece as it was bought."""
+        row = self.known.state(state)
+        return row.half or not {"raw", "uncooked", "frozen"}.isdisjoint(state.split())
 
     def _pan_cook(self, ready: Ready, method: Sequence[str]) -> None:
         bench, want = self.bench, ready.want
@@ -337,12 +350,20 @@ class Cooking:
                     if made is not None:
                         subs[id(add)] = made
         vessel: Vessel | None = None
+        oven = next((label for stage in line.stages for label, relation in [self._device_for(stage)] if relation == "in" and "heat" in stage.does), "")
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
+            if oven and any(self._device_for(one)[0] == oven for one in (stage, *line.stages[place + 1 : place + 2])) and self._preheats(oven):
+                self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
+                oven = ""
             vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
             self._heat_off(vessel)
         return vessel
+
+    def _preheats(self, label: str) -> bool:
+        row = self.known.utensil(label)
+        return row is not None and row.source == "heat" and label not in self.bench.devices
 
     def _stage(
         self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage], *, main: bool
@@ -465,17 +486,24 @@ class Cooking:
 
     def _transfer(self, source: Vessel, target: Vessel, stage: Stage) -> None:
         """Bring all that is in one vessel into another."""
-        ways: list[Way] = []
-        if stage.motion and self.known.motion(stage.motion).does <= _MOVES:
-            ways.append((stage.motion, stage.tools))
-        form = "pieces"
         stuffs = list(source.contents)
         foods = foods_of(source)
-        for name in (f"form:{form}",):
-            counts = self.bench.operators.bringing.get((name, "vessel"), {})
-            ways += [way for way in sorted(counts, key=lambda w: (-counts[w], w)) if self._pure(way)]
+        runs = len(stuffs) > 1 or any(
+            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self._is_wet(stuff) for stuff in stuffs
+        )
+        usual = self.bench.operators.brings("liquid" if runs else "pieces", "vessel")
+        ways: list[Way] = []
+        if stage.motion and self._pure((stage.motion, stage.tools)) and (not runs or (stage.motion, ()) in usual or (stage.motion, stage.tools) in usual):
+            ways.append((stage.motion, stage.tools))
+        ways += [way for way in usual if self._pure(way)]
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def _is_wet(self, stuff: Stuff) -> bool:
+        """Whether a mixture runs: it has liquid in it that was not baked away."""
+        if not stuff.mixed or any(self.known.state(state).needs_heat for state in stuff.states):
+            return False
+        return any(self.known.foods.food(food).is_a("liquid", "creamy", "water", "egg") for food in stuff.foods)
 
     def _pure(self, way: Way) -> bool:
         does = self.known.motion(way[0]).does
@@ -579,26 +607,24 @@ class Cooking:
         if source is vessel:
             return
         role = "" if source is None else ("storage" if source.storage else "vessel")
+        usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
         groups: list[list[Way]] = []
-        form = form_of(self.known, want.label, stuff.states)
-        if slot is not None and slot.motion and self._pure((slot.motion, slot.tools)):
-            counts = self.bench.operators.bringing.get((f"form:{form}", role), {})
-            if (slot.motion, slot.tools) in counts:
-                groups.append([(slot.motion, slot.tools)])
-        usual = self.bench.operators.bringing.get((f"form:{form}", role), {})
-        for name in (*want.names, f"kind:{want.facts.kind}", f"form:{form}"):
+        if slot is not None and (slot.motion, slot.tools) in usual:
+            groups.append([(slot.motion, slot.tools)])
+        for name in (*want.names, f"kind:{want.facts.kind}"):
             counts = self.bench.operators.bringing.get((name, role), {})
-            ways = [way for way in sorted(counts, key=lambda w: (-counts[w], w)) if self._pure(way)]
-            groups.append([way for way in ways if way in usual])
+            ways = sorted((way for way in counts if way in usual), key=lambda w: (-counts[w], w))
+            groups.append([way for way in ways if self._pure(way)])
+        groups.append([way for way in usual if self._pure(way)])
         attested: Attested | None = None
         for group in groups:
             found = self.bench.attest(group, stuff.foods)
             if found is not None and (attested is None or found.nearness < attested.nearness):
                 attested = found
-            if attested is not None and attested.nearness <= Nearness.KIND:
+            if attested is not None:
                 break
         if attested is None:
-            attested = self.bench.require([("pick-and-place", ()), ("pour", ())], stuff.foods)
+            attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
         self.bench.bring([stuff], vessel, attested)
 
     # --- heat and work ---
@@ -675,8 +701,9 @@ class Cooking:
 
         def change() -> None:
             for stuff in stuffs:
-                kept = [s for s in stuff.states if s not in {"raw", "uncooked", "partly cooked"}]
-                stuff.states = tuple(sorted({*kept, *states}))
+                kept = [s for s in stuff.states if not self._says_raw(s)]
+                melts = self.known.foods.food(stuff.label).is_a("fat") and not stuff.mixed
+                stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
             vessel.hot = vessel.hot or device is not None
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
@@ -696,6 +723,12 @@ class Cooking:
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
             both = [way for way in self.bench.operators.ways.get("heat", ()) if self.known.motion(way[0]).does == {"heat", "mix"}]
             return self.bench.require(both, foods)
+        mixes_by_hand = not stage.tools and vessel.device is None and stage.does & {"mix", "whip", "mash"} and not stage.does & {"shape", "knead"}
+        if mixes_by_hand and not stage.appliance:
+            tooled = [way for way in self.bench.operators.ways_of(stage.motion) if way[1]]
+            found = self.bench.attest(tooled, foods)
+            if found is not None and found.nearness <= Nearness.LIKE:
+                return found
         own = self.bench.attest([(stage.motion, stage.tools)], foods)
         if own is not None and own.nearness <= Nearness.LIKE:
             return own

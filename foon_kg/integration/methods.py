@@ -11,7 +11,7 @@ from foon_kg.food import Tables, tables
 from foon_kg.integration.derivation import frames_of
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.operators import Operators
-from foon_kg.integration.places import Posts
+from foon_kg.integration.places import Layout, Posts
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit
 
 
@@ -34,6 +34,11 @@ class Methods:
     def posts(self) -> Posts:
         """Where foods of each kind join."""
         return Posts(self.frames, self.operators.known)
+
+    @cached_property
+    def layouts(self) -> Mapping[str, Layout]:
+        """The places of each frame, by its key."""
+        return {frame.key: Layout.of(frame, self.operators.known) for frame in self.frames}
 
     @cached_property
     def cooked_by(self) -> Mapping[str, tuple[str, ...]]:

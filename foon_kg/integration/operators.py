@@ -19,6 +19,12 @@ from foon_kg.world.reading import Reader, Said, reader
 MOST_SIGHTINGS = 3
 """How many units are named as evidence of one step."""
 
+LIKE_AT_ALL = 0.3
+"""From this confidence on it means something that one unlike food is less unlike than another."""
+
+LEAST_SHARE = 0.04
+"""A way of which fewer of the units that bring food of a form are is no usual one."""
+
 Way = tuple[str, tuple[str, ...]]
 """A motion and the labels of its tools, sorted."""
 
@@ -54,11 +60,18 @@ class Attested:
     like: tuple[str, str, float] | None = None
 
 
-@dataclass(frozen=True)
-class _Evidence:
+@dataclass
+class Evidence:
+    """The units that attest a way: the first few of each food and kind, the first few of all, and how many there are.
+
+    ``often`` counts the units by food, ``appliances`` by the appliance that takes part.
+    """
+
     foods: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
     kinds: defaultdict[str, list[Sighting]] = field(default_factory=lambda: defaultdict(list))
     all: list[Sighting] = field(default_factory=list)
+    count: int = 0
+    often: Counter[str] = field(default_factory=Counter)
     appliances: Counter[str] = field(default_factory=Counter)
 
 
@@ -68,13 +81,14 @@ class Operators:
     def __init__(self, units: Iterable[KnownUnit], known: Tables | None = None) -> None:
         self.known = known or tables()
         self._reader: Reader = reader(self.known)
-        self._evidence: defaultdict[Way, _Evidence] = defaultdict(_Evidence)
-        self._acts: defaultdict[Way, _Evidence] = defaultdict(_Evidence)
+        self.evidence: defaultdict[Way, Evidence] = defaultdict(Evidence)
+        self.acts: defaultdict[Way, Evidence] = defaultdict(Evidence)
         self.giving: defaultdict[str, Counter[Way]] = defaultdict(Counter)
         self.bringing: defaultdict[tuple[str, str], Counter[Way]] = defaultdict(Counter)
         self.onto: defaultdict[Way, Counter[str]] = defaultdict(Counter)
         self.states: defaultdict[str, set[str]] = defaultdict(set)
         self.foods: set[str] = set()
+        self._fine: dict[Way, float] = {}
         for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
             self._add(known_unit)
 
@@ -84,16 +98,18 @@ class Operators:
         outputs = [self._reader.read(node) for node in unit.output_nodes]
         tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"}
         way = (unit.motion, tuple(sorted(tools)))
-        self._attest(self._evidence[way], _foods(inputs) | _foods(outputs), seen)
+        self._attest(self.evidence[way], _foods(inputs) | _foods(outputs), seen)
         for said in (*inputs, *outputs):
             if said.is_appliance:
-                self._evidence[way].appliances[said.label] += 1
+                self.evidence[way].appliances[said.label] += 1
         changed = self._changes(unit, inputs, outputs, way)
         if changed:
-            self._attest(self._acts[way], changed, seen)
+            self._attest(self.acts[way], changed, seen)
 
-    def _attest(self, evidence: _Evidence, foods: set[str], seen: Sequence[Sighting]) -> None:
+    def _attest(self, evidence: Evidence, foods: set[str], seen: Sequence[Sighting]) -> None:
         evidence.all.extend(seen)
+        evidence.count += 1
+        evidence.often.update(foods)
         self.foods |= foods
         for food in sorted(foods):
             evidence.foods[food].extend(seen)
@@ -131,7 +147,7 @@ class Operators:
         ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
         their kind.
         """
-        evidence = (self._acts if act else self._evidence).get(way)
+        evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None:
             return None
         for food in foods:
@@ -151,18 +167,24 @@ class Operators:
         return None
 
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
-        """Return the evidence for the likest of all foods to which ``way`` is done, however unlike it is."""
-        evidence = (self._acts if act else self._evidence).get(way)
+        """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
+
+        Where none is alike at all (:data:`LIKE_AT_ALL`) it is the food to which it is done most often.
+        """
+        evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None or not foods or not evidence.foods:
             return None
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
+        if sure < LIKE_AT_ALL:
+            food, known = foods[0], min(evidence.often, key=lambda name: (-evidence.often[name], name))
+            sure = alike(food, known)
         return Attested(way, Nearness.LIKE, _few(evidence.foods[known]), (food, known, sure))
 
     @cached_property
     def ways(self) -> Mapping[str, tuple[Way, ...]]:
         """The ways whose motion does each class of thing (cut, peel, heat …), the most frequent first."""
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
             for name in self.known.motion(way[0]).does:
                 found[name].append(way)
         return {name: tuple(ways) for name, ways in found.items()}
@@ -174,35 +196,54 @@ class Operators:
     @cached_property
     def _ways_of(self) -> Mapping[str, tuple[Way, ...]]:
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
             found[way[0]].append(way)
         return {motion: tuple(ways) for motion, ways in found.items()}
 
     def works_on(self, way: Way, appliance: str) -> bool:
         """Whether some unit does it with an appliance."""
-        evidence = self._evidence.get(way)
+        evidence = self.evidence.get(way)
         return evidence is not None and appliance in evidence.appliances
 
     def count(self, way: Way) -> int:
         """Return how many units do it."""
-        evidence = self._evidence.get(way)
-        return len(evidence.all) if evidence is not None else 0
+        evidence = self.evidence.get(way)
+        return evidence.count if evidence is not None else 0
 
     def making(self, state: str) -> Iterator[Way]:
         """Yield the ways that give a state in this FOON, the most frequent first, then those that can."""
         given = self.giving.get(state, Counter())
         yield from sorted(given, key=lambda way: (-given[way], way))
-        for way in self._able.get(state, ()):
-            if way not in given:
-                yield way
+        fine = self.known.state(state).fine or 0
+        able = (way for way in self._able.get(state, ()) if way not in given)
+        yield from sorted(able, key=lambda way: (abs(self._fineness(way) - fine), -self.count(way), way))
+
+    def _fineness(self, way: Way) -> float:
+        """Return how fine the pieces are that a way makes in this FOON, in the mean."""
+        found = self._fine.get(way)
+        if found is None:
+            rows = [(self.known.state(state).fine or 0, ways[way]) for state, ways in self.giving.items() if way in ways]
+            rows = [(fine, count) for fine, count in rows if fine]
+            found = sum(fine * n for fine, n in rows) / sum(n for _, n in rows) if rows else 0.0
+            self._fine[way] = found
+        return found
+
+    def brings(self, form: str, role: str) -> tuple[Way, ...]:
+        """Return the usual ways to bring food of a form (:func:`form_of`) out of a vessel of a role, best first."""
+        counts = self.bringing.get((f"form:{form}", role), Counter())
+        least = sum(counts.values()) * LEAST_SHARE
+        return tuple(way for way in sorted(counts, key=lambda w: (-counts[w], w)) if counts[way] >= least)
 
     @cached_property
     def _able(self) -> Mapping[str, tuple[Way, ...]]:
         found: defaultdict[str, list[Way]] = defaultdict(list)
-        for way in sorted(self._evidence, key=lambda way: (-len(self._evidence[way].all), way)):
+        for way in sorted(self.evidence, key=lambda way: (-self.evidence[way].count, way)):
             for state in self.known.motion(way[0]).gives:
                 found[state].append(way)
         return {state: tuple(ways) for state, ways in found.items()}
+
+
+_MASH = 5
 
 
 def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
@@ -215,6 +256,8 @@ def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
         return "soft"
     if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in {"ground", "granulated", "powder", "dried"}:
         return "powder"
+    if any((row.fine or 0) >= _MASH for row in rows):
+        return "soft"
     if any((row.fine or 0) > 0 for row in rows) or facts.is_a("stock"):
         return "pieces"
     return "whole"

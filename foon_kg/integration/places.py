@@ -28,6 +28,11 @@ _WORKS = (
 
 _LATE = word_list("joins late")
 
+_SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
+"""How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
+is worth where it is of another kind; how well it fits where a dish makes such a thing itself."""
+
+_SURELY = 0.99
 _SAME_ROLE = 0.55
 """How well a food fits where another one is that defines the dish as it does: one vegetable for another."""
 
@@ -35,7 +40,7 @@ NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Spot:
     """One stage of a frame with its line, and what comes after it. ``path`` are places in nested lines."""
 
@@ -45,10 +50,15 @@ class Spot:
     side: bool
     after: tuple[Stage, ...]
 
-    @property
+    @cached_property
     def heats_later(self) -> bool:
         """Whether the whole is heated here or later."""
         return any("heat" in stage.does for stage in (self.stage, *self.after))
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the foods that join here."""
+        return tuple(slot.kind for slot in self.stage.slots)
 
 
 @dataclass(frozen=True)
@@ -99,6 +109,7 @@ class Posts:
         self.beside: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self.cooked: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self._kept: dict[tuple[str, frozenset[str], Post, str], float] = {}
+        self._together: dict[tuple[str, tuple[str, ...]], float] = {}
         for frame in frames:
             for spot in spots_of(frame.line):
                 self._count(frame, spot)
@@ -145,13 +156,84 @@ class Posts:
                 share = trust * (counts[value] / total if total else 0.0) + (1 - trust) * share
         return max(share, _SMOOTH)
 
-    def company(self, kind: str, spot: Spot) -> float:
-        """Return how usual (0 to 1) it is that such a food joins together with those that join there."""
-        mine = self.beside.get(kind)
-        others = [slot.kind for slot in spot.stage.slots]
-        if not mine or not others:
-            return 0.0
-        return sum(min(1.0, mine[other] / 2) for other in others) / len(others)
+    def company(self, kind: str, kinds: tuple[str, ...]) -> float:
+        """Return how usual (0 to 1) it is that such a food joins together with foods of ``kinds``."""
+        found = self._together.get((kind, kinds))
+        if found is None:
+            mine = self.beside.get(kind)
+            found = sum(min(1.0, mine[other] / 2) for other in kinds) / len(kinds) if mine and kinds else 0.0
+            self._together[kind, kinds] = found
+        return found
+
+
+@dataclass(frozen=True)
+class Place:
+    """A slot with its stage, what it is of all that dishes of its type need, and the stage's number."""
+
+    slot: Slot
+    spot: Spot
+    needs: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A frame as places: worked out once, whatever is asked.
+
+    ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
+    ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
+    """
+
+    frame: Frame
+    spots: tuple[Spot, ...]
+    places: tuple[Place, ...]
+    open: tuple[Spot, ...]
+    drained: frozenset[int]
+    heats: bool
+    made: tuple[tuple[frozenset[str], bool, str, Spot], ...]
+
+    @classmethod
+    def of(cls, frame: Frame, known: Tables) -> Layout:
+        """Return the layout of a frame."""
+        spots = tuple(spots_of(frame.line))
+        needs = {need for dish in known.dishes_named(frame.dish_type) for needs in dish.needs for need in needs}
+        places = []
+        for spot in spots:
+            for slot in spot.stage.slots:
+                food = known.foods.food(slot.food)
+                places.append(Place(slot, spot, frozenset(need for need in needs if _is(need, food))))
+        return cls(
+            frame,
+            spots,
+            tuple(places),
+            tuple(spot for spot in spots if _is_open(spot, known)),
+            frozenset(id(spot) for spot in spots if _is_drained(spot, known)),
+            any("heat" in spot.stage.does for spot in spots if not spot.side),
+            tuple(_made(spots, known)),
+        )
+
+
+def _is_open(spot: Spot, known: Tables) -> bool:
+    """Whether foods without a slot may join at a stage: not where a batter or dough is only baked in its tin."""
+    if not spot.stage.adds:
+        return False
+    if spot.post[0] != "bake":
+        return True
+    return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
+
+
+def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, str, Spot]]:
+    for spot in spots:
+        label = singular(spot.stage.label)
+        facts = known.foods.food(label)
+        if label and spot.after and facts.is_a("made", "dough"):
+            following = next(other for other in spots if other.stage is spot.after[0])
+            yield frozenset(label.split()), facts.is_a("dough"), spot.stage.label, following
+
+
+def _is_drained(spot: Spot, known: Tables) -> bool:
+    """Whether what is liquid runs out later: the whole comes into a strainer."""
+    rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
+    return any(row is not None and "strain" in row.can for row in rows)
 
 
 def _is(need: str, food: Food) -> bool:
@@ -168,116 +250,101 @@ def _only_carries(stage: Stage) -> bool:
 
 
 class Matcher:
-    """Finds where foods join. ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1)."""
+    """Finds where the foods of one recipe join.
+
+    ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1).
+    """
 
     def __init__(self, posts: Posts, like: Callable[[str, str], float]) -> None:
         self.posts = posts
         self.known = posts.known
         self.like = like
-        self._spots: dict[str, tuple[Spot, ...]] = {}
+        self._fits: dict[tuple[int, str, str], float] = {}
+        self._needs: dict[tuple[int, str], frozenset[str]] = {}
 
-    def with_likeness(self, like: Callable[[str, str], float]) -> Matcher:
-        """Return a matcher for other foods, which shares what is known of the frames."""
-        other = Matcher(self.posts, like)
-        other._spots = self._spots
-        return other
-
-    def spots(self, frame: Frame) -> tuple[Spot, ...]:
-        """Return the stages of a frame in the order of execution."""
-        key = frame.key
-        if key not in self._spots:
-            self._spots[key] = tuple(spots_of(frame.line))
-        return self._spots[key]
-
-    def _garnish(self, frame: Frame) -> Spot:
-        """Return the last stage of the dish, at which what belongs on top may always join."""
-        return self.spots(frame)[-1]
-
-    def group(self, vessel: str) -> str:
-        """Return what group of utensils a vessel is of (pots, pans)."""
-        row = self.known.utensil(vessel)
-        return row.group if row is not None else ""
-
-    def joins(self, frame: Frame, wants: Sequence[Want]) -> tuple[Join, ...]:
+    def joins(self, layout: Layout, wants: Sequence[Want]) -> tuple[Join, ...]:
         """Return where each food joins."""
-        return tuple(self._join(frame, want) for want in wants)
+        return tuple(self._join(layout, want) for want in wants)
 
-    def _join(self, frame: Frame, want: Want) -> Join:
-        ready_made = self._in_place_of(frame, want)
-        if ready_made is not None:
-            return ready_made
-        best: tuple[float, Join] | None = None
+    def _join(self, layout: Layout, want: Want) -> Join:
+        if layout.made and want.facts.is_a("made", "dough", "ready"):
+            ready_made = self._in_place_of(layout, want)
+            if ready_made is not None:
+                return ready_made
+        best = self._natural(layout, want)
+        if best is not None:
+            return best
+        if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
+            return Join(want, layout.spots[-1], NATURAL - 0.01)
+        return self._usual(layout, want)
+
+    def _natural(self, layout: Layout, want: Want) -> Join | None:
+        """Return the slot that such a food has there: the likest, the first of equally like ones."""
+        found: Place | None = None
+        most = NATURAL - 1e-9
+        needs = self._needs_of(want, layout.frame.dish_type)
+        dish_type = layout.frame.dish_type
+        posts = {place.spot.post for place in layout.places}
+        usual = max((self.posts.likely(want, post, dish_type) for post in posts), default=0.0)
+        for place in layout.places:
+            fit = self._fit(want, place.slot)
+            if fit < _SAME_ROLE and needs and not needs.isdisjoint(place.needs):
+                fit = _SAME_ROLE
+            if NATURAL <= fit < _SURELY and usual:  # a like food may join elsewhere than this one's kind does
+                fit *= 0.6 + 0.4 * self.posts.likely(want, place.spot.post, dish_type) / usual
+            if fit > most:
+                found, most = place, fit
+        return None if found is None else Join(want, found.spot, most, found.slot)
+
+    def _usual(self, layout: Layout, want: Want) -> Join:
+        """Return the stage at which foods of its kind join, most likely one that still cooks what must be cooked."""
         must = bool({"cook", "boil"} & owed(want, self.known))
-        needs = self._needs_met(frame.dish_type, want.facts)
-        heats = any("heat" in spot.stage.does for spot in self.spots(frame) if not spot.side)
-        for spot in self.spots(frame):
-            slot, fit = self._slot(spot, want, needs)
-            if fit >= NATURAL:
-                score = 1 + fit
-            else:
-                slot = None
-                if not spot.stage.adds or (spot.post[0] == "top" and not self._tops(want)):
-                    continue
-                fit = self.posts.likely(want, spot.post, frame.dish_type) * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot))
-                fit = min(fit, NATURAL - 0.01)
-                score = fit - (0.3 if must and not spot.heats_later else 0.0)
-                if heats and not spot.heats_later and not want.facts.is_a(*_LATE):
-                    score -= 0.3
-                if self._drained(spot):
-                    score -= 0.4
-            join = Join(want, spot, fit, slot)
-            if best is None or score > best[0]:
-                best = (score, join)
-        garnish = self._garnish(frame)
-        if want.facts.is_a("topping") and (best is None or best[1].slot is None) and _only_carries(garnish.stage):
-            return Join(want, garnish, NATURAL - 0.01)
-        if best is None:
-            return Join(want, self.spots(frame)[0], 0.0)
-        return best[1]
-
-    def _in_place_of(self, frame: Frame, want: Want) -> Join | None:
-        """Return where a food joins that is bought in the place of what the dish makes on its way: dough, a dressing."""
-        own = set(want.facts.name.split())
-        spots = self.spots(frame)
-        for spot in spots:
-            made = set(singular(spot.stage.label).split())
-            if not spot.after or not made or not self.known.foods.food(spot.stage.label).is_a("made", "dough"):
+        late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
+        found, most, best = layout.spots[0], 0.0, -1.0
+        for spot in layout.open:
+            if spot.post[0] == "top" and not tops:
                 continue
-            doughs = want.facts.is_a("dough") and self.known.foods.food(spot.stage.label).is_a("dough")
-            if made == own or doughs or (made < own and want.facts.is_a("made", "dough", "ready")):
-                following = next(other for other in spots if other.stage is spot.after[0])
-                slot = Slot(spot.stage.label, want.facts.kind)
-                return Join(want, following, 0.95, slot)
+            likely = self.posts.likely(want, spot.post, layout.frame.dish_type)
+            fit = min(likely * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot.kinds)), NATURAL - 0.01)
+            score = fit
+            if not spot.heats_later:
+                score -= (0.3 if must else 0.0) + (0.3 if layout.heats and not late else 0.0)
+            if id(spot) in layout.drained:
+                score -= 0.4
+            if score > best:
+                found, most, best = spot, fit, score
+        return Join(want, found, most)
+
+    def _in_place_of(self, layout: Layout, want: Want) -> Join | None:
+        """Return where a food joins that is bought in the place of what the dish makes on its way: dough, a dressing."""
+        own = frozenset(want.facts.name.split())
+        dough = want.facts.is_a("dough")
+        for words, is_dough, label, following in layout.made:
+            if words <= own or (dough and is_dough):
+                return Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
         return None
 
-    def _drained(self, spot: Spot) -> bool:
-        """Whether what is liquid runs out later: the whole comes into a strainer."""
-        rows = (self.known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
-        return any(row is not None and "strain" in row.can for row in rows)
-
-    def _tops(self, want: Want) -> bool:
-        return want.facts.is_a("topping", "herb")
-
-    def _needs_met(self, dish_type: str, food: Food) -> frozenset[str]:
+    def _needs_of(self, want: Want, dish_type: str) -> frozenset[str]:
         """Return what of the needs of a dish type a food is: it can take the place of another one that is the same."""
-        dishes = self.known.dishes_named(dish_type)
-        needs = {need for dish in dishes for needs in dish.needs for need in needs}
-        return frozenset(need for need in needs if _is(need, food))
+        key = (want.number, dish_type)
+        found = self._needs.get(key)
+        if found is None:
+            needs = {need for dish in self.known.dishes_named(dish_type) for needs in dish.needs for need in needs}
+            found = self._needs[key] = frozenset(need for need in needs if _is(need, want.facts))
+        return found
 
-    def _slot(self, spot: Spot, want: Want, needs: frozenset[str]) -> tuple[Slot | None, float]:
+    def _fit(self, want: Want, slot: Slot) -> float:
+        key = (want.number, slot.food, slot.kind)
+        fit = self._fits.get(key)
+        if fit is None:
+            fit = self._fits[key] = self._fitting(want, slot)
+        return fit
+
+    def _fitting(self, want: Want, slot: Slot) -> float:
         name = singular(want.label)
-        best: tuple[float, Slot | None] = (0.0, None)
-        for slot in spot.stage.slots:
-            if slot.food == name or slot.food == want.facts.taken_for:
-                fit = 1.0
-            else:
-                fit = self.like(name, slot.food)
-                if slot.kind == want.facts.kind and slot.kind != "unknown":
-                    fit = max(fit, 0.6)
-                elif needs and any(_is(need, self.known.foods.food(slot.food)) for need in needs):
-                    fit = max(fit, _SAME_ROLE)
-                elif slot.kind not in want.facts.kinds and fit < 0.8:
-                    fit *= 0.7
-            if fit > best[0]:
-                best = (fit, slot)
-        return best[1], best[0]
+        if slot.food in {name, want.facts.taken_for}:
+            return 1.0
+        fit = self.like(name, slot.food)
+        if slot.kind == want.facts.kind and slot.kind != "unknown":
+            return max(fit, _SAME_KIND)
+        return fit if slot.kind in want.facts.kinds or fit >= _SURE else fit * _OTHER_KIND

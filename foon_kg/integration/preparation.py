@@ -13,6 +13,7 @@ from foon_kg.food import Food, Level, Tables, singular
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.operators import Attested, Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
+from foon_kg.world.treatment import ADVISED
 
 _BY_HAND = ("husk", "shell", "peel", "core", "stone", "choke")
 """What hands do to a food before it is cut, in this order."""
@@ -22,7 +23,7 @@ _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
-LEAST_ALIKE = 0.01
+LEAST_ALIKE = 0.0
 """A food is handled like another one only where that is not quite absurd."""
 
 _JUICE = "juice"
@@ -103,6 +104,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     known_so = any(operators.attested(way, want.names, act=True) for way in operators.making(one.state))
     if form in {"liquid", "powder", "soft"} and not ways:
         return replace(want, read_as=plain)
+    if facts.is_a("fat", "creamy") and (row.fine or 0) >= _POWDER:
+        return replace(want, read_as=plain)
     if facts.is_a("stock", "ready") and not known_so and (row.fine or 0) in {0, _POWDER}:
         return replace(want, read_as=plain)
     if not row.fine and not known_so and not row.earns & facts.owes.keys():
@@ -156,10 +159,21 @@ class Preparer:
         if want.squeezed:
             self._squeeze(ready)
             return ready
+        if "drain" in want.facts.owes and "canned" in want.leaf:
+            self._drain(ready)
+        if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
+            self._assume(ready, want.make)
         cut = self._cut_state(want, form, due, divided=divided)
         if cut:
             self._cut(ready, cut)
         return ready
+
+    def _drain(self, ready: Ready) -> None:
+        """Pour what is sold in liquid into a strainer."""
+        ways = [("pour", ()), ("drain", ())]
+        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        if attested is not None:
+            self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested)
 
     def _squeeze(self, ready: Ready) -> None:
         """Halve the food and press its juice into a bowl."""
@@ -187,7 +201,10 @@ class Preparer:
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that was cooked in it, and cut it as it is asked."""
-        self._treat(ready, "shell")
+        ways = [way for way in self.operators.ways.get("shell", ()) if "peel" in self.known.motion(way[0]).does]
+        attested = self.bench.require(ways, ready.want.names, act=True)
+        kept = {s for s in ready.stuff.states if not self.known.state(s).undivided} - {"washed"}
+        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, self._gives(attested.way, ("peel",))})))
         cut = self._cut_state(ready.want, form, owed(ready.want, self.known), divided=True)
         if cut:
             self._cut(ready, cut)
@@ -200,6 +217,8 @@ class Preparer:
             return ""
         if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"} or want.facts.is_a("stock"):
             return ""
+        if "cut" in want.facts.owes and want.facts.is_a("raw") and not want.facts.is_a("herb", "berry"):
+            due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
         for state in form:
             if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
                 return state

@@ -45,8 +45,11 @@ class FoodLikes:
 
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
-        self.learn([food])
-        return self._rows[food].get(known, 0.0) if food in self._rows else 0.0
+        row = self._rows.find(food)
+        if row is None:
+            self.learn([food])
+            row = self._rows.find(food)
+        return row.get(known, 0.0) if row is not None else 0.0
 
     def likes(self, food: str) -> tuple[tuple[str, float], ...]:
         """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
@@ -104,8 +107,8 @@ class RecipeLikes:
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
         name = singular(food)
-        if known in self._read.get(name, ()):
+        if name in self._read and known in self._read[name]:
             return _READ
-        if self._likes.chosen.get(canonical(food)) == known:
+        if self._likes.chosen and self._likes.chosen.get(canonical(food)) == known:
             return 1.0
         return self._likes.alike(name, known)

@@ -16,7 +16,7 @@ from functools import cached_property
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
-from foon_kg.goals.choice import Fit, Outline, fits, missing_core, refusals, shortlisted
+from foon_kg.goals.choice import Fit, Outline, fits, is_truly, missing_core, refusals, shortlisted
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.cooking import Cooking, Plan
@@ -26,11 +26,11 @@ from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import Want, wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
-from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe
+from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
-from foon_kg.progress import progress_lines
+from foon_kg.progress import lines_of_things
 from foon_kg.result import PassedOver, PlannedUnit, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
@@ -79,7 +79,6 @@ class Planner:
         self.settings = settings
         self.known: Tables = tables()
         self.references = References(view, settings, units)
-        self._outlines: dict[str, Outline] = {}
         if settings.substitutes:
             _ = self.likes  # a substitute that nobody knows is refused before anything is planned
 
@@ -93,17 +92,10 @@ class Planner:
         """How well the foods of the FOON stand for others, with what a person chose."""
         return FoodLikes(self.settings.similarity, self.methods.operators.foods, self.settings.substitutes)
 
-    def outline(self, frame: Frame) -> Outline:
-        """Return the outline of a frame, made once."""
-        found = self._outlines.get(frame.key)
-        if found is None:
-            found = self._outlines[frame.key] = Outline.of(frame, self.matcher)
-        return found
-
     @cached_property
-    def matcher(self) -> Matcher:
-        """What knows the places of all frames, whatever is asked."""
-        return Matcher(self.methods.posts, self.likes.alike)
+    def outlines(self) -> tuple[Outline, ...]:
+        """What of each frame tells whether it is worth a closer look."""
+        return tuple(Outline.of(layout, self.known) for layout in self.methods.layouts.values())
 
     def kitchen_for(self, foods: Sequence[str]) -> Kitchen:
         """Return the kitchen of a recipe that asks for ``foods``."""
@@ -131,9 +123,9 @@ class Planner:
 
     def _told(self, question: _Question) -> PlanResult:
         best = question.best
-        units = [unit.as_unit() for unit in best.result.units]
-        lines = progress_lines(units, best.result.goal, best.result.recipe.ingredients, question.kitchen)
-        return replace(best.result, progress_lines=lines)
+        ready = best.cooking.ready
+        foods = [(RequiredIngredient(w.label, w.asked), ready[w.number].stuff.number) for w in question.wants]
+        return replace(best.result, progress_lines=lines_of_things(best.result.units, best.result.goal, foods))
 
 
 class _Question:
@@ -154,7 +146,7 @@ class _Question:
         foods = [want.label for want in self.wants]
         self.kitchen = planner.kitchen_for(foods)
         self.likes: RecipeLikes = planner.likes.of_recipe(self.wants)
-        self.matcher = planner.matcher.with_likeness(self.likes.alike)
+        self.matcher = Matcher(planner.methods.posts, self.likes.alike)
 
     @cached_property
     def best(self) -> Attempt:
@@ -191,14 +183,13 @@ class _Question:
                 hint=f"It has goals of these dish types: {there}.",
             )
         avoided = self.settings.avoided
-        allowed = [frame for frame in frames if why_avoided(frame.goal.label, avoided) is None]
+        methods = self.planner.methods
+        outlines = [one for one in self.planner.outlines if not avoided or why_avoided(one.label, avoided) is None]
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        outlines = [self.planner.outline(frame) for frame in allowed]
         keys = shortlisted(outlines, self.wants, dish_type, title, self.known, self.likes)
-        by_key = {frame.key: frame for frame in allowed}
-        return fits([by_key[key] for key in keys], self.wants, dish_type, title, self.matcher)
+        return fits([methods.layouts[key] for key in keys], self.wants, dish_type, title, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
         del lacks
@@ -208,6 +199,7 @@ class _Question:
         frame = fit.frame
         dish_type = self.recipe.dish_type or frame.dish_type
         own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
+        own = own and is_truly(fit, self.known)
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         label = frame.goal.label if own else dish_type
         bench = Bench(self.planner.methods.operators, self.likes, self.likes.alike, self.kitchen)
