@@ -18,6 +18,9 @@ _SEASONS = word_list("only seasons")
 _WORKED_IN = word_list("is worked in")
 
 
+_CHANGES = frozenset({"blend", "knead", "shape"})
+"""Work after which a food is no longer what it was."""
+
 _MOST = 0.6
 _CALLED_SO = 0.6
 """From this on a goal is called like the dish that is asked (:func:`named_alike`)."""
@@ -137,6 +140,11 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     carried = [join.slot is not None for join in joins if join.want.facts.is_a(*_CARRIES)]
     built, other = _recalled(frame, joins, known)
     score = 0.3 * (sum(carried) / len(carried) if carried else 0.7) + 0.5 * built + 0.1 * other + 0.25 * natural
+    spoilt = sum(
+        w for w, join in zip(weights, joins, strict=True)
+        if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
+    )  # fmt: skip
+    score -= 0.6 * spoilt / sum(weights)
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)

@@ -386,6 +386,14 @@ class Cooking:
         self._work(stage, vessel, device, relation, later, main=main)
         return vessel
 
+    def _goes_on(self, stage: Stage, following: Stage) -> bool:
+        """Whether the next stage only goes on with what this one does: once is enough."""
+        if self._stage_alive(following) or stage.vessel != following.vessel or stage.appliance != following.appliance:
+            return False
+        kinds = (frozenset({"heat"}), _MIXES)
+        mine = next((kind for kind in kinds if stage.does & kind), None)
+        return mine is not None and bool(following.does & mine) and not stage.does & {"dry", "shape", "knead", "blend"}
+
     def _heats_on(self, stage: Stage, later: Sequence[Stage], vessel: Vessel) -> bool:
         """Whether a vessel stays over the heat: the next heating is on the same appliance."""
         if vessel.device is None or stage.vessel not in {vessel.label, ""} or "cut" in stage.does:
@@ -462,7 +470,8 @@ class Cooking:
         device, relation = self._device_for(stage)
         if device and relation == "on":
             self.bench.place(fresh, device, relation)
-        self._grease(fresh, vessel, device, relation, grease)
+        if not grease:
+            self._grease(fresh, vessel)
         for join in grease:
             self._bring(self.ready[join.want.number], fresh, join.slot)
             self.at[id(stage)].remove(join)
@@ -470,12 +479,10 @@ class Cooking:
         self._transfer(vessel, fresh, stage)
         return fresh
 
-    def _grease(
-        self, fresh: Vessel, vessel: Vessel, device: str, relation: str, fats: Sequence[Join]
-    ) -> None:
+    def _grease(self, fresh: Vessel, vessel: Vessel) -> None:
         """Grease a tin for batter or dough, with some of the fat that was asked for."""
         row = self.known.utensil(fresh.label)
-        if fats or row is None or "bake" not in row.can or row.can & {"heat"}:
+        if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
         soft = any(stuff.mixed and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods) for stuff in vessel.contents)
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
@@ -536,6 +543,8 @@ class Cooking:
                 self._heat_on(vessel)
             if isinstance(one, Vessel):
                 self._heat_off(one)
+                if not vessel.contents:
+                    self._grease(vessel, one)
                 self._transfer(one, vessel, stage)
             else:
                 self._bring(self.ready[one.want.number], vessel, one.slot)
@@ -613,7 +622,7 @@ class Cooking:
             groups.append([(slot.motion, slot.tools)])
         for name in (*want.names, f"kind:{want.facts.kind}"):
             counts = self.bench.operators.bringing.get((name, role), {})
-            ways = sorted((way for way in counts if way in usual), key=lambda w: (-counts[w], w))
+            ways = sorted((way for way in counts if way in usual and counts[way] > 1), key=lambda w: (-counts[w], w))
             groups.append([way for way in ways if self._pure(way)])
         groups.append([way for way in usual if self._pure(way)])
         attested: Attested | None = None
@@ -650,6 +659,8 @@ class Cooking:
         mixes = not stage.does.isdisjoint(_MIXES)
         heats = not stage.does.isdisjoint(_HEATS)
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        if later and self._goes_on(stage, later[0]):
+            return
         if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
             return  # fat alone is only made hot
         if single and mixes and not heats and stage.does <= {"mix"}:
@@ -666,7 +677,6 @@ class Cooking:
         attested = self._way(stage, vessel)
         if attested is None:
             return
-        does = self.known.motion(attested.way[0]).does
         finished = not any(not one.does.isdisjoint(_HEATS) for one in later)
         label = self._label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
         product = bool(label) or (mixes and not heats)
@@ -677,7 +687,6 @@ class Cooking:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
         else:
             self._work_each(vessel, attested, states, with_device=bool(device))
-        del does
         if vessel.device is not None and vessel.relation != "on":
             nxt = next((one for one in later if not one.does.isdisjoint(_HEATS)), None)
             if nxt is None or nxt.appliance != vessel.device.label or nxt.vessel not in {vessel.label, ""} or any(one.adds for one in later):
@@ -702,7 +711,8 @@ class Cooking:
         def change() -> None:
             for stuff in stuffs:
                 kept = [s for s in stuff.states if not self._says_raw(s)]
-                melts = self.known.foods.food(stuff.label).is_a("fat") and not stuff.mixed
+                facts = self.known.foods.food(stuff.label)
+                melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
                 stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
             vessel.hot = vessel.hot or device is not None
 

@@ -32,6 +32,9 @@ _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
 is worth where it is of another kind; how well it fits where a dish makes such a thing itself."""
 
+_AS_USUAL = 0.75
+"""How usual a place must be for a kind, beside its most usual one in that dish, to be taken for the sake of a like food."""
+
 _SURELY = 0.99
 _SAME_ROLE = 0.55
 """How well a food fits where another one is that defines the dish as it does: one vegetable for another."""
@@ -155,6 +158,11 @@ class Posts:
                 trust = total / (total + 3.0)
                 share = trust * (counts[value] / total if total else 0.0) + (1 - trust) * share
         return max(share, _SMOOTH)
+
+    def never(self, want: Want, work: str) -> bool:
+        """Whether no food of that kind was ever seen where such work is done."""
+        counts = self.counts.get((want.facts.kind, ""))
+        return counts is None or not counts[0][work]
 
     def company(self, kind: str, kinds: tuple[str, ...]) -> float:
         """Return how usual (0 to 1) it is that such a food joins together with foods of ``kinds``."""
@@ -290,8 +298,10 @@ class Matcher:
             fit = self._fit(want, place.slot)
             if fit < _SAME_ROLE and needs and not needs.isdisjoint(place.needs):
                 fit = _SAME_ROLE
-            if NATURAL <= fit < _SURELY and usual:  # a like food may join elsewhere than this one's kind does
-                fit *= 0.6 + 0.4 * self.posts.likely(want, place.spot.post, dish_type) / usual
+            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind:
+                # a like food may join elsewhere than foods of this one's kind do: chives late, onions early
+                ratio = self.posts.likely(want, place.spot.post, dish_type) / usual if usual else 1.0
+                fit = fit * (0.6 + 0.4 * ratio) if ratio >= _AS_USUAL else 0.0
             if fit > most:
                 found, most = place, fit
         return None if found is None else Join(want, found.spot, most, found.slot)
