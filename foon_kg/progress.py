@@ -110,7 +110,9 @@ def _line_of_thing(
 ) -> ProgressLine:
     name, steps, now = singular(food.object), [], number
     for unit in units:
-        taken = next((n for n, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True) if thing == now), None)
+        taken = next(
+            (n for n, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True) if thing == now), None
+        )
         if taken is None:
             continue
         steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
@@ -119,7 +121,11 @@ def _line_of_thing(
             outputs = zip(unit.output_nodes, things, strict=True)
             holding = [t for n, t in outputs if t is not None and name in map(singular, n.ingredients)]
             now = holding[-1] if holding else now
-    ends = any(node == goal for node, (thing, _) in zip(units[-1].output_nodes, units[-1].output_things, strict=True) if thing == now)
+    ends = any(
+        node == goal
+        for node, (thing, _) in zip(units[-1].output_nodes, units[-1].output_things, strict=True)
+        if thing == now
+    )
     return ProgressLine(food.object, tuple(steps), goal.label if ends else None)
 
 

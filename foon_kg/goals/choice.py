@@ -43,7 +43,13 @@ class Fit:
     @property
     def order(self) -> tuple[object, ...]:
         """The best first, the same in every run."""
-        return (len(self.vetoes), -round(self.score, 6), self.frame.video, self.frame.goal.sort_key, self.frame.dish_type)
+        return (
+            len(self.vetoes),
+            -round(self.score, 6),
+            self.frame.video,
+            self.frame.goal.sort_key,
+            self.frame.dish_type,
+        )
 
 
 def weight(want: Want, known: Tables) -> float:
@@ -221,12 +227,14 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
     return tuple(found)
 
 
-def _vetoes(
-    layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables
-) -> Iterable[str]:
+def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterable[str]:
     frame, spots = layout.frame, layout.spots
     heats = any("heat" in spot.stage.does for spot in spots)
-    bakes = any("dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"} for spot in spots if "heat" in spot.stage.does)
+    bakes = any(
+        "dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"}
+        for spot in spots
+        if "heat" in spot.stage.does
+    )
     for dish in known.dishes_named(dish_type, title):
         if dish.baked and not bakes:
             yield f"{dish.name} is baked, and {frame.goal.label} is not"

@@ -18,6 +18,8 @@ from foon_kg.model import ObjectNode
 from foon_kg.world import Mention, Step
 
 _FLAT = word_list("flat utensils")
+
+
 class RefusedError(Exception):
     """A step cannot happen, or nothing in the FOON attests it."""
 
@@ -163,7 +165,9 @@ class Bench:
         return Mention(ObjectNode(thing.label, states, names), thing.number)
 
     def _device(self, thing: Device, vessel: Vessel | None) -> Mention:
-        on = thing.always_on or (vessel.number in thing.running if vessel and self._burners(thing) else bool(thing.running))
+        on = thing.always_on or (
+            vessel.number in thing.running if vessel and self._burners(thing) else bool(thing.running)
+        )
         states = ("on",) if on else ("off",)
         if vessel is None or vessel.device is not thing:
             return Mention(ObjectNode(thing.label, states), thing.number)
@@ -268,7 +272,9 @@ class Bench:
             stuff.at.contents.remove(stuff)
             stuff.at = None
 
-    def bring(self, stuffs: Sequence[Stuff], target: Vessel, attested: Attested, states: tuple[str, ...] | None = None) -> None:
+    def bring(
+        self, stuffs: Sequence[Stuff], target: Vessel, attested: Attested, states: tuple[str, ...] | None = None
+    ) -> None:
         """Bring foods of one place into or onto ``target``."""
         if target.lid:
             raise RefusedError(f"the {target.label} is covered")

@@ -6,10 +6,10 @@ is cooked; then the lines of the frame are carried out, each heat block uninterr
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from foon_kg.food import Tables, singular
+from foon_kg.food import Tables
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
@@ -115,7 +115,9 @@ class Cooking:
         self.bench.phase = "prepare"
         first = self._cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
-            self.ready[want.number] = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage), whole_shell=True)
+            self.ready[want.number] = Ready(
+                want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage), whole_shell=True
+            )
             return
         ready = self.preparer.prepare(want, form, divided=not blended)
         self.ready[want.number] = ready
@@ -147,7 +149,11 @@ class Cooking:
         if not ready.whole_shell:
             return
         stage, want = join.spot.stage, join.want
-        beaten = [s for s in (want.make, *(join.slot.states if join.slot else ())) if s and "shell" in self.known.state(s).earns]
+        beaten = [
+            s
+            for s in (want.make, *(join.slot.states if join.slot else ()))
+            if s and "shell" in self.known.state(s).earns
+        ]
         heats = not stage.does.isdisjoint(_HEATS)
         mixes = not stage.does.isdisjoint(_MIXES) and not heats
         if not (want.make or (beaten and not mixes)):
@@ -198,14 +204,20 @@ class Cooking:
             return ()
         if heats and self._has_liquid(spot.path, [spot.stage]):
             return ()
-        for name in (want.facts.kind, *sorted(f"trait:{trait}" for trait in want.facts.traits), *sorted(want.facts.kinds)):
+        for name in (
+            want.facts.kind,
+            *sorted(f"trait:{trait}" for trait in want.facts.traits),
+            *sorted(want.facts.kinds),
+        ):
             if self.plan.cooked_by.get(name):
                 return self.plan.cooked_by[name]
         return ("boil",)
 
     def _is_boiled(self, state: str) -> bool:
         """Whether a state is one that only cooking in water gives."""
-        motions = {way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives}
+        motions = {
+            way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives
+        }
         own = [motion for motion in motions if any(word.startswith(motion[:4]) for word in state.split())]
         return bool(own) and all("liquid" in self.known.motion(motion).does for motion in own)
 
@@ -215,7 +227,9 @@ class Cooking:
         if not state or not self.known.state(state).needs_heat or not join.spot.stage.does.isdisjoint(_HEATS):
             return ()
         ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & _HEATS]
-        found = self.bench.attest([way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names)
+        found = self.bench.attest(
+            [way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names
+        )
         return (found.way[0],) if found is not None else ()
 
     def _pours(self, want: Want) -> bool:
@@ -251,7 +265,11 @@ class Cooking:
     def _cook_first(self, join: Join, method: Sequence[str]) -> None:
         ready = self.ready[join.want.number]
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
-        liquid = liquid or "boil" in owed(join.want, self.known) or (ready.whole_shell and form_of(self.known, join.want.label, join.want.leaf) == "whole")
+        liquid = (
+            liquid
+            or "boil" in owed(join.want, self.known)
+            or (ready.whole_shell and form_of(self.known, join.want.label, join.want.leaf) == "whole")
+        )
         if liquid:
             self._boil(ready)
         else:
@@ -304,7 +322,9 @@ class Cooking:
 
     def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
         kept = [s for s in stuff.states if not self._says_raw(s)]
-        able = self.known.motion(way[0]).gives | {s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())}
+        able = self.known.motion(way[0]).gives | {
+            s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())
+        }
         if want.make in able and self.known.state(want.make).needs_heat:
             return tuple(sorted({*(kept if want.cooked else ()), want.make}))
         return tuple(sorted({*kept, "cooked"}))
@@ -350,10 +370,22 @@ class Cooking:
                     if made is not None:
                         subs[id(add)] = made
         vessel: Vessel | None = None
-        oven = next((label for stage in line.stages for label, relation in [self._device_for(stage)] if relation == "in" and "heat" in stage.does), "")
+        oven = next(
+            (
+                label
+                for stage in line.stages
+                for label, relation in [self._device_for(stage)]
+                if relation == "in" and "heat" in stage.does
+            ),
+            "",
+        )
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
-            if oven and any(self._device_for(one)[0] == oven for one in (stage, *line.stages[place + 1 : place + 2])) and self._preheats(oven):
+            if (
+                oven
+                and any(self._device_for(one)[0] == oven for one in (stage, *line.stages[place + 1 : place + 2]))
+                and self._preheats(oven)
+            ):
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             vessel = self._stage(stage, vessel, subs, later, main=main)
@@ -376,7 +408,11 @@ class Cooking:
         label = self._vessel_label(stage, vessel, device)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(_HEATS) or stage.source == "heat")
-        if vessel.device is not None and (not heats or vessel.device.label != device) and not self._heats_on(stage, later, vessel):
+        if (
+            vessel.device is not None
+            and (not heats or vessel.device.label != device)
+            and not self._heats_on(stage, later, vessel)
+        ):
             self._heat_off(vessel)
         if heats and relation == "on" and (vessel.device is None or vessel.device.label != device):
             self.bench.place(vessel, device, relation)
@@ -484,7 +520,10 @@ class Cooking:
         row = self.known.utensil(fresh.label)
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
-        soft = any(stuff.mixed and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods) for stuff in vessel.contents)
+        soft = any(
+            stuff.mixed and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods)
+            for stuff in vessel.contents
+        )
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
         if not soft or fat is None:
             return
@@ -496,11 +535,16 @@ class Cooking:
         stuffs = list(source.contents)
         foods = foods_of(source)
         runs = len(stuffs) > 1 or any(
-            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self._is_wet(stuff) for stuff in stuffs
+            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self._is_wet(stuff)
+            for stuff in stuffs
         )
         usual = self.bench.operators.brings("liquid" if runs else "pieces", "vessel")
         ways: list[Way] = []
-        if stage.motion and self._pure((stage.motion, stage.tools)) and (not runs or (stage.motion, ()) in usual or (stage.motion, stage.tools) in usual):
+        if (
+            stage.motion
+            and self._pure((stage.motion, stage.tools))
+            and (not runs or (stage.motion, ()) in usual or (stage.motion, stage.tools) in usual)
+        ):
             ways.append((stage.motion, stage.tools))
         ways += [way for way in usual if self._pure(way)]
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
@@ -556,7 +600,11 @@ class Cooking:
     def _merges(self, stage: Stage, later: Sequence[Stage], *, main: bool) -> bool:
         """Whether nothing mixes the whole any more, so that what joins last completes it."""
         works = [stage, *later]
-        return main and not any(self._mixing(one) for one in works) and not any(one.adds for one in later if self._stage_alive(one))
+        return (
+            main
+            and not any(self._mixing(one) for one in works)
+            and not any(one.adds for one in later if self._stage_alive(one))
+        )
 
     def _stage_alive(self, stage: Stage) -> bool:
         return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self._alive(add) for add in stage.adds)
@@ -580,7 +628,9 @@ class Cooking:
         for stuff in others:
             if stuff.number not in shown:
                 inputs.append(self.bench.mention(stuff))
-        step = replace(last.step, inputs=tuple(inputs), outputs=(self.bench.mention(vessel), self.bench.mention(whole), *outputs))
+        step = replace(
+            last.step, inputs=tuple(inputs), outputs=(self.bench.mention(vessel), self.bench.mention(whole), *outputs)
+        )
         self.bench.done[-1] = replace(last, step=step)
 
     def _kept_states(self, vessel: Vessel) -> tuple[str, ...]:
@@ -681,7 +731,12 @@ class Cooking:
         label = self._label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
         product = bool(label) or (mixes and not heats)
         states = self._states(stage, vessel, attested.way, product=product, finished=finished)
-        if product and len(vessel.contents) == 1 and vessel.contents[0].label == (label or "mixture") and vessel.contents[0].states == states:
+        if (
+            product
+            and len(vessel.contents) == 1
+            and vessel.contents[0].label == (label or "mixture")
+            and vessel.contents[0].states == states
+        ):
             return
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
@@ -689,7 +744,12 @@ class Cooking:
             self._work_each(vessel, attested, states, with_device=bool(device))
         if vessel.device is not None and vessel.relation != "on":
             nxt = next((one for one in later if not one.does.isdisjoint(_HEATS)), None)
-            if nxt is None or nxt.appliance != vessel.device.label or nxt.vessel not in {vessel.label, ""} or any(one.adds for one in later):
+            if (
+                nxt is None
+                or nxt.appliance != vessel.device.label
+                or nxt.vessel not in {vessel.label, ""}
+                or any(one.adds for one in later)
+            ):
                 self._heat_off(vessel)
 
     def _by_hand_device(self, stage: Stage, vessel: Vessel, device: str, later: Sequence[Stage], *, main: bool) -> None:
@@ -724,16 +784,25 @@ class Cooking:
             self.bench.switch(None, self.bench.device(device), on=True)
         if relation == "attached to" or (row is not None and row.source == "power"):
             lid = f"{device} lid"
-            if self.known.utensil(lid) is not None and "bowl" != vessel.label:
+            if self.known.utensil(lid) is not None and vessel.label != "bowl":
                 self.bench.cover(vessel, lid)
         self.bench.place(vessel, device, relation)
 
     def _way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         foods = foods_of(vessel)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
-            both = [way for way in self.bench.operators.ways.get("heat", ()) if self.known.motion(way[0]).does == {"heat", "mix"}]
+            both = [
+                way
+                for way in self.bench.operators.ways.get("heat", ())
+                if self.known.motion(way[0]).does == {"heat", "mix"}
+            ]
             return self.bench.require(both, foods)
-        mixes_by_hand = not stage.tools and vessel.device is None and stage.does & {"mix", "whip", "mash"} and not stage.does & {"shape", "knead"}
+        mixes_by_hand = (
+            not stage.tools
+            and vessel.device is None
+            and stage.does & {"mix", "whip", "mash"}
+            and not stage.does & {"shape", "knead"}
+        )
         if mixes_by_hand and not stage.appliance:
             tooled = [way for way in self.bench.operators.ways_of(stage.motion) if way[1]]
             found = self.bench.attest(tooled, foods)
@@ -765,10 +834,17 @@ class Cooking:
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if not label or label in self.known.dishes or not facts.is_a("made", "dough"):
             return ""
-        if not all(any(meets(need, food, self.known) for need in needs for food in foods) for needs in self.known.contains.get(label, ())):
+        if not all(
+            any(meets(need, food, self.known) for need in needs for food in foods)
+            for needs in self.known.contains.get(label, ())
+        ):
             return ""
         names = {word for food in foods for word in food.name.split()}
-        named = [w for w in label.split() if self.known.foods.is_listed(w) and not self.known.foods.food(w).is_a("made", "dough")]
+        named = [
+            w
+            for w in label.split()
+            if self.known.foods.is_listed(w) and not self.known.foods.food(w).is_a("made", "dough")
+        ]
         return label if all(w in names for w in named) else ""
 
     def _states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
@@ -779,7 +855,7 @@ class Cooking:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
         if product and len(vessel.contents) == 1:
             states |= kept
-        if "blend" in does and "mix" not in stage.does or way[0] == "blend":
+        if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
         elif not does.isdisjoint({"mix", "whip"}):
             states.add("mixed")

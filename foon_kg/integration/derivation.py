@@ -147,16 +147,14 @@ class _Derivation:
             clusters = [self._together(group, parts, happening, step) for group in groups.values()]
         return clusters[0]
 
-    def _together(
-        self, group: list[_Cluster], parts: dict[int, Part], happening: Happening, step: int
-    ) -> _Cluster:
+    def _together(self, group: list[_Cluster], parts: dict[int, Part], happening: Happening, step: int) -> _Cluster:
         first = self._receiver(group, parts, step)
         members = frozenset().union(*(cluster.parts for cluster in group))
         place = next((self._place_of(parts[name], step) for name in sorted(members)), None)
         involved = self._involved(members, parts, happening, step)
         if len(group) > 1:
             told = self._tells(happening)
-            adds = [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
+            adds: list[Slot | Line] = [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
             for cluster in group:
                 if cluster is not first:
                     adds += _joined(cluster, parts, self.known, told, step)
@@ -221,7 +219,12 @@ class _Derivation:
             place = self._place_of(parts[min(cluster.parts)], step)
             stays = cluster.place is not None and place is not None and cluster.place.vessel == place.vessel
             first = min(parts[name].taken for name in cluster.parts)
-            return (stays and not cluster.place.vessel == "", len(cluster.parts), -first, -min(parts[n].origin for n in cluster.parts))
+            return (
+                stays and not cluster.place.vessel == "",
+                len(cluster.parts),
+                -first,
+                -min(parts[n].origin for n in cluster.parts),
+            )
 
         return max(group, key=order)
 
@@ -238,9 +241,7 @@ def _joined(
     return [_slot(cluster, parts, known, (*told, source))]
 
 
-def _slot(
-    cluster: _Cluster, parts: dict[int, Part], known: Tables, brought: tuple[str, tuple[str, ...], str]
-) -> Slot:
+def _slot(cluster: _Cluster, parts: dict[int, Part], known: Tables, brought: tuple[str, tuple[str, ...], str]) -> Slot:
     part = parts[min(cluster.parts)]
     states = cluster.place.states if cluster.place is not None else part.states
     kind = known.foods.food(part.name, part.states).kind
@@ -259,7 +260,7 @@ def _distinct(adds: Sequence[Slot | Line], stages: Sequence[Stage], known: Table
     for add in adds:
         if isinstance(add, Slot):
             facts = known.foods.food(add.food, add.states)
-            if add.food in inside or add.food in made or facts.is_a("made") and facts.is_a("batter", "dough"):
+            if add.food in inside or add.food in made or (facts.is_a("made") and facts.is_a("batter", "dough")):
                 continue
             inside.add(add.food)
         kept.append(add)

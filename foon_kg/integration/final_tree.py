@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 from foon_kg.food import singular
 from foon_kg.integration.bench import Bench, Done, Stuff
@@ -11,7 +12,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.operators import Likes, Nearness
 from foon_kg.integration.preparation import Want
 from foon_kg.model import ObjectNode
-from foon_kg.result import Alternative, Assumption, PlannedUnit, Substitution
+from foon_kg.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
 
 MOST_ALTERNATIVES = 3
 _READ = 1.0
@@ -50,8 +51,8 @@ def _unit(done: Done) -> PlannedUnit:
         tuple(mention.node for mention in step.outputs),
         "foon" if done.attested.nearness is Nearness.FOOD else "adapted",
         done.attested.seen_in,
-        phase=done.phase,
-        grounding=done.attested.nearness.word,
+        phase=cast("Phase", done.phase),
+        grounding=cast("Grounding", done.attested.nearness.word),
         input_things=tuple((mention.thing, mention.container_thing) for mention in inputs),
         output_things=tuple((mention.thing, mention.container_thing) for mention in step.outputs),
     )

@@ -136,12 +136,18 @@ class Operators:
             if said.place != was.place and said.place_utensil is not None:
                 facts = self.known.foods.food(said.label, was.node.states)
                 role = was.place_utensil.role if was.place_utensil is not None else ""
-                for name in (said.label, f"kind:{facts.kind}", f"form:{form_of(self.known, said.label, was.node.states)}"):
+                for name in (
+                    said.label,
+                    f"kind:{facts.kind}",
+                    f"form:{form_of(self.known, said.label, was.node.states)}",
+                ):
                     self.bringing[name, role][way] += 1
         del unit
         return changed
 
-    def attested(self, way: Way, foods: Sequence[str], likes: Likes | None = None, *, act: bool = False) -> Attested | None:
+    def attested(
+        self, way: Way, foods: Sequence[str], likes: Likes | None = None, *, act: bool = False
+    ) -> Attested | None:
         """Return the nearest evidence that ``way`` is done to one of ``foods`` (singular names, the main one first).
 
         ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
@@ -222,7 +228,9 @@ class Operators:
         """Return how fine the pieces are that a way makes in this FOON, in the mean."""
         found = self._fine.get(way)
         if found is None:
-            rows = [(self.known.state(state).fine or 0, ways[way]) for state, ways in self.giving.items() if way in ways]
+            rows = [
+                (self.known.state(state).fine or 0, ways[way]) for state, ways in self.giving.items() if way in ways
+            ]
             rows = [(fine, count) for fine, count in rows if fine]
             found = sum(fine * n for fine, n in rows) / sum(n for _, n in rows) if rows else 0.0
             self._fine[way] = found
@@ -252,9 +260,22 @@ def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
     rows = [known.state(state) for state in states]
     if facts.is_a("liquid", "water"):
         return "liquid"
-    if facts.is_a("creamy") or facts.sold_as in {"creamy", "paste", "sauce", "jelly", "thick liquid", "thick sauce", "whipped"}:
+    if facts.is_a("creamy") or facts.sold_as in {
+        "creamy",
+        "paste",
+        "sauce",
+        "jelly",
+        "thick liquid",
+        "thick sauce",
+        "whipped",
+    }:
         return "soft"
-    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in {"ground", "granulated", "powder", "dried"}:
+    if facts.is_a("spice", "leaven", "flour", "sweet", "stock") and facts.sold_as in {
+        "ground",
+        "granulated",
+        "powder",
+        "dried",
+    }:
         return "powder"
     if any((row.fine or 0) >= _MASH for row in rows):
         return "soft"

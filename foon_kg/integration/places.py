@@ -8,8 +8,8 @@ is counted over all frames, by dish type.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.food import Food, Tables, singular, tables
@@ -74,7 +74,9 @@ class Join:
     slot: Slot | None = None
 
 
-def spots_of(line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()) -> Iterator[Spot]:
+def spots_of(
+    line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()
+) -> Iterator[Spot]:
     """Yield every stage of a line and of those that join it, in the order of execution."""
     for place, stage in enumerate(line.stages):
         later = (*line.stages[place + 1 :], *after)

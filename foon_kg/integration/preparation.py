@@ -82,7 +82,9 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     if _JUICE in one.state and facts.is_a("remains"):
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     row = known.state(one.state)
-    sold_so = not one.state or row.sold or bool(row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == one.state
+    sold_so = (
+        not one.state or row.sold or bool(row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == one.state
+    )
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
     if not one.state or facts.sold_as == one.state:
@@ -137,7 +139,9 @@ class Preparer:
         self.known = bench.known
         self.operators = bench.operators
 
-    def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, cooked_later: bool = True) -> Ready:
+    def prepare(
+        self, want: Want, form: Sequence[str] = (), *, divided: bool = True, cooked_later: bool = True
+    ) -> Ready:
         """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
 
         ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
@@ -179,8 +183,14 @@ class Preparer:
         """Halve the food and press its juice into a bowl."""
         stuff, bench = ready.stuff, self.bench
         halves = [way for way in self.operators.making("halved") if self.is_cut(way)]
-        bench.act(stuff, self._with_tool(bench.require(halves, ready.want.names, act=True)), ("halved",), "cutting board")
-        ways = [way for way in self.operators.giving.get(_JUICE, ()) if "separate" in self.known.motion(way[0]).does and way[1]]
+        bench.act(
+            stuff, self._with_tool(bench.require(halves, ready.want.names, act=True)), ("halved",), "cutting board"
+        )
+        ways = [
+            way
+            for way in self.operators.giving.get(_JUICE, ())
+            if "separate" in self.known.motion(way[0]).does and way[1]
+        ]
         attested = bench.require(ways, ready.want.names)
         board, bowl = stuff.at, bench.vessel("bowl")
 
@@ -264,7 +274,7 @@ class Preparer:
         if attested is None and not want.facts.is_a("stock", "ready"):
             attested = self._far(ways, want)
         if attested is None:
-            if want.facts.owes.get(name) is Level.FATAL or want.make and name in self.known.state(want.make).earns:
+            if want.facts.owes.get(name) is Level.FATAL or (want.make and name in self.known.state(want.make).earns):
                 self._assume(ready, self._state_for(name, want))
             return
         able = self.known.motion(attested.way[0]).gives

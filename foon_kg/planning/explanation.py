@@ -92,7 +92,9 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     step, motion = _joining(own, number)
     joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
     others = tuple(
-        PassedOver(name, "", round(confidence, 4), "less sure") for name, confidence in likes(want.label) if name != like
+        PassedOver(name, "", round(confidence, 4), "less sure")
+        for name, confidence in likes(want.label)
+        if name != like
     )
     return Explanation(
         asked, how, like or want.label, sure, sure == 1.0 and bool(like), renamed, tuple(_videos(unit for _, unit in own)),

@@ -17,13 +17,13 @@ from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, witho
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.goals.choice import Fit, Outline, fits, is_truly, missing_core, refusals, shortlisted
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.cooking import Cooking, Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.places import Matcher
-from foon_kg.integration.preparation import Want, wants_of
+from foon_kg.integration.preparation import wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -216,7 +216,9 @@ class _Question:
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
-        goal = next(goal for goal in self.planner.methods.goals if goal.node == frame.goal and frame.video in goal.videos)
+        goal = next(
+            goal for goal in self.planner.methods.goals if goal.node == frame.goal and frame.video in goal.videos
+        )
         summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
@@ -233,7 +235,10 @@ class _Question:
         """Yield the goals of the asked dish type that are nearer by their ingredients, and why they are not taken."""
         rows = []
         for fit in self._fits:
-            if fit.frame.goal == taken.frame.goal or fit.frame.dish_type not in {self.recipe.dish_type, taken.frame.dish_type}:
+            if fit.frame.goal == taken.frame.goal or fit.frame.dish_type not in {
+                self.recipe.dish_type,
+                taken.frame.dish_type,
+            }:
                 continue
             if fit.similarity > taken.similarity:
                 rows.append((-fit.similarity, fit.frame.goal.sort_key, fit))
@@ -279,7 +284,9 @@ class _Question:
 
 def _is_of(frame: Frame, dish_type: str) -> bool:
     """Whether a dish is of a type, as its annotator has it or as it is called: a blueberry muffin is a muffin."""
-    return not dish_type or frame.dish_type == dish_type or not set(words(dish_type)).isdisjoint(words(frame.goal.label))
+    return (
+        not dish_type or frame.dish_type == dish_type or not set(words(dish_type)).isdisjoint(words(frame.goal.label))
+    )
 
 
 def _as_tree(result: PlanResult) -> TaskTree:

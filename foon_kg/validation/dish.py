@@ -8,7 +8,7 @@ from foon_kg.food import Match, singular, words
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
-from foon_kg.world import Happening, Part
+from foon_kg.world import Happening, Part, Vessel
 from foon_kg.world.becoming import meets
 
 

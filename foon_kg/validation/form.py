@@ -82,9 +82,9 @@ def purposeful(case: Case) -> Iterator[Finding]:
     for place, unit in enumerate(units):
         if not unit.new_outputs:
             yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
-        if unit.identity in seen and not case.happenings[place].does(*_SWITCHES):
+        if unit.identity in seen and not _was_undone(case, seen[unit.identity], place):
             yield Finding("C3", f"it is the same as step {seen[unit.identity] + 1}", place)
-        seen.setdefault(unit.identity, place)
+        seen[unit.identity] = place
         if place not in leads and not case.happenings[place].does(*_CLOSES):
             yield Finding("C3", "nothing that it makes leads to the goal", place)
     if case.tree.level is None:
@@ -92,6 +92,15 @@ def purposeful(case: Case) -> Iterator[Finding]:
             for vessel in vessels:
                 if vessel.is_appliance and any(vessel.power.values()):
                     yield Finding("C3", f"the {vessel.label} is still on at the end")
+
+
+def _was_undone(case: Case, before: int, place: int) -> bool:
+    """Whether a switch or lid was put back between two equal steps, so that it is turned or put on anew."""
+    if not case.happenings[place].does(*_SWITCHES):
+        return False
+    wanted = set(case.tree.units[place].step.inputs)
+    between = case.tree.units[before + 1 : place]
+    return any(not wanted.isdisjoint(set(unit.step.outputs) - set(unit.step.inputs)) for unit in between)
 
 
 def _leads_to_the_end(case: Case) -> set[int]:
