@@ -78,13 +78,15 @@ def purposeful(case: Case) -> Iterator[Finding]:
     """C3: each unit leads to the goal or closes what the tree opened; none twice, none idle; all is off at the end."""
     units = case.tree.units
     seen: dict[tuple[object, ...], int] = {}
+    last: dict[tuple[object, ...], int] = {}
     leads = _leads_to_the_end(case)
     for place, unit in enumerate(units):
         if not unit.new_outputs:
             yield Finding("C3", "all its outputs are among its inputs: it changes nothing", place)
-        if unit.identity in seen and not _was_undone(case, seen[unit.identity], place):
+        if unit.identity in seen and not _was_undone(case, last[unit.identity], place):
             yield Finding("C3", f"it is the same as step {seen[unit.identity] + 1}", place)
-        seen[unit.identity] = place
+        seen.setdefault(unit.identity, place)
+        last[unit.identity] = place
         if place not in leads and not case.happenings[place].does(*_CLOSES):
             yield Finding("C3", "nothing that it makes leads to the goal", place)
     if case.tree.level is None:
