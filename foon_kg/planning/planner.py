@@ -9,7 +9,7 @@ answered has passed the judge (:mod:`foon_kg.validation`).
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -28,7 +28,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.planning.explanation import Explanation, explanations
-from foon_kg.planning.likes import FoodLikes, RecipeLikes
+from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.progress import lines_of_things
 from foon_kg.result import PassedOver, PlannedUnit, PlanResult
@@ -67,11 +67,24 @@ class Attempt:
     cooking: Cooking
 
 
+class Teaching:
+    """What a FOON teaches, or the part of it that matters to a question, with what is worked out from it once."""
+
+    def __init__(self, methods: Methods, settings: PlanSettings) -> None:
+        self.methods = methods
+        self.likes = FoodLikes(settings.similarity, methods.operators.foods, settings.substitutes)
+
+    @cached_property
+    def outlines(self) -> tuple[Outline, ...]:
+        """What of each frame tells whether it is worth a closer look."""
+        return tuple(Outline.of(layout, self.methods.operators.known) for layout in self.methods.layouts.values())
+
+
 class Planner:
     """Plans recipes from one view.
 
-    For many recipes give ``units``, all of the FOON: they are numbered once for the search of reference trees. Without
-    them each plan asks the view for the units behind its goal.
+    For many recipes give ``units``, all of the FOON: what they teach is worked out once. Without them each plan asks the
+    view for what matters to it.
     """
 
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
@@ -79,23 +92,22 @@ class Planner:
         self.settings = settings
         self.known: Tables = tables()
         self.references = References(view, settings, units)
+        self.in_parts = units is None
+        self._latest: Teaching | None = None
         if settings.substitutes:
-            _ = self.likes  # a substitute that nobody knows is refused before anything is planned
+            _ = self.teaching_for((), "").likes  # a substitute that nobody knows is refused before anything is planned
 
-    @cached_property
-    def methods(self) -> Methods:
-        """What the FOON teaches."""
-        return self.view.methods()
-
-    @cached_property
-    def likes(self) -> FoodLikes:
-        """How well the foods of the FOON stand for others, with what a person chose."""
-        return FoodLikes(self.settings.similarity, self.methods.operators.foods, self.settings.substitutes)
-
-    @cached_property
-    def outlines(self) -> tuple[Outline, ...]:
-        """What of each frame tells whether it is worth a closer look."""
-        return tuple(Outline.of(layout, self.known) for layout in self.methods.layouts.values())
+    def teaching_for(self, foods: Collection[str], dish_type: str) -> Teaching:
+        """Return what the FOON teaches of making a dish of ``foods``."""
+        if self.in_parts:
+            chosen = [substitute.like for substitute in self.settings.substitutes]
+            free = sorted(self.settings.kitchen.free_foods)
+            methods = self.view.methods_for([*foods, *chosen, *free], dish_type)
+        else:
+            methods = self.view.methods() if self._latest is None else self._latest.methods
+        if self._latest is None or self._latest.methods is not methods:
+            self._latest = Teaching(methods, self.settings)
+        return self._latest
 
     def kitchen_for(self, foods: Sequence[str]) -> Kitchen:
         """Return the kitchen of a recipe that asks for ``foods``."""
@@ -140,13 +152,18 @@ class _Question:
             close = difflib.get_close_matches(recipe.dish_type, DISH_TYPES, n=3)
             hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
             raise UsageError(f"“{recipe.dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
-        self.wants = wants_of(self.recipe.ingredients, self.known, planner.methods.operators)
+        asked = [one for one in self.recipe.ingredients if one.object]
+        names = [singular(one.object) for one in asked]
+        names += [self.known.foods.food(one.object, [one.state]).taken_for for one in asked]
+        self.teaching = planner.teaching_for(dict.fromkeys(name for name in names if name), recipe.dish_type)
+        self.methods = self.teaching.methods
+        self.wants = wants_of(asked, self.known, self.methods.operators)
         if not self.wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         foods = [want.label for want in self.wants]
         self.kitchen = planner.kitchen_for(foods)
-        self.likes: RecipeLikes = planner.likes.of_recipe(self.wants)
-        self.matcher = Matcher(planner.methods.posts, self.likes.alike)
+        self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
+        self.matcher = Matcher(self.methods.posts, self.likes.alike)
 
     @cached_property
     def best(self) -> Attempt:
@@ -173,7 +190,7 @@ class _Question:
 
     @cached_property
     def _fits(self) -> list[Fit]:
-        frames = self.planner.methods.frames
+        frames = self.methods.frames
         dish_type, title = self.recipe.dish_type, self.recipe.title or ""
         if not any(_is_of(frame, dish_type) for frame in frames):
             there = ", ".join(sorted({frame.dish_type for frame in frames})) or "none"
@@ -183,8 +200,8 @@ class _Question:
                 hint=f"It has goals of these dish types: {there}.",
             )
         avoided = self.settings.avoided
-        methods = self.planner.methods
-        outlines = [one for one in self.planner.outlines if not avoided or why_avoided(one.label, avoided) is None]
+        methods = self.methods
+        outlines = [one for one in self.teaching.outlines if not avoided or why_avoided(one.label, avoided) is None]
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
@@ -202,9 +219,9 @@ class _Question:
         own = own and is_truly(fit, self.known)
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         label = frame.goal.label if own else dish_type
-        bench = Bench(self.planner.methods.operators, self.likes, self.likes.alike, self.kitchen)
+        bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
         cooking = Cooking(
-            bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.planner.methods.cooked_by, eased)
+            bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased)
         )
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
@@ -217,7 +234,7 @@ class _Question:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
         goal = next(
-            goal for goal in self.planner.methods.goals if goal.node == frame.goal and frame.video in goal.videos
+            goal for goal in self.methods.goals if goal.node == frame.goal and frame.video in goal.videos
         )
         summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
@@ -254,7 +271,7 @@ class _Question:
         found: dict[str, int] = {}
         for number, want in enumerate(self.wants):
             for name in ingredients:
-                if singular(name) == singular(want.label) or self.likes.alike(want.label, singular(name)) >= 0.5:
+                if singular(name) == singular(want.label) or self.likes.alike(want.label, singular(name)) >= FAIR:
                     found.setdefault(name, number)
         return found
 
