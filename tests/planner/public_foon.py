@@ -1,7 +1,4 @@
-"""Recipes planned from the public FOON, and what is said of the trees: what the slow tests share.
-
-Of the trees two are asked: the judge, and the form by which the planner of today chooses among its trees.
-"""
+"""Recipes planned from the public FOON, and what the judge says of the trees: what the slow tests share."""
 
 from __future__ import annotations
 
@@ -10,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg import form, validation
+from foon_kg import validation
 from foon_kg.errors import NoTreeError
 from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.result import PlanFailure, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.snapshot import Snapshot
@@ -57,14 +54,15 @@ def verdicts_on(answers: Iterable[Answer], snapshot: Snapshot) -> Verdicts:
     )
 
 
-def breaches(answers: Iterable[Answer], snapshot: Snapshot) -> list[str]:
-    """Return what breaks the old contract in the trees among ``answers``, by which the planner chooses."""
-    foon = form.KnownFoon.of(snapshot.units, snapshot.goals())
+def faults(answers: Iterable[Answer], snapshot: Snapshot) -> list[str]:
+    """Return what is fatal in the trees among ``answers``."""
+    foon = validation.KnownFoon.of(snapshot.units, snapshot.goals())
     return [
         f"{answer.recipe.id}: {finding}"
         for answer in answers
         if has_tree(answer)
-        for finding in form.check(form.TaskTree.from_json(answer.to_json()), foon).of(form.CONTRACT)
+        for finding in validation.check(validation.TaskTree.from_json(answer.to_json()), foon).findings
+        if not finding.minor
     ]
 
 

@@ -14,10 +14,10 @@ from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
+from foon_kg.search.gaps import mixtures
 from foon_kg.snapshot import Snapshot
 from foon_kg.stock import StockedKitchen
 from foon_kg.suggestion import suggest
-from foon_kg.workshop import mixtures
 
 SIMILARITY = LikeByKind()
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], KITCHEN)
