@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, Self, cast, get_args
+from typing import TYPE_CHECKING, Literal, NamedTuple, Self, cast, get_args
 
 from foon_kg.errors import FoonError
 from foon_kg.json_fields import Fields, JsonObject
@@ -42,6 +42,19 @@ SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
 
 Thing = tuple[int | None, int | None]
 """The number of a thing and of what it is in or on; ``None`` where it has none."""
+
+
+class Mentioned(NamedTuple):
+    """A node of a unit, with the number of the thing that it is, and of the one in or on which that is."""
+
+    node: ObjectNode
+    thing: int | None = None
+    container: int | None = None
+
+    @property
+    def identity(self) -> ObjectNode | int:
+        """What tells this thing from others: its number, where it has one; two bowls may have equal nodes."""
+        return self.node if self.thing is None else self.thing
 
 
 @dataclass(frozen=True)
@@ -127,6 +140,16 @@ class PlannedUnit:
         moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
         return cls(unit.input_nodes, unit.motion, unit.output_nodes, origin, seen_in, unit.accepts_any, moving)
 
+    @property
+    def taken(self) -> tuple[Mentioned, ...]:
+        """The inputs with their numbers."""
+        return _mentioned(self.input_nodes, self.input_things)
+
+    @property
+    def made(self) -> tuple[Mentioned, ...]:
+        """The outputs with their numbers."""
+        return _mentioned(self.output_nodes, self.output_things)
+
     def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
         """Answer the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
         inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
@@ -167,6 +190,12 @@ class PlannedUnit:
             input_things=_things_from_json(inputs),
             output_things=_things_from_json(outputs),
         )
+
+
+def _mentioned(nodes: Sequence[ObjectNode], things: Sequence[Thing]) -> tuple[Mentioned, ...]:
+    if not things:
+        return tuple(map(Mentioned, nodes))
+    return tuple(Mentioned(node, *thing) for node, thing in zip(nodes, things, strict=True))
 
 
 def _things_to_json(nodes: Sequence[ObjectNode], things: Sequence[Thing]) -> list[JsonObject]:

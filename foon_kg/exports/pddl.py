@@ -1,10 +1,13 @@
 """PDDL: a task tree, or a whole FOON with a kitchen, as a planning problem.
 
-The semantics are those of the contract (design.md section 4, C1; ``foon_kg.form.execution``), exactly: an object
-node is there or not, a unit can be carried out when all its inputs are there, and then all its outputs are there too.
-Nothing is ever used up: FOON does not say how much of a thing there is, and a bowl that was emptied is another node.
-So every object node is a constant, every functional unit an action without parameters, and no action deletes anything.
-A plan is valid exactly when the units in its order keep C1 and the goal node is there at the end (C2).
+The things of a plan have numbers, and so its problem is a real one (:mod:`foon_kg.exports.pddl_things`): each thing is
+in one form and one place, steps use up and move what they take, and every appliance has to be turned off again.
+
+Of FOON text and of a whole FOON nobody knows which bowl is which. There an object node is there or not, a unit can be
+carried out when all its inputs are there, and then all its outputs are there too; nothing is ever used up. A plan is
+valid exactly when the units in its order keep C1 of docs/contract.md and the goal node is there at the end.
+
+Either way every functional unit is an action without parameters.
 
 Kept to ``:strips`` and ``:typing``, which every planner reads. What a name stands for is said in the comment beside it.
 """
@@ -18,13 +21,13 @@ from typing import Self
 from foon_kg.errors import FormatError, UsageError
 from foon_kg.exports.notation import node_text, unit_text
 from foon_kg.exports.pddl_names import comment, name_of, words_of
+from foon_kg.exports.pddl_things import FOOD, UTENSIL, Action, Kitchenful, has_numbers
 from foon_kg.exports.tree import ExportedTree, nodes_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.snapshot import Snapshot
 
 PREDICATE = "at_hand"
-_FOOD, _UTENSIL = "food", "utensil"
 
 
 @dataclass(frozen=True)
@@ -46,9 +49,56 @@ def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> Planning
             f"{tree.name}: a planning problem needs a goal, and no output of the last unit is marked as one",
             hint="Export the plan result (JSON) or mark the goal with its dish class.",
         )
+    if tree.result is not None and has_numbers(tree.result):
+        return _of_things(tree.title, Kitchenful(tree.result, kitchen or Kitchen.default()))
     units = [known.unit for known in tree.units]
     writer = _Writer.of(tree.title, units, tree.kitchen, (tree.goal,), kitchen or Kitchen.default())
     return PlanningProblem(writer.domain(), writer.problem(), writer.plan())
+
+
+def _of_things(title: str, kitchenful: Kitchenful) -> PlanningProblem:
+    name = name_of("make", title)
+    written = comment(f"{title}, written by foon-kg")
+    things = [f"    {thing.name} - {thing.kind}" for thing in kitchenful.things.values()]
+    forms = (("    " + comment(node_text(form)), f"    {named} - form") for form, named in kitchenful.forms.items())
+    domain = [
+        written,
+        comment("Each thing is in one form and in one place; a step changes those of what it puts out."),
+        f"(define (domain {name})",
+        "  (:requirements :strips :typing)",
+        f"  (:types {FOOD} {UTENSIL} - thing thing form - object)",
+        "  (:constants",
+        *things,
+        *(line for pair in forms for line in pair),
+        "  )",
+        "  (:predicates (is ?thing - thing ?form - form) (at ?thing - thing ?place - thing) (unplaced ?thing - thing))",
+        *(line for action in kitchenful.actions for line in _written(action)),
+        ")",
+    ]
+    problem = [
+        written,
+        f"(define (problem {name}_problem)",
+        f"  (:domain {name})",
+        "  (:init",
+        *(f"    {fact}" for fact in kitchenful.begin),
+        "  )",
+        f"  (:goal (and {' '.join(kitchenful.end)}))",
+        ")",
+    ]
+    plan = [comment(f"{title}: the steps in foon-kg's own order")]
+    for action in kitchenful.actions:
+        plan += [comment(unit_text(action.unit.as_unit())), f"({action.name})"]
+    texts = ("\n".join(lines) + "\n" for lines in (domain, problem, plan))
+    return PlanningProblem(*texts)
+
+
+def _written(action: Action) -> Iterator[str]:
+    yield "  " + comment(unit_text(action.unit.as_unit()))
+    yield f"  (:action {action.name}"
+    yield "    :parameters ()"
+    yield f"    :precondition (and {' '.join(action.needs)})"
+    yield f"    :effect (and {' '.join((*(f'(not {fact})' for fact in action.ends), *action.makes))})"
+    yield "  )"
 
 
 def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> PlanningProblem:
@@ -116,7 +166,7 @@ class _Writer:
             ),
             f"(define (domain {self.name})",
             f"  (:requirements {' '.join(self.requirements)})",
-            f"  (:types {_FOOD} {_UTENSIL} - object)",
+            f"  (:types {FOOD} {UTENSIL} - object)",
             "  (:constants",
             *self._constants(),
             "  )",
@@ -159,7 +209,7 @@ class _Writer:
     def _constants(self) -> Iterator[str]:
         for node, name in self.constants.items():
             yield "    " + comment(node_text(node))
-            yield f"    {name} - {_FOOD if self.kitchen.is_food(node) else _UTENSIL}"
+            yield f"    {name} - {FOOD if self.kitchen.is_food(node) else UTENSIL}"
 
     def _action(self, unit: FunctionalUnit, action: str) -> Iterator[str]:
         yield "  " + comment(unit_text(unit))

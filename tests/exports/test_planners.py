@@ -7,8 +7,10 @@ import itertools
 import pytest
 from exports.odd_trees import ODD, of_file
 from kitchen_stories import SALAD, subgraph
+from pictures.demo_plans import demo_plan
 
 from foon_kg.exports.pddl import foon_to_pddl, tree_to_pddl
+from foon_kg.exports.tree import ExportedTree
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
 from foon_kg.snapshot import Snapshot
@@ -45,6 +47,14 @@ def judged(tmp_path, monkeypatch):
 def test_a_recorded_dish_is_solved_in_as_many_steps_and_our_order_is_accepted(judged):
     written = tree_to_pddl(of_file(subgraph("salad", "salad", *SALAD)))
     assert judged(written) == (len(SALAD), True, True)
+
+
+@pytest.mark.parametrize("name", ["tomato_salad", "courgette_salad", "berry_smoothie"])
+def test_a_plan_of_numbered_things_is_solved_in_as_many_steps_and_our_order_is_accepted(judged, name):
+    plan = demo_plan(name)
+    written = tree_to_pddl(ExportedTree.of_plan(plan))
+    assert "(not (at " in written.domain
+    assert judged(written) == (len(plan.units), True, True)
 
 
 def test_an_order_in_which_something_is_missing_is_not_accepted(judged):
