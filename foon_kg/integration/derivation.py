@@ -71,10 +71,15 @@ class _Derivation:
         self.world = World(known=known)
         self.places: list[dict[int, _Place]] = []
         self.heated: list[frozenset[int]] = []
+        self.names: dict[Part, int] = {}
         for unit in units:
             number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
             self.places.append(self._places())
-            self.heated.append(frozenset(id(part) for part in self.world.supply.parts if part.heated == number))
+            self.heated.append(frozenset(self._name(part) for part in self.world.supply.parts if part.heated == number))
+
+    def _name(self, part: Part) -> int:
+        """Return the number by which a part is known here: that of its first sighting."""
+        return self.names.setdefault(part, len(self.names))
 
     def frame(self, goal: ObjectNode, dish_type: str, video: str) -> Frame | None:
         last = max((n for n, unit in enumerate(self.units) if goal in unit.output_nodes), default=None)
@@ -83,7 +88,7 @@ class _Derivation:
         lump = self.world.happenings[last].outputs.get(goal)
         if lump is None:
             return None
-        parts = {id(part): part for part in self._parts_of(lump, last) if not part.remains}
+        parts = {self._name(part): part for part in self._parts_of(lump, last) if not part.remains}
         if not parts:
             return None
         clusters = self._refined(parts, last)
@@ -98,7 +103,7 @@ class _Derivation:
     def _parts_of(self, lump: Lump, last: int) -> list[Part]:
         there = self.places[last]
         key = next((place.key for place in there.values() if place.lump is lump), None)
-        found = [part for part in self.world.supply.parts if id(part) in there and there[id(part)].key == key]
+        found = [part for part in self.world.supply.parts if (name := self._name(part)) in there and there[name].key == key]
         return found or list(lump.parts)
 
     def _places(self) -> dict[int, _Place]:
@@ -112,15 +117,14 @@ class _Derivation:
         for lump in lumps.values():
             place = _place(lump, below)
             for part in lump.parts:
-                found[id(part)] = place
+                found[self._name(part)] = place
         return found
 
     def _place_of(self, part: Part, step: int) -> _Place | None:
         """Return where a part was after a step: it, or what it is a portion of."""
         there = self.places[step]
-        return there.get(id(part)) or next(
-            (there[id(p)] for p in self.world.supply.parts if p.origin == part.origin and id(p) in there), None
-        )
+        portions = (self._name(p) for p in self.world.supply.parts if p.origin == part.origin)
+        return there.get(self._name(part)) or next((there[name] for name in portions if name in there), None)
 
     def _refined(self, parts: dict[int, Part], last: int) -> list[dict[int, int]]:
         """Return for each step the number of the cluster in which each part is."""
@@ -209,7 +213,7 @@ class _Derivation:
         lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
         lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
         lumps += [lump for lump, _, _ in happening.moved]
-        inside = {id(part) for lump in lumps for part in lump.parts}
+        inside = {self._name(part) for lump in lumps for part in lump.parts}
         return not inside.isdisjoint(members)
 
     def _receiver(self, group: list[_Cluster], parts: dict[int, Part], step: int) -> _Cluster:
