@@ -1,0 +1,108 @@
+"""No code for a dish or a food: what algorithms 1 and 4 know of them stands in the tables and in the FOON."""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import tokenize
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import foon_kg
+
+PACKAGE = Path(foon_kg.__file__).parent
+MODULES = sorted(path for room in ("integration", "goals", "planning") for path in (PACKAGE / room).glob("*.py"))
+SHORTEST = 4
+"""Shorter names (egg, oil, pie) are too often part of something else."""
+
+EXCEPTED = {
+    "what a cook owes to a food, and nothing to eat": {"core", "husk", "peel", "shell", "stone"},
+    "motions, what a motion does, and the role of a utensil": {"bake", "chop", "wrap"},
+    "states in which foods are sold or come": {"jelly", "juice", "paste", "powder", "sauce"},
+    "traits, which the table gives to foods of many kinds": {
+        "batter", "dough", "flour", "herb", "leaven", "remains", "spice", "stock", "sweet", "topping",
+    },
+    "what is called so has no name of its own": {"mixture"},
+    "the free food: C5 of the contract": {"water"},
+    "kinds: what is eaten whole, and the widest kind of what is cut": {"berry", "vegetable"},
+    "an example in a message": {"onion"},
+}  # fmt: skip
+"""Words of foods and dishes that the code has all the same, and what they mean there."""
+
+ALLOWED = frozenset().union(*EXCEPTED.values())
+
+
+@cache
+def food_words():
+    """Every name of a food, a kind of food or a dish that the tables list."""
+    foods = tomllib.loads((PACKAGE / "food" / "foods.toml").read_text(encoding="utf-8"))
+    dishes = tomllib.loads((PACKAGE / "food" / "dishes.toml").read_text(encoding="utf-8"))
+    names = {*foods["foods"], *foods["kinds"], *dishes["dishes"]}
+    names |= {word.lstrip("*") for row in foods["kinds"].values() for word in row.get("words", ())}
+    return frozenset(name for name in names if len(name) >= SHORTEST)
+
+
+@cache
+def pattern():
+    longest_first = sorted(map(re.escape, food_words()), key=lambda name: (-len(name), name))
+    return re.compile(rf"(?<![a-z])({'|'.join(longest_first)})(?:e?s)?(?![a-z])")
+
+
+def told_in(source):
+    """Yield each string literal and identifier with its line; docstrings and comments apart."""
+    tree = ast.parse(source)
+    constants = (node.value for node in ast.walk(tree) if isinstance(node, ast.Expr))
+    documents = [node for node in constants if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    apart = {line for node in documents for line in range(node.lineno, (node.end_lineno or node.lineno) + 1)}
+    kinds = {tokenize.STRING, tokenize.NAME, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type in kinds and token.start[0] not in apart:
+            yield token.start[0], token.string
+
+
+def foods_in(source):
+    """Return the words of foods and dishes in a module: (line, word)."""
+    found = []
+    for line, text in told_in(source):
+        plain = text.replace("_", " ").lower()
+        found += [(line, match[1]) for match in pattern().finditer(plain)]
+    return found
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: f"{path.parent.name}.{path.stem}")
+def test_no_food_and_no_dish_stands_in_the_code(path):
+    found = [(line, word) for line, word in foods_in(path.read_text(encoding="utf-8")) if word not in ALLOWED]
+    assert found == []
+
+
+def test_every_exception_is_needed():
+    there = {word for path in MODULES for _, word in foods_in(path.read_text(encoding="utf-8"))}
+    assert ALLOWED - there == set()
+
+
+def test_all_rooms_are_looked_at():
+    assert {path.parent.name for path in MODULES} == {"integration", "goals", "planning"}
+    assert len(food_words()) > 2000
+
+
+@pytest.mark.parametrize(
+    ("source", "words"),
+    [
+        ("if dish == 'omelette': pass", ["omelette"]),
+        ("def boil_potatoes(): pass", ["potatoes"]),
+        ("SALADS = 1", ["salad"]),
+        ("told = f'a {x} of tomatoes'", ["tomato"]),
+        ("is_spiced_like('red kidney bean')", ["kidney bean"]),
+        ("# a salad\nx = 1", []),
+        ('def f():\n    """Return a salad."""\n', []),
+        ("X = 1\n'''A salad.'''", []),
+        ("plain = explained(appleton)", []),
+        ("parsnips_and_leeks = None", ["parsnip", "leek"]),
+    ],
+)
+def test_words_are_found_in_literals_and_names_alone(source, words):
+    assert [word for _, word in foods_in(source)] == words
