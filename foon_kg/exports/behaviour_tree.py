@@ -4,26 +4,39 @@ The ID of an action is its motion in camel case (``pick-and-place``: ``PickAndPl
 register is listed in ``TreeNodesModel``. Ports are lists of texts between semicolons, as BehaviorTree.CPP reads a
 ``std::vector<std::string>``; an object node is written as in :mod:`foon_kg.exports.notation`, so that no name in it is
 taken for two entries or for one of the blackboard.
+
+Before each action of a plan stands the condition under which it can be carried out: which thing (the numbers tell one
+bowl from another) is how and where. A robot that finds it otherwise fails there, and knows why.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from xml.etree import ElementTree as ET
 
 from foon_kg.exports.markup import xml_document, xml_text
 from foon_kg.exports.notation import node_text
 from foon_kg.exports.pddl_names import slug
+from foon_kg.exports.pddl_things import has_numbers
 from foon_kg.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.motion_costs import NO_COSTS, MotionCosts
+from foon_kg.result import PlannedUnit
 
 _TREE = "TaskTree"
 _TEXTS = "std::vector<std::string>"
+_CONDITION = "IsSo"
+_CONDITION_PORTS = {
+    "object": ("std::string", "the object node as it has to be"),
+    "thing": ("int", "the number of the thing that it is"),
+    "container_thing": ("int", "the number of the thing in or on which it is"),
+}
 _PORTS = {
     "inputs": (_TEXTS, "object nodes that have to be there"),
     "outputs": (_TEXTS, "object nodes that are there when it is done"),
     "moving": (_TEXTS, "those of them that move while it is done"),
+    "input_things": ("std::vector<int>", "the numbers of the things that the inputs are"),
+    "output_things": ("std::vector<int>", "the numbers of the things that the outputs are"),
     "video": ("std::string", "where it was seen: a video or its address"),
     "start": ("double", "the second of the video in which it begins"),
     "end": ("double", "the second of the video in which it ends"),
@@ -40,11 +53,18 @@ def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> s
     root = ET.Element("root", {"BTCPP_format": "4", "main_tree_to_execute": _TREE})
     sequence = ET.SubElement(ET.SubElement(root, "BehaviorTree", {"ID": _TREE}), "Sequence")
     sequence.set("name", _instance(tree.title))
+    planned = tree.result.units if tree.result is not None and has_numbers(tree.result) else ()
     for place, known in enumerate(tree.units, 1):
-        ET.SubElement(sequence, "Action", _attributes(place, known, names) | _success(known, costs))
+        attributes = _attributes(place, known, names) | _success(known, costs)
+        if planned:
+            _add_conditions(sequence, planned[place - 1])
+            attributes |= _numbers(planned[place - 1])
+        ET.SubElement(sequence, "Action", attributes)
     model = ET.SubElement(root, "TreeNodesModel")
     for name in names.values():
-        _add_model(model, name)
+        _add_model(model, "Action", name, _PORTS)
+    if planned:
+        _add_model(model, "Condition", _CONDITION, _CONDITION_PORTS)
     return xml_document(root)
 
 
@@ -85,10 +105,26 @@ def _success(known: KnownUnit, costs: MotionCosts) -> dict[str, str]:
     return {"success_rate": f"{float(costs.success(motion)):g}"} if motion in costs.costs else {}
 
 
-def _add_model(model: ET.Element, name: str) -> None:
-    action = ET.SubElement(model, "Action", {"ID": name})
-    for port, (kind, meaning) in _PORTS.items():
-        ET.SubElement(action, "input_port", {"name": port, "type": kind}).text = meaning
+def _add_conditions(sequence: ET.Element, unit: PlannedUnit) -> None:
+    for one in unit.taken:
+        attributes = {"ID": _CONDITION, "name": _instance(one.node.label), "object": xml_text(node_text(one.node))}
+        attributes["thing"] = str(one.thing)
+        if one.container is not None:
+            attributes["container_thing"] = str(one.container)
+        ET.SubElement(sequence, "Condition", attributes)
+
+
+def _numbers(unit: PlannedUnit) -> dict[str, str]:
+    """Return the numbers of all nodes, in the order of the nodes; here two things that look alike are two."""
+    sides = {"input": unit.taken, "output": unit.made}
+    told = {f"{name}_things": ";".join(str(one.thing) for one in side) for name, side in sides.items()}
+    return told | {f"{name}s": _listed(one.node for one in side) for name, side in sides.items()}
+
+
+def _add_model(model: ET.Element, tag: str, name: str, ports: Mapping[str, tuple[str, str]]) -> None:
+    described = ET.SubElement(model, tag, {"ID": name})
+    for port, (kind, meaning) in ports.items():
+        ET.SubElement(described, "input_port", {"name": port, "type": kind}).text = meaning
 
 
 def _listed(nodes: Iterable[ObjectNode]) -> str:

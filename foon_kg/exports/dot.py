@@ -18,9 +18,9 @@ _FOOD, _UTENSIL, _GOAL, _MOTION = "#8bc99b", "#d5ecdb", "#f2c14e", "#e06666"
 def write_dot(graph: BipartiteGraph) -> str:
     """Answer ``graph`` as DOT: from the kitchen below to the goal above; thick lines where something moves."""
     lines = [f"digraph {_quoted(graph.name)} {{", *_HEAD]
-    lines += (f"  {name} [{_object(node, graph)}];" for node, name in graph.objects.items())
+    lines += (f"  {name} [{_object(node, graph)}];" for name, node in graph.objects.items())
     lines += (f"  {name} [{_motion(known)}];" for name, known in graph.units.items())
-    lines += (f"  {edge.start} -> {edge.end}{' [penwidth=2]' if edge.moving else ''};" for edge in graph.edges())
+    lines += (f"  {edge.start} -> {edge.end}{' [penwidth=2]' if edge.moving else ''};" for edge in graph.edges)
     return "\n".join((*lines, "}")) + "\n"
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Self
 
-from foon_kg.exports.tree import ExportedTree, nodes_of
+from foon_kg.exports.tree import ExportedTree
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import KnownUnit, ObjectNode, Participant
 from foon_kg.motion_costs import NO_COSTS, MotionCosts
+from foon_kg.result import Mentioned, PlannedUnit
 from foon_kg.snapshot import Snapshot
 
 
@@ -26,12 +27,15 @@ class Edge:
 class BipartiteGraph:
     """Object nodes (ids ``o1``, …) and motion nodes (``m1``, …), each once and in the order of appearance.
 
-    ``goals`` are the end products, ``at_hand`` what no unit need make; ``costs`` say how likely motions succeed.
+    Where the things of a tree have numbers, two bowls are two object nodes though they look alike. ``edges`` go unit by
+    unit from the inputs to the motion, and from the motion to the outputs. ``goals`` are the end products, ``at_hand``
+    what no unit need make; ``costs`` say how likely motions succeed.
     """
 
     name: str
-    objects: dict[ObjectNode, str]
+    objects: dict[str, ObjectNode]
     units: dict[str, KnownUnit]
+    edges: tuple[Edge, ...]
     goals: frozenset[ObjectNode]
     at_hand: frozenset[ObjectNode]
     kitchen: Kitchen
@@ -41,25 +45,18 @@ class BipartiteGraph:
     def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
         """Answer the graph of a task tree; its motion nodes are numbered like its steps."""
         goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
-        objects = _objects(tree.units, tree.kitchen)
-        return cls(tree.title, objects, _numbered(tree.units), goals, frozenset(tree.kitchen), Kitchen.default(), costs)
+        planned = tree.result.units if tree.result is not None else ()
+        objects, edges = _drawn(tree.units, planned, tree.kitchen)
+        kitchen = Kitchen.default()
+        return cls(tree.title, objects, _numbered(tree.units), edges, goals, frozenset(tree.kitchen), kitchen, costs)
 
     @classmethod
     def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
         """Answer the graph of a whole FOON; its motion nodes are in the order of their keys."""
-        objects = _objects(foon.units)
+        objects, edges = _drawn(foon.units)
         goals = frozenset(goal.node for goal in foon.goals())
-        at_hand = frozenset(filter(foon.kitchen.has, objects))
-        return cls("FOON", objects, _numbered(foon.units), goals, at_hand, foon.kitchen, costs)
-
-    def edges(self) -> Iterator[Edge]:
-        """Answer the edges unit by unit: from the inputs to the motion, from the motion to the outputs."""
-        for motion, known in self.units.items():
-            takes, gives = _moving(known.unit.inputs), _moving(known.unit.outputs)
-            for node in known.unit.input_nodes:
-                yield Edge(self.objects[node], motion, node in takes)
-            for node in known.unit.output_nodes:
-                yield Edge(motion, self.objects[node], node in gives)
+        at_hand = frozenset(filter(foon.kitchen.has, objects.values()))
+        return cls("FOON", objects, _numbered(foon.units), edges, goals, at_hand, foon.kitchen, costs)
 
 
 def _moving(side: Sequence[Participant]) -> frozenset[ObjectNode]:
@@ -70,6 +67,24 @@ def _numbered(units: Sequence[KnownUnit]) -> dict[str, KnownUnit]:
     return {f"m{number}": known for number, known in enumerate(units, 1)}
 
 
-def _objects(units: Sequence[KnownUnit], more: Iterable[ObjectNode] = ()) -> dict[ObjectNode, str]:
-    nodes = dict.fromkeys((*nodes_of(known.unit for known in units), *more))
-    return {node: f"o{number}" for number, node in enumerate(nodes, 1)}
+def _drawn(
+    units: Sequence[KnownUnit], of_plan: Sequence[PlannedUnit] = (), more: Iterable[ObjectNode] = ()
+) -> tuple[dict[str, ObjectNode], tuple[Edge, ...]]:
+    """Return the object nodes of ``units`` and ``more``, and the edges; ``of_plan`` has the numbers of the things."""
+    names: dict[tuple[ObjectNode, int | None], str] = {}
+    edges: list[Edge] = []
+
+    def name(one: Mentioned) -> str:
+        return names.setdefault((one.node, one.thing), f"o{len(names) + 1}")
+
+    for place, known in enumerate(units):
+        motion, unit = f"m{place + 1}", known.unit
+        planned = of_plan[place] if of_plan else PlannedUnit.of(unit, "foon", ())
+        takes, gives = _moving(unit.inputs), _moving(unit.outputs)
+        edges += [Edge(name(one), motion, one.node in takes) for one in dict.fromkeys(planned.taken)]
+        edges += [Edge(motion, name(one), one.node in gives) for one in dict.fromkeys(planned.made)]
+    there = {node for node, _ in names}
+    for node in more:
+        if node not in there:
+            name(Mentioned(node))
+    return {named: node for (node, _), named in names.items()}, tuple(edges)

@@ -39,11 +39,11 @@ def write_graphml(graph: BipartiteGraph) -> str:
             ET.SubElement(root, "key", {"id": name, "for": what, "attr.name": name, "attr.type": kind})
     drawn = ET.SubElement(root, "graph", {"id": "foon", "edgedefault": "directed"})
     ET.SubElement(drawn, "desc").text = xml_text(graph.name)
-    for node, name in graph.objects.items():
+    for name, node in graph.objects.items():
         _add(drawn, "node", {"id": name}, _object(node, graph))
     for name, known in graph.units.items():
         _add(drawn, "node", {"id": name}, _motion(known, graph.costs))
-    for edge in graph.edges():
+    for edge in graph.edges:
         _add(drawn, "edge", {"source": edge.start, "target": edge.end}, {"moving": edge.moving})
     return xml_document(root)
 

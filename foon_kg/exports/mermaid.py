@@ -23,12 +23,12 @@ def write_mermaid(graph: BipartiteGraph) -> str:
     for name, known in graph.units.items():
         verb = known.unit.motion + ("*" if known.unit.accepts_any else "")
         lines.append(f"  {name}[{_quoted(verb)}]:::motion")
-    lines += (f"  {edge.start} {'==>' if edge.moving else '-->'} {edge.end}" for edge in graph.edges())
+    lines += (f"  {edge.start} {'==>' if edge.moving else '-->'} {edge.end}" for edge in graph.edges)
     return "\n".join(lines) + "\n"
 
 
 def _objects(graph: BipartiteGraph) -> Iterator[str]:
-    for node, name in graph.objects.items():
+    for name, node in graph.objects.items():
         kind = "goal" if node in graph.goals else "food" if graph.kitchen.is_food(node) else "utensil"
         yield f"  {name}([{_quoted(str(node))}]):::{kind}"
 

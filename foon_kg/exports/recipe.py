@@ -68,7 +68,10 @@ def _notes(result: PlanResult) -> list[list[str]]:
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
         return f"{one.required} is handled like {one.equivalent} (confidence {one.confidence:.2f})"
-    said = f"{one.required} the {one.object}" if one.kind == "motion" else f"{one.object} is {one.required}"
+    if one.kind == "state":
+        said = f"{one.object} is {one.required}"
+    else:
+        said = f"{one.required} the {one.object}" if one.kind == "motion" else f"{one.object}: the {one.required}"
     return f"{said} where the video has {one.equivalent} (confidence {one.confidence:.2f})"
 
 

@@ -10,10 +10,12 @@ import pytest
 from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
 from kitchen_stories import SALAD, node, subgraph
+from pictures.demo_plans import demo_plan
 
 from foon_kg.errors import FormatError
 from foon_kg.exports.behaviour_tree import write_behaviour_tree
 from foon_kg.exports.notation import node_text
+from foon_kg.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode
 from foon_kg.motion_costs import MotionCosts
 
@@ -82,6 +84,23 @@ def test_an_action_says_what_it_needs_what_it_makes_and_where_it_was_seen():
         "moving": "",
         "video": "greek",
     }
+
+
+def test_every_action_of_a_plan_stands_behind_what_has_to_be_so_before_it():
+    plan = demo_plan("tomato_salad")
+    root = ET.fromstring(write_behaviour_tree(ExportedTree.of_plan(plan)))
+    told, before = [], []
+    for one in root.find("BehaviorTree/Sequence"):
+        if one.tag == "Condition":
+            before.append((node_of(one.get("object")), int(one.get("thing"))))
+        else:
+            told.append((before, one.get("input_things"), one.get("output_things")))
+            before = []
+    assert [conditions for conditions, _, _ in told] == [
+        [(node, thing) for node, thing, _ in unit.taken] for unit in plan.units
+    ]
+    assert told[-1][2] == ";".join(str(thing) for _, thing, _ in plan.units[-1].made)
+    assert root.find("TreeNodesModel/Condition").get("ID") == "IsSo"
 
 
 def test_an_action_whose_motion_has_a_weight_says_how_likely_it_succeeds():

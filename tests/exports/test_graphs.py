@@ -5,21 +5,25 @@ from __future__ import annotations
 import html
 import json
 import re
+from dataclasses import replace
 
 import networkx as nx
 import pydot
 import pytest
 from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
-from kitchen_stories import SALAD, subgraph
+from kitchen_stories import SALAD, node, subgraph, unit
 
 from foon_kg.errors import FormatError
 from foon_kg.exports.dot import write_dot
 from foon_kg.exports.graph import BipartiteGraph
 from foon_kg.exports.graphml import write_graphml
 from foon_kg.exports.mermaid import write_mermaid
+from foon_kg.exports.tree import ExportedTree
 from foon_kg.kitchen import Kitchen
+from foon_kg.model import Recipe
 from foon_kg.motion_costs import MotionCosts
+from foon_kg.result import PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.snapshot import Snapshot
 
 MERMAID_NODE = re.compile(r'  (\w+)(\(\[|\[)"((?:[\w ,.()\-+*\'/!]|#\d+;)*)"(\]\)|\]):::(food|utensil|goal|motion)')
@@ -136,3 +140,20 @@ def test_control_characters_are_refused_where_xml_cannot_hold_them():
     tree = of_file(subgraph("x", "soup", "onion\x07 > fry > soup{onion}"))
     with pytest.raises(FormatError, match=r"U\+0007"):
         write_graphml(BipartiteGraph.of_tree(tree))
+
+
+def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
+    lines = ("bowl; onion > add > bowl{onion}", "bowl; leek > add > bowl{leek}", "bowl{leek}; bowl{onion} > mix > soup")
+    things = ([(1, None), (2, None)], [(3, None), (4, None)], [(3, None), (1, None)])
+    planned = [PlannedUnit.of(unit(line), "foon", ()) for line in lines]
+    numbered = [
+        replace(one, input_things=tuple(taken), output_things=((taken[0][0] if place < 2 else 5, None),))
+        for place, (one, taken) in enumerate(zip(planned, things, strict=True))
+    ]
+    goal = node("soup")
+
+    def bowls(units):
+        result = PlanResult(Recipe("soup", ()), ReferenceSummary(goal, 1, 0, exact=True), goal, tuple(units), ())
+        return sum(one == node("bowl") for one in BipartiteGraph.of_tree(ExportedTree.of_plan(result)).objects.values())
+
+    assert (bowls(planned), bowls(numbered)) == (1, 2)
