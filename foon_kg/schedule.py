@@ -19,7 +19,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.json_fields import JsonObject
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
-from foon_kg.result import PlannedUnit
+from foon_kg.result import Mentioned, PlannedUnit
 from foon_kg.step_order import earlier_steps
 
 WITHOUT_HANDS = word_list("without hands")
@@ -77,8 +77,9 @@ def schedule(
 ) -> Schedule:
     """Schedule the ``units`` of a tree for so many pairs of ``hands``.
 
-    Of every utensil there are as many as the tree's ``leaves`` have nodes of that name, and one at least; a step uses
-    each utensil that it takes. Raises UsageError for less than one pair of hands.
+    A plan says which utensil a step takes: that one nobody else has meanwhile; a stove has a burner for each vessel on
+    it. In other trees there are as many of every utensil as the ``leaves`` have nodes of that name, and one at least.
+    Raises UsageError for less than one pair of hands.
     """
     if hands < 1:
         raise UsageError(f"{hands} pairs of hands cannot cook", hint="Ask for one pair of hands or more.")
@@ -123,6 +124,14 @@ def _is_free(spans: Sequence[_Span], there: int, start: float, end: float) -> bo
     return all(sum(since <= moment < until for since, until in during) < there for moment in moments)
 
 
+def _name(utensil: Mentioned) -> str:
+    """Answer what tells a utensil from others: its number, and for a burner also that of the vessel on it."""
+    node, thing, container = utensil
+    if thing is None:
+        return node.label
+    return f"{node.label} {thing}" + (f" {container}" if node.relation == "under" else "")
+
+
 @dataclass(frozen=True)
 class _Work:
     known: Sequence[Duration | None]
@@ -154,7 +163,7 @@ class _Work:
                 behind[earlier] |= behind[place] | {place}
         handless = [unit.motion_node in WITHOUT_HANDS for unit in units]
         uses = [
-            frozenset(node.label for node in unit.input_nodes if kitchen.is_utensil(node.label))
+            frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
             | (frozenset() if alone else {_HANDS})
             for unit, alone in zip(units, handless, strict=True)
         ]

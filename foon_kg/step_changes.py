@@ -1,7 +1,7 @@
 """What became of the reference tree: which of its steps a plan kept, changed or left out, and which it added.
 
-A step of the plan goes back to a step of the reference when both were seen at one place of a video; every plan says
-of its units where they were seen.
+A step of the plan goes back to a step of the reference when both were seen at one place of a video (every plan says of
+its units where they were seen), else when both do the same to the same things.
 """
 
 from __future__ import annotations
@@ -35,28 +35,43 @@ def step_changes(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -
 
     A step that was left out stands before the next one of the reference that is still there.
     """
+    pairs = _pairs(reference, final)
     rows: list[StepChange] = []
-    waiting = list(enumerate(reference, start=1))
-    for number, unit in enumerate(final, start=1):
-        before = _origin(unit, waiting)
-        if before is None:
-            rows.append(StepChange("added", None, (number, unit)))
+    left_out = [place for place in range(len(reference)) if place not in pairs.values()]
+    for number, unit in enumerate(final):
+        place = pairs.get(number)
+        if place is None:
+            rows.append(StepChange("added", None, (number + 1, unit)))
             continue
-        while waiting and waiting[0][0] < before[0] and not _comes_later(waiting[0][1], final[number:]):
-            rows.append(StepChange("left out", waiting.pop(0), None))
-        waiting.remove(before)
-        rows.append(_both(before, (number, unit)))
-    return (*rows, *(StepChange("left out", one, None) for one in waiting))
+        while left_out and left_out[0] < place:
+            gone = left_out.pop(0)
+            rows.append(StepChange("left out", (gone + 1, reference[gone]), None))
+        rows.append(_both((place + 1, reference[place]), (number + 1, unit)))
+    return (*rows, *(StepChange("left out", (gone + 1, reference[gone]), None) for gone in left_out))
 
 
-def _origin(unit: PlannedUnit, waiting: Sequence[tuple[int, KnownUnit]]) -> tuple[int, KnownUnit] | None:
-    seen = set(unit.seen_in)
-    return next((one for one in waiting if not seen.isdisjoint(one[1].seen_in)), None)
+def _pairs(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -> dict[int, int]:
+    """Answer for the places of steps of the final tree the places of those of the reference that they go back to."""
+    pairs: dict[int, int] = {}
+    for alike in (_seen_alike, _done_alike):
+        for number, unit in enumerate(final):
+            waiting = [place for place in range(len(reference)) if place not in pairs.values()]
+            ranked = [(-alike(reference[place], unit), place) for place in waiting]
+            if number not in pairs and ranked and min(ranked)[0] < 0:
+                pairs[number] = min(ranked)[1]
+    return pairs
 
 
-def _comes_later(known: KnownUnit, later: Sequence[PlannedUnit]) -> bool:
-    seen = set(known.seen_in)
-    return any(not seen.isdisjoint(unit.seen_in) for unit in later)
+def _seen_alike(known: KnownUnit, unit: PlannedUnit) -> int:
+    """Answer whether both were seen at one place of a video."""
+    return int(not set(unit.seen_in).isdisjoint(known.seen_in))
+
+
+def _done_alike(known: KnownUnit, unit: PlannedUnit) -> int:
+    """Answer to how many of the same things both do the same."""
+    taken, made = ({node.label for node in side} for side in (unit.input_nodes, unit.output_nodes))
+    changed = [node.label for node in known.unit.output_nodes if node not in known.unit.input_nodes]
+    return len(taken & made & set(changed)) if known.unit.motion == unit.motion_node else 0
 
 
 def _both(before: tuple[int, KnownUnit], after: tuple[int, PlannedUnit]) -> StepChange:

@@ -85,9 +85,9 @@ def export(
     csv             a whole FOON for neo4j-admin database import
     weights         how hard its motions are, for foon load weights
 
-    Without --format the ending of --output decides. PDDL says what the contract says of execution: a unit can be
-    carried out when its inputs are there, and then its outputs are there too; nothing is used up. With --goal and,
-    as a rule, --kitchen, PDDL asks a planner to make a dish from the whole FOON.
+    Without --format the ending of --output decides. The PDDL of a plan is a real problem: each thing is in one form and
+    one place, steps use up and move what they take, and in the end everything is off. With --goal and, as a rule,
+    --kitchen, PDDL asks a planner to make a dish from the whole FOON; there nothing is used up.
 
     GraphML, behaviour trees (success rates) and CSV (costs) have the weights of motions, too: those of the graph, or of
     --weights, which a tree needs.

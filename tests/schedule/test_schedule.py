@@ -32,7 +32,7 @@ def step(motion, inputs, outputs):
     nodes = [
         tuple(ObjectNode(*one) if isinstance(one, tuple) else ObjectNode(one) for one in s) for s in (inputs, outputs)
     ]
-    return PlannedUnit(nodes[0], motion, nodes[1], "reference", ())
+    return PlannedUnit(nodes[0], motion, nodes[1], "foon", ())
 
 
 def planned(units, hands=1, times=TIMES):
@@ -92,7 +92,7 @@ motions = st.sampled_from(["chop", "mix", "bake", "pour"])
 
 @st.composite
 def trees(draw):
-    return [PlannedUnit(unit.input_nodes, draw(motions), unit.output_nodes, "reference", ()) for unit in draw(units)]
+    return [PlannedUnit(unit.input_nodes, draw(motions), unit.output_nodes, "foon", ()) for unit in draw(units)]
 
 
 def at(plan, moment):
@@ -148,9 +148,22 @@ def in_this_order(tree, order, hands):
 @settings(max_examples=40)
 @given(st.lists(st.tuples(any_units, motions), min_size=1, max_size=5), st.integers(1, 2))
 def test_a_schedule_that_says_it_is_the_shortest_is(rows, hands):
-    tree = [PlannedUnit(u.input_nodes, motion, u.output_nodes, "reference", ()) for u, motion in rows]
+    tree = [PlannedUnit(u.input_nodes, motion, u.output_nodes, "foon", ()) for u, motion in rows]
     plan = planned(tree, hands)
     best = min(in_this_order(tree, order, hands) for order in itertools.permutations(range(len(tree))))
     assert plan.length >= best
     if plan.shortest:
         assert plan.length == best
+
+
+def on_the_stove(vessel, stove="stove"):
+    """What boils in a vessel on a stove that has the number 9."""
+    nodes = (ObjectNode("water"), ObjectNode(stove, ("on",), (), "under" if stove == "stove" else None, "pot"))
+    things = ((vessel + 10, vessel), (9, vessel if stove == "stove" else None))
+    made = (ObjectNode("water", ("boiling",)),)
+    return PlannedUnit(nodes, "boil", made, "foon", (), input_things=things, output_things=((vessel + 10, vessel),))
+
+
+def test_a_stove_has_a_burner_for_each_vessel_and_an_oven_is_there_once():
+    assert planned([on_the_stove(1), on_the_stove(2)]).length == 30
+    assert planned([on_the_stove(1, "oven"), on_the_stove(2, "oven")]).length == 60

@@ -14,7 +14,7 @@ from foon_kg.step_order import earlier_steps
 
 
 def step(inputs, motion, outputs):
-    return PlannedUnit(tuple(inputs), motion, tuple(outputs), "reference", ())
+    return PlannedUnit(tuple(inputs), motion, tuple(outputs), "foon", ())
 
 
 ONION, CHOPPED = ObjectNode("onion", ("whole",)), ObjectNode("onion", ("chopped",))
@@ -52,10 +52,41 @@ def makers(units, order):
 
 @given(st.lists(any_units, min_size=1, max_size=7), st.randoms(use_true_random=False))
 def test_in_every_order_that_waits_as_told_the_same_units_take_from_the_same(some, chance: random.Random):
-    steps = [PlannedUnit.of(unit, "reference", ()) for unit in some]
+    steps = [PlannedUnit.of(unit, "foon", ()) for unit in some]
     before = earlier_steps(steps)
     order: list[int] = []
     while len(order) < len(steps):
         ready = [i for i in range(len(steps)) if i not in order and before[i] <= set(order)]
         order.append(chance.choice(ready))
     assert makers(steps, order) == makers(steps, range(len(steps)))
+
+
+BOWL = ObjectNode("bowl", ("empty",))
+FULL = ObjectNode("bowl", (), ("onion",))
+
+
+def numbered(inputs, motion, outputs, phase=None):
+    sides = [tuple(node for node, _ in side) for side in (inputs, outputs)]
+    things = [tuple((thing, None) for _, thing in side) for side in (inputs, outputs)]
+    return PlannedUnit(
+        sides[0], motion, sides[1], "foon", (), phase=phase, input_things=things[0], output_things=things[1]
+    )
+
+
+def test_two_bowls_that_look_alike_are_filled_side_by_side_and_one_bowl_is_not():
+    def fill(bowl, onion):
+        return numbered([(BOWL, bowl), (CHOPPED, onion)], "pour", [(FULL, bowl), (CHOPPED, onion)])
+
+    def empty(bowl, onion):
+        return numbered([(FULL, bowl), (CHOPPED, onion)], "pour", [(BOWL, bowl)])
+
+    assert earlier_steps([fill(1, 2), fill(3, 4)]) == (frozenset(), frozenset())
+    assert earlier_steps([fill(1, 2), empty(1, 2), fill(1, 3)]) == (frozenset(), {0}, {1})
+
+
+def test_nothing_is_heated_before_what_is_prepared_is_ready():
+    chop = numbered([(ONION, 1)], "chop", [(CHOPPED, 1)], "prepare")
+    beat = numbered([(EGG, 2)], "beat", [(BEATEN, 2)], "prepare")
+    fry = numbered([(BEATEN, 2)], "fry", [(OMELETTE, 3)], "heat")
+    serve = numbered([(OMELETTE, 3)], "serve", [(ObjectNode("omelette", ("served",)), 3)], "finish")
+    assert earlier_steps([chop, beat, fry, serve]) == (frozenset(), frozenset(), {0, 1}, {2})

@@ -21,7 +21,7 @@ def planned(unit, **changed):
         "motion_node": unit.unit.motion,
         "output_nodes": unit.unit.output_nodes,
     }
-    return PlannedUnit(**{**fields, "origin": "reference", "seen_in": unit.seen_in, **changed})
+    return PlannedUnit(**{**fields, "origin": "foon", "seen_in": unit.seen_in, **changed})
 
 
 CARROT, GRATED = ObjectNode("carrot"), ObjectNode("carrot", ("grated",))
@@ -39,7 +39,7 @@ def told(reference, final):
 
 
 def test_steps_are_kept_changed_left_out_and_added():
-    grate = planned(GRATE, input_nodes=(KOHLRABI,), output_nodes=(GRATED_KOHLRABI,), origin="substituted")
+    grate = planned(GRATE, input_nodes=(KOHLRABI,), output_nodes=(GRATED_KOHLRABI,), origin="adapted")
     assert told([GRATE, SALT, TOSS], [PEEL, grate, planned(TOSS)]) == [
         ("added", None, 1),
         ("changed", 1, 2),
