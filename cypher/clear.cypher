@@ -1,7 +1,7 @@
 // Takes the whole FOON away, its record apart. What recipes call for stays.
 // mode: write
 // scans: everything goes
-MATCH (n:Object|Label|Motion|Plan|Video|State|Verb)
+MATCH (n:Object|Label|Motion|Plan|Video|State|Verb|Frame|Line|Matter|Operator|Post|Slot|Stage|Utensil)
 DETACH DELETE n
 WITH count(n) AS gone
 CALL () {

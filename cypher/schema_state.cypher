@@ -4,6 +4,7 @@
 // column: kitchen
 // column: words
 // column: edition
+// column: methods
 // mode: read
 MATCH (f:Foon {name: 'foon-kg'})
-RETURN f.version AS version, f.kitchen AS kitchen, f.words AS words, f.edition AS edition
+RETURN f.version AS version, f.kitchen AS kitchen, f.words AS words, f.edition AS edition, f.methods AS methods

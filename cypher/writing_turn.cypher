@@ -4,7 +4,8 @@
 // column: kitchen
 // column: words
 // column: edition
+// column: methods
 // mode: write
 MATCH (f:Foon {name: 'foon-kg'})
 SET f.writes = f.writes + 1, f.edition = randomUUID()
-RETURN f.version AS version, f.kitchen AS kitchen, f.words AS words, f.edition AS edition
+RETURN f.version AS version, f.kitchen AS kitchen, f.words AS words, f.edition AS edition, f.methods AS methods

@@ -9,9 +9,12 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
+
+if TYPE_CHECKING:
+    from foon_kg.integration.methods import Methods
 
 
 class SeenAs(NamedTuple):
@@ -179,6 +182,14 @@ class KnowledgeView(Protocol):
         output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
         in the default kitchen (``foon_kg.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
         """
+        ...
+
+    def methods(self) -> Methods:
+        """Answer what the FOON teaches of making dishes: its operators and frames."""
+        ...
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Answer what of that matters to a dish of ``foods``; it may be more, up to all of it."""
         ...
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:

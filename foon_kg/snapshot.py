@@ -7,12 +7,17 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
 from foon_kg.errors import ReadError
+from foon_kg.food import tables
+from foon_kg.integration.derivation import frames_of
+from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
+from foon_kg.integration.operators import Operators
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
-from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Sighting, Subgraph
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting, Subgraph
 from foon_kg.motion_costs import MotionCosts
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
@@ -102,7 +107,14 @@ class Snapshot:
 
     @cached_property
     def _methods(self) -> Methods:
-        return Methods.of(self.units, self._goals)
+        known = tables()
+        frames = chain.from_iterable(frames_in(subgraph, self.kitchen) for subgraph in self.subgraphs)
+        return Methods(Operators(map(in_plain_order, self.units), known), tuple(frames), self._goals)
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Answer all that this FOON teaches: it is here."""
+        del foods, dish_type
+        return self._methods
 
     def motion_costs(self) -> MotionCosts:
         """Answer no weights of motions: FOON files have none."""
@@ -178,6 +190,26 @@ def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, st
     outputs = (p for annotation in subgraph.annotations for p in annotation.unit.outputs)
     marked = {(p.node, p.dish_type) for p in outputs if p.dish_type and not kitchen.is_utensil(p.node.label)}
     return tuple(sorted(marked, key=lambda goal: (goal[0].sort_key, goal[1])))
+
+
+def frames_in(subgraph: Subgraph, kitchen: Kitchen) -> tuple[Frame, ...]:
+    """Answer how ``subgraph`` makes each of its goals, sorted: this depends on no other video."""
+    units = [annotation.unit for annotation in subgraph.annotations]
+    return frames_of(units, goals_of(subgraph, kitchen), subgraph.name, tables())
+
+
+def in_plain_order(known: KnownUnit) -> KnownUnit:
+    """Answer a unit with its nodes sorted: what is learnt of it must not depend on which video wrote it first."""
+    written = known.unit
+    unit = FunctionalUnit(
+        _sorted(written.input_nodes), written.motion, _sorted(written.output_nodes), written.accepts_any
+    )
+    vars(unit)["key"] = written.key  # which does not depend on the order, and takes long to hash
+    return KnownUnit(unit, known.seen_in)
+
+
+def _sorted(nodes: Iterable[ObjectNode]) -> tuple[Participant, ...]:
+    return tuple(Participant(node) for node in sorted(nodes, key=lambda node: node.sort_key))
 
 
 def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from foon_kg.graph.words import WordsFound
+from foon_kg.integration.methods import Methods
 from foon_kg.knowledge import LikelyGoals, SeenAs, Vocabulary
 from foon_kg.model import Goal, KnownUnit
 from foon_kg.recent import Recent
@@ -29,6 +30,7 @@ class Edition:
     name: str | None = None
     vocabulary: Vocabulary | None = None
     goals: dict[str, tuple[Goal, ...]] = field(default_factory=dict)
+    methods: Methods | None = None
     units: dict[str, KnownUnit] = field(default_factory=dict)
     rows_of: dict[str, tuple[SeenAs, ...]] = field(default_factory=dict)
     words: Recent[Asked, WordsFound | None] = field(default_factory=lambda: Recent(MOST_QUESTIONS))

@@ -15,11 +15,11 @@ from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from foon_kg.food import tables
 from foon_kg.food.tables import FOODS_VARIABLE, UTENSILS_VARIABLE
-from foon_kg.integration.operators import Operators, Way
+from foon_kg.integration.operators import Evidence, Operators, Way
 from foon_kg.model import FunctionalUnit, KnownUnit, Sighting, content_key
 from foon_kg.snapshot import in_plain_order
 
@@ -73,8 +73,11 @@ def lifted(unit: FunctionalUnit) -> Lifted:
     )
 
 
-def _matters(evidence: Any) -> frozenset[str]:  # noqa: ANN401 - until operators show their tables
+def _matters(evidence: Evidence) -> frozenset[str]:
     return frozenset((*evidence.foods, *(f"{KIND}{kind}" for kind in evidence.kinds)))
+
+
+Names = TypeVar("Names", tuple[str, str], tuple[str, str, str])
 
 
 @dataclass
@@ -108,6 +111,11 @@ class Tally:
     def rows(self) -> dict[str, list[dict[str, Any]]]:
         """Answer the parameters of ``cypher/count_operators.cypher``; what is done to what apart."""
         return {
+            "operators": [
+                {"operator": operator, "count": count}
+                for (operator, matter), count in sorted(self.done.items())
+                if matter == ANYTHING and count
+            ],
             "gives": _rows(self.gives, "operator", "state"),
             "brings": _rows(self.brings, "operator", "matter", "role"),
             "places": _rows(self.places, "operator", "utensil"),
@@ -126,7 +134,7 @@ def _add(counter: Counter[tuple[str, str]], keys: Iterable[tuple[str, str]], wei
         counter[key] += weight
 
 
-def _rows(counter: Mapping[tuple[str, ...], int], *names: str) -> list[dict[str, Any]]:
+def _rows(counter: Mapping[Names, int], *names: str) -> list[dict[str, Any]]:
     """Answer a row for each key that has a count, in their order."""
     return [{**dict(zip(names, key, strict=True)), "count": counter[key]} for key in sorted(counter) if counter[key]]
 

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 import neo4j
 
+from foon_kg.errors import SchemaError
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.differences import unknown_videos
+from foon_kg.graph.lifting import methods_key
 from foon_kg.graph.schema import check_readable, kitchen_key, prepare_for_writing
 from foon_kg.graph.statements import VIDEO_CONTENTS, ask
 from foon_kg.graph.writing import Writer
@@ -92,14 +94,16 @@ def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
     state = prepare_for_writing(session, kitchen)
     if state.kitchen != kitchen_key(kitchen):
         session.execute_write(_write_anew, kitchen)
-    elif state.words != word_lists_key():
+        return
+    if state.words != word_lists_key():
         session.execute_write(_write_vectors, kitchen)
+    if state.methods != methods_key():
+        session.execute_write(_learn_anew, kitchen)
 
 
 def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
     """Write ``batch``; what another program wrote since we looked is found out again."""
-    writer = Writer(transaction, kitchen)
-    check_readable(writer.state, kitchen)
+    writer = _writer(transaction, kitchen)
     contents = _contents(transaction, [subgraph.name for subgraph in batch])
     changed = [subgraph for subgraph in batch if contents.get(subgraph.name) != subgraph.content_key]
     writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
@@ -114,13 +118,24 @@ def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kit
 
 
 def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen: Kitchen) -> None:
-    writer = Writer(transaction, kitchen)
-    check_readable(writer.state, kitchen)
+    writer = _writer(transaction, kitchen)
     if unknown := sorted(set(names) - _contents(transaction, names).keys()):
         raise unknown_videos(unknown)
     writer.forget(names)
     writer.drop_videos(names)
     writer.finish()
+
+
+def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> Writer:
+    """Open a writer; raises unless the graph still is as :func:`_begin` left it."""
+    writer = Writer(transaction, kitchen)
+    check_readable(writer.state, kitchen)
+    if writer.state is not None and writer.state.methods != methods_key():
+        raise SchemaError(
+            "another foon-kg learnt the operators and frames of the graph anew meanwhile",
+            hint="Load again; and let all programs that write this graph be of one version.",
+        )
+    return writer
 
 
 def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
@@ -129,6 +144,10 @@ def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None
 
 def _write_vectors(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
     Writer(transaction, kitchen).finish()
+
+
+def _learn_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+    Writer(transaction, kitchen).learn_anew()
 
 
 def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:

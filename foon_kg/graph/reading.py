@@ -16,6 +16,8 @@ from foon_kg.graph.edition import Edition
 from foon_kg.graph.equivalents import find_equivalents
 from foon_kg.graph.kept_rows import KeptRows
 from foon_kg.graph.known_units import known_units
+from foon_kg.graph.lifting import methods_key
+from foon_kg.graph.methods import methods_of
 from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
     GoalValue,
@@ -32,6 +34,7 @@ from foon_kg.graph.statements import (
     GOALS,
     KNOWN_UNITS,
     LIKELY_GOALS,
+    METHODS,
     MOTION_COSTS,
     NODES_CALLED,
     REMEMBERED,
@@ -44,6 +47,7 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.integration.methods import Methods
 from foon_kg.kitchen import Kitchen, singular
 from foon_kg.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
@@ -68,6 +72,8 @@ class GraphView:
     def __init__(self, transaction: neo4j.Transaction, edition: Edition | None = None) -> None:
         self._transaction = transaction
         self._edition = edition or Edition()
+        self._kitchen = Kitchen.default()
+        self._learnt_by: str | None = None
         self.round_trips = 0
         self.retrieved: list[RetrievedTree] = []
         self._fetched: list[tuple[Statement[Any], dict[str, object], list[Any]]] = []
@@ -167,6 +173,23 @@ class GraphView:
         (row,) = self._ask(NODES_CALLED, labels=sorted(set(labels)))
         return tuple(sorted(map(node_of, row.nodes), key=lambda node: node.sort_key))
 
+    def methods(self) -> Methods:
+        """Answer what this FOON teaches. Where another program learnt it, it is learnt anew, in memory."""
+        if self._edition.methods is None:
+            self._edition.methods = self._read_methods()
+        return self._edition.methods
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Answer what this FOON teaches of making a dish of ``foods``."""
+        del foods, dish_type
+        return self.methods()
+
+    def _read_methods(self) -> Methods:
+        if self._learnt_by != methods_key():
+            return Snapshot.of(self.subgraphs(self.video_names()), self._kitchen).methods()
+        (row,) = self._ask_once(METHODS)
+        return methods_of(row, self.goals())
+
     def motion_costs(self) -> MotionCosts:
         """Answer the weights of motions that were loaded, none where there are none."""
         (row,) = self._ask(MOTION_COSTS)
@@ -208,6 +231,7 @@ class GraphView:
         """
         state = next(iter(self._ask(SCHEMA_STATE)), None)
         check_readable(state, kitchen)
+        self._kitchen, self._learnt_by = kitchen, state.methods if state else None
         self._edition = known.still(state.edition if state else None)
         return self._edition
 

@@ -33,6 +33,17 @@ StateRow = tuple[str, list[str], list[int], list[int]]
 """``[state, labels, made, used]``: foods that are seen in a state, and how many units make and use each of them so."""
 
 
+SightingValue = tuple[str, int, str | None, float | None, float | None]
+"""The values of a ``Sighting``: video, position, source, start and end."""
+
+EvidenceValue = tuple[str, int, int, list[str], list[str]]
+"""``[matter, units, changed, seen, changes]``: how many units of an operator are done to a matter and how many
+change it, and the texts of the first sightings of either."""
+
+Counted = list[tuple[str, int]]
+"""Names with their counts."""
+
+
 @dataclass(frozen=True)
 class Nothing:
     """The row of a statement that answers nothing."""
@@ -43,12 +54,14 @@ class SchemaState:
     """Which schema, kitchen and word lists a graph was written with; no ``words`` where it has no vectors yet.
 
     Every write that may change an answer gives the FOON a new ``edition``, a name that no other state of any graph has.
+    ``methods`` says by which program its operators and frames were learnt; ``None`` where it has none yet.
     """
 
     version: int
     kitchen: str
     words: str | None = None
     edition: str | None = None
+    methods: str | None = None
 
 
 @dataclass(frozen=True)
@@ -204,6 +217,57 @@ class LikelyGoalsRow:
     foods_named: list[str]
     are_all: bool
     least_gain: float | None
+
+
+@dataclass(frozen=True)
+class AttestedRow:
+    """For each unit its key, that of its operator, what it is done to, and what of that it changes."""
+
+    attested: list[tuple[str, str, list[str], list[str]]]
+
+
+@dataclass(frozen=True)
+class EvidenceRow:
+    """For operators and matters the texts of the sightings that are kept: of all units, and of those that change it."""
+
+    kept: list[tuple[str, str, list[str], list[str]]]
+
+
+@dataclass(frozen=True)
+class FirstSightingsRow:
+    """Where an operator was first seen done to a matter, and first seen to change it."""
+
+    operator: str
+    matter: str
+    seen: list[SightingValue]
+    changes: list[SightingValue]
+
+
+@dataclass(frozen=True)
+class TextRow:
+    """The text of one frame."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class MethodsRow:
+    """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
+
+    Of ``brings`` matter, role and count; of ``posts`` kind, dish type, the three parts of the post, and count.
+    """
+
+    operators: list[tuple[str, list[str]]]
+    evidence: list[list[EvidenceValue]]
+    gives: list[Counted]
+    brings: list[list[tuple[str, str, int]]]
+    places: list[Counted]
+    appliances: list[Counted]
+    states: list[tuple[str, list[str]]]
+    posts: list[tuple[str, str, str, str, bool, int]]
+    beside: list[tuple[str, str, int]]
+    cooked: list[tuple[str, str, int]]
+    frames: list[str]
 
 
 def node_of(row: NodeRow) -> ObjectNode:

@@ -15,6 +15,7 @@ from neo4j import exceptions as driver_errors
 
 from foon_kg.cypher import schema_steps
 from foon_kg.errors import GraphError, SchemaError
+from foon_kg.graph.lifting import methods_key
 from foon_kg.graph.rows import SchemaState
 from foon_kg.graph.statements import AWAIT_INDEXES, SCHEMA_RECORD, SCHEMA_STATE, ask
 from foon_kg.kitchen import Kitchen
@@ -72,9 +73,9 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     if state is None or state.version < schema_version():
         session.execute_write(_run_steps, state.version if state else 0)
         session.execute_read(ask, AWAIT_INDEXES)
-        known = state or SchemaState(0, kitchen_key(kitchen))
+        known = state or SchemaState(0, kitchen_key(kitchen), methods=methods_key())
         state = dataclasses.replace(known, version=schema_version())
-        session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen)
+        session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen, methods=state.methods)
     _refuse_newer(state)
     return state
 

@@ -12,6 +12,8 @@ from typing import Any
 import neo4j
 
 from foon_kg.graph import statements as cypher
+from foon_kg.graph.learning import Learner
+from foon_kg.graph.lifting import methods_key
 from foon_kg.graph.reading import subgraph_of
 from foon_kg.graph.rows import bare_unit_of, properties_of
 from foon_kg.graph.schema import kitchen_key, schema_version
@@ -37,6 +39,7 @@ class Writer:
         self._transaction = transaction
         self._kitchen = kitchen
         self._counts = WordCounts(kitchen.is_utensil)
+        self._learner = Learner(self._ask, kitchen)
         self._doubtful: set[str] = set()
         self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
 
@@ -53,12 +56,14 @@ class Writer:
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
         self._throw_out_trees(units[row.key] for row in new)
         self._counts.count(units[row.key] for row in new)
+        self._learner.learn((units[row.key] for row in new), subgraphs)
 
     def forget(self, names: Sequence[str]) -> None:
         """Take away what the named videos say, but not the videos."""
         if names:
             self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
             self._ask(cypher.FORGET_GOALS, names=names, dish_types=DISH_TYPES)
+            self._learner.forget(names)
 
     def drop_videos(self, names: Sequence[str]) -> None:
         """Take away forgotten videos."""
@@ -66,11 +71,13 @@ class Writer:
 
     def finish(self) -> None:
         """Sweep what no video shows any more, and bring the counts of words up to date."""
-        gone = self._ask(cypher.UNSUPPORTED_UNITS, keys=sorted(self._doubtful)) if self._doubtful else []
-        self._counts.count((bare_unit_of(row) for row in gone), weight=-1)
+        rows = self._ask(cypher.UNSUPPORTED_UNITS, keys=sorted(self._doubtful)) if self._doubtful else []
+        gone = list(map(bare_unit_of, rows))
+        self._counts.count(gone, weight=-1)
+        self._learner.unlearn(gone, self._doubtful)
         if gone:
-            self._throw_out_trees(map(bare_unit_of, gone))
-            self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in gone])
+            self._throw_out_trees(gone)
+            self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows])
         foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
         motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
         verbs = [{"motion": r.motion, "units": r.units, "several": r.several} for r in self._counts.gatherings()]
@@ -78,6 +85,7 @@ class Writer:
             self._ask(cypher.COUNT_FOODS, rows=foods)
             self._ask(cypher.COUNT_MOTIONS, rows=motions)
             self._ask(cypher.COUNT_VERBS, rows=verbs)
+        self._learner.finish(self._doubtful)
         if self._doubtful:
             self._ask(cypher.SWEEP_WORDS)
         self._write_vectors()
@@ -89,7 +97,22 @@ class Writer:
         self._ask(cypher.CLEAR)
         self.add(subgraphs)
         self.finish()
-        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen_key(self._kitchen))
+        self._record()
+
+    def learn_anew(self) -> None:
+        """Learn operators and frames of the whole FOON again, as this program does."""
+        names = [row.name for row in self._ask(cypher.VIDEO_NAMES)]
+        subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
+        self._ask(cypher.FORGET_METHODS)
+        self._learner.learn(units.values(), subgraphs)
+        self._learner.unlearn((), ())
+        self._learner.finish(())
+        self._record()
+
+    def _record(self) -> None:
+        kitchen = kitchen_key(self._kitchen)
+        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods_key())
 
     def _throw_out_trees(self, changed: Iterable[FunctionalUnit]) -> None:
         """Throw out the reference trees that the ``changed`` units, new or about to go, are behind the goals of."""

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from kitchen_stories import SALAD, subgraph
+from methods_told import told
 
 from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import write_json
@@ -24,7 +25,7 @@ WANTED = (
     subgraph("second", "soup", *SALAD[2:]),
     subgraph("third", "salad", *SALAD[3:]),
 )
-LINES = 25
+LINES = 40
 """How many the loader tells; it is killed at each, by turns before the query is sent and while it runs."""
 
 
@@ -75,11 +76,11 @@ class Loader:
 
 def run_to(loader, point):
     """Let the loader tell ``point`` lines; it waits after the last. Answer how many there were."""
-    for told in range(point):
-        if told:
+    for number in range(point):
+        if number:
             loader.go_on()
         if not loader.step():
-            return told
+            return number
     return point
 
 
@@ -90,7 +91,10 @@ def test_every_video_is_whole_and_what_was_reported_is_there(empty_graph, graph,
     if point % 2 == 0:
         loader.go_on()
     loader.kill()
-    kept = {subgraph.name: subgraph for subgraph in graph.snapshot().subgraphs}
+    snapshot = graph.snapshot()
+    kept = {subgraph.name: subgraph for subgraph in snapshot.subgraphs}
+    with graph.reading() as view:
+        assert told(view.methods()) == told(snapshot.methods())
     for before, wanted in ((BEFORE[0], WANTED[0]), (BEFORE[1], WANTED[1]), (None, WANTED[2])):
         assert kept.get(wanted.name) in (before, wanted)
         assert wanted.name not in loader.stored or kept[wanted.name] == wanted
@@ -100,6 +104,7 @@ def test_every_video_is_whole_and_what_was_reported_is_there(empty_graph, graph,
     with graph.reading() as view:
         assert graph.snapshot().units == expected.units
         assert (view.goals(), view.vocabulary()) == (expected.goals(), expected.vocabulary())
+        assert told(view.methods()) == told(expected.methods())
 
 
 def test_the_loader_that_nobody_kills_tells_as_many_lines(empty_graph, graph, folder):

@@ -1,0 +1,31 @@
+// All that was learnt of the FOON: its operators with their evidence and counts, its frames, and how often foods of each
+// kind join where. What is asked of many nodes is answered in columns side by side.
+// column: operators
+// column: evidence
+// column: gives
+// column: brings
+// column: places
+// column: appliances
+// column: states
+// column: posts
+// column: beside
+// column: cooked
+// column: frames
+// mode: read
+// scans: all is asked for
+CALL () {
+  MATCH (o:Operator)
+  RETURN collect(o) AS found
+}
+RETURN
+  [o IN found | [o.motion, o.tools]] AS operators,
+  [o IN found | [(o)-[d:DONE_TO]->(m) | [m.name, d.units, d.changed, d.seen, d.changes]]] AS evidence,
+  [o IN found | [(o)-[r:GIVES]->(s) | [s.name, r.count]]] AS gives,
+  [o IN found | [(o)-[r:BRINGS]->(m) | [m.name, r.out_of, r.count]]] AS brings,
+  [o IN found | [(o)-[r:DONE_IN]->(u) | [u.name, r.count]]] AS places,
+  [o IN found | [(o)-[r:WORKS_WITH]->(u) | [u.name, r.count]]] AS appliances,
+  COLLECT { MATCH (m:Matter)-[:FOUND_AS]->(s:State) WITH m, collect(s.name) AS names RETURN [m.name, names] } AS states,
+  COLLECT { MATCH (k:Kind)-[r:JOINS_AT]->(p:Post) RETURN [k.name, r.dish_type, p.work, p.heated, p.joins, r.count] } AS posts,
+  COLLECT { MATCH (k:Kind)-[r:JOINS_BESIDE]->(other) RETURN [k.name, other.name, r.count] } AS beside,
+  COLLECT { MATCH (k:Kind)-[r:COOKED_BY]->(v) RETURN [k.name, v.name, r.count] } AS cooked,
+  COLLECT { MATCH (f:Frame) RETURN f.text } AS frames

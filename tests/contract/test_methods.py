@@ -1,0 +1,116 @@
+"""What a FOON teaches is the same in memory and from Neo4j, whatever was loaded, replaced and taken out before."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from foons import foons, subgraphs_named
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from methods_told import told
+
+from foon_kg.demo import demo_folder
+from foon_kg.errors import NoTreeError, SchemaError
+from foon_kg.graph import load, loading, remove
+from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.kitchen import Kitchen
+from foon_kg.loaders import read_paths
+from foon_kg.planning.planner import Planner
+from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
+from foon_kg.settings import PlanSettings
+from foon_kg.snapshot import Snapshot
+
+pytestmark = pytest.mark.neo4j
+
+in_a_database = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+def videos_of_the_demo():
+    return [result.subgraph for result in read_paths([demo_folder()])]
+
+
+def assert_equal_methods(graph, subgraphs):
+    with graph.reading() as view:
+        found = told(view.methods())
+    expected = told(Snapshot.of(subgraphs, Kitchen.default()).methods())
+    for table, rows in expected.items():
+        assert found[table] == rows, table
+
+
+def planned(view, recipe):
+    """The bytes of the plan, or what is said in its place."""
+    try:
+        return json.dumps(Planner(view, PlanSettings()).plan(recipe).to_json())
+    except NoTreeError as error:
+        return json.dumps([error.code, error.message, error.hint])
+
+
+def empty(connection):
+    names = [name for (name,) in ask_freely(connection, "MATCH (v:Video) RETURN v.name").rows]
+    if names:
+        remove(connection, names)
+
+
+def test_the_demo_teaches_the_same(connection, graph):
+    videos = videos_of_the_demo()
+    load(connection, videos)
+    assert_equal_methods(graph, videos)
+
+
+def test_the_demo_teaches_the_same_when_it_came_one_by_one_and_some_went(connection, graph):
+    videos = videos_of_the_demo()
+    load(connection, reversed(videos), units_per_transaction=1)
+    assert_equal_methods(graph, videos)
+    remove(connection, [video.name for video in videos[::3]])
+    assert_equal_methods(graph, [video for video in videos if video not in videos[::3]])
+
+
+@pytest.mark.parametrize("by", ["'another program'", "null"])
+def test_what_another_program_learnt_is_never_used_and_is_learnt_anew_by_the_next_load(connection, graph, by):
+    videos = videos_of_the_demo()[:5]
+    load(connection, videos)
+    write = "MATCH (f:Foon), (o:Operator) SET f.methods = " + by + ", o.tools = ['wand'] WITH o DETACH DELETE o"
+    ask_freely(connection, write, write=True)
+    ask_freely(connection, "MATCH (f:Foon) SET f.edition = randomUUID()", write=True)
+    assert_equal_methods(graph, videos)
+    assert ask_freely(connection, "MATCH (o:Operator) RETURN o").rows == ()
+    load(connection, videos[:1])
+    assert ask_freely(connection, "MATCH (o:Operator) RETURN o").rows != ()
+    assert_equal_methods(graph, videos)
+
+
+def test_a_program_that_learns_otherwise_does_not_add_to_what_was_learnt(connection, graph, monkeypatch):
+    videos = videos_of_the_demo()[:3]
+    load(connection, videos[:1])
+    monkeypatch.setattr(loading, "methods_key", lambda: "another program's")
+    monkeypatch.setattr(loading, "_learn_anew", lambda *_: None)  # as if it had done so just before the other loaded
+    with pytest.raises(SchemaError, match="meanwhile"):
+        load(connection, videos)
+
+
+def test_plans_from_neo4j_are_those_from_memory_byte_by_byte(connection, graph):
+    videos = videos_of_the_demo()
+    load(connection, videos)
+    snapshot = Snapshot.of(videos, Kitchen.default())
+    words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
+    recipes = [read_recipe(path, words).recipe for path in recipe_files([demo_folder().parent / "recipes"])]
+    answers = [planned(snapshot, recipe) for recipe in recipes]
+    assert sum("units" in answer for answer in answers) >= 3
+    for recipe, answer in zip(recipes, answers, strict=True):
+        with graph.reading() as view:
+            assert planned(view, recipe) == answer
+
+
+@in_a_database
+@given(foons(), st.data())
+def test_any_foon_teaches_the_same_after_replacing_and_removing(connection, graph, subgraphs, data):
+    load(connection, subgraphs)
+    assert_equal_methods(graph, subgraphs)
+    later = [data.draw(subgraphs_named(subgraph.name)) for subgraph in subgraphs[:2]]
+    load(connection, later)
+    assert_equal_methods(graph, [*subgraphs[2:], *later])
+    remove(connection, [subgraphs[0].name])
+    assert_equal_methods(graph, [*subgraphs[2:], *later[1:]])
+    empty(connection)
+    assert_equal_methods(graph, [])
