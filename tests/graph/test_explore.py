@@ -191,6 +191,50 @@ def test_the_commonest_steps_are_seen_in_the_most_videos(connection):
     assert [count for *_, count in ask(connection, "commonest_steps", most="7")] == expected
 
 
+@pytest.mark.neo4j
+def test_the_ways_with_a_food_are_its_operators_and_those_that_peel_it_are_among_them(connection):
+    operators = SNAPSHOT.methods().operators
+    expected = {
+        (motion, tools, found.often["onion"], operators.acts[motion, tools].often["onion"])
+        for (motion, tools), found in operators.evidence.items()
+        if "onion" in found.often
+    }
+    found = ask(connection, "ways_with_food", food="onion")
+    assert {(motion, tuple(tools), units, changing) for motion, tools, units, changing, _ in found} == expected
+    assert {motion for motion, *_ in ask(connection, "ways_with_food", food="onion", motion="peel")} == {"peel"}
+    for motion, tools, *_, seen_at in found:
+        first = sorted(set(operators.evidence[motion, tuple(tools)].foods["onion"]))[:3]
+        assert seen_at == [f"{sighting.video} {sighting.position}" for sighting in first]
+
+
+@pytest.mark.neo4j
+def test_the_frames_with_a_food_are_those_that_have_a_slot_for_it(connection):
+    slots = [(frame, slot) for frame in SNAPSHOT.methods().frames for slot in frame.line.all_slots()]
+    expected = [(frame.goal.label, frame.video, slot.motion) for frame, slot in slots if slot.food == "milk"]
+    found = ask(connection, "frames_with_food", food="milk")
+    assert sorted((dish, video, motion) for dish, _, video, _, motion, *_ in found) == sorted(expected)
+
+
+@pytest.mark.neo4j
+def test_the_stages_of_a_dish_are_those_of_its_frame(connection):
+    (frame,) = (frame for frame in SNAPSHOT.methods().frames if frame.video == "garden_omelette")
+    found = ask(connection, "stages_of_dish", video="garden_omelette")
+    assert [row[3] for row in found if row[1] in {stage.step for stage in frame.line.stages}] == [
+        stage.motion for stage in frame.line.stages
+    ]
+    slots = [name for *_, names, _, _, _, _, _, _ in found for name in names if name != "egg mixture"]
+    assert sorted(slots) == sorted(slot.food for slot in frame.line.all_slots())
+
+
+@pytest.mark.neo4j
+def test_where_a_kind_joins_is_what_is_counted_over_frames(connection):
+    expected = SNAPSHOT.methods().posts.counts["oil", ""][0]
+    counted = Counter()
+    for work, _, _, times, _ in ask(connection, "where_kind_joins", kind="oil"):
+        counted[work] += times
+    assert counted == expected
+
+
 @every_query
 def test_it_only_looks_at_the_graph(query):
     assert query.mode == "read"

@@ -1,0 +1,15 @@
+// Where foods of one kind join dishes: what is done to the whole there, whether it is heated then or later, whether it is
+// the dish's own line or one that joins it, and how often, in which dish types.
+// param: kind STRING
+// example: kind=oil
+// column: work
+// column: heated
+// column: joins
+// column: times
+// column: dish_types
+// mode: read
+MATCH (:Kind {name: 'kind:' + $kind})-[r:JOINS_AT]->(p:Post)
+WITH p, r ORDER BY r.dish_type
+WITH p, sum(r.count) AS times, collect(r.dish_type) AS dish_types
+RETURN p.work AS work, p.heated AS heated, p.joins AS joins, times, dish_types
+ORDER BY times DESC, work, heated, joins
