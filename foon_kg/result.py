@@ -333,8 +333,10 @@ class PlanResult:
 
     def to_subgraph(self) -> Subgraph:
         """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
-        units = [unit.as_unit() for unit in self.units[:-1]]
-        units += [unit.as_unit(self.goal, self.recipe.dish_type) for unit in self.units[-1:]]
+        places = [place for place, unit in enumerate(self.units) if self.goal in unit.output_nodes]
+        units = [unit.as_unit() for unit in self.units]
+        for place in places[-1:]:  # a stove may be turned off after that
+            units[place] = self.units[place].as_unit(self.goal, self.recipe.dish_type)
         sightings = (sighting for unit in self.units for sighting in unit.seen_in)
         sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
         name = self.recipe.id or self.recipe.title or self.recipe.dish_type

@@ -46,7 +46,7 @@ def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> Planning
     """
     if tree.goal is None:
         raise FormatError(
-            f"{tree.name}: a planning problem needs a goal, and no output of the last unit is marked as one",
+            f"{tree.name}: a planning problem needs a goal, and no output is marked as one",
             hint="Export the plan result (JSON) or mark the goal with its dish class.",
         )
     if tree.result is not None and has_numbers(tree.result):

@@ -17,7 +17,7 @@ from foon_kg.snapshot import sightings_of
 class ExportedTree:
     """A task tree: ``units`` in the order of execution, from ``kitchen`` to ``goal``.
 
-    ``goal`` is ``None`` for a FOON file in which no output of the last unit is marked. ``subgraph`` is the tree as a
+    ``goal`` is ``None`` for a FOON file in which no output is marked. ``subgraph`` is the tree as a
     FOON file has it, ``result`` the plan result that it comes from, if any.
     """
 
@@ -46,9 +46,9 @@ class ExportedTree:
         back later, as ``foon check`` reads it.
         """
         units = tuple(KnownUnit(unit, (sighting,)) for unit, sighting in sightings_of(subgraph))
-        marked = [p.node for known in units[-1:] for p in known.unit.outputs if p.dish_type]
+        marked = [p.node for known in units for p in known.unit.outputs if p.dish_type]
         leaves = kitchen_of([known.unit for known in units], kitchen)
-        return cls(subgraph.name, units, leaves, marked[0] if marked else None, subgraph)
+        return cls(subgraph.name, units, leaves, marked[-1] if marked else None, subgraph)
 
     @property
     def recipe(self) -> Recipe | None:

@@ -47,6 +47,11 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
     if tree.result and tree.result.assumptions:
         told = (f"{_node(one.node, tree)}: {_text(one.why)}" for one in tree.result.assumptions)
         parts.append(_section("assumptions", "Assumptions", _list(told)))
+    if tree.result and tree.result.passed_over:
+        nearer = (
+            f"<b>{one.similarity:.2f}</b> {_text(one.goal.label)}: {_text(one.why)}" for one in tree.result.passed_over
+        )
+        parts.append(_section("passed-over", "Nearer by their foods, and passed over", _list(nearer)))
     if tree.lines:
         parts.append(
             _section("progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree)}</div>')

@@ -1,7 +1,8 @@
 """What a picture of a task tree has to show: boxes for object nodes and motions, and arrows between them.
 
 A node is drawn once for every time a unit makes it, so that a picture reads from the kitchen to the goal even where
-FOON's nodes go round in circles. What comes from the kitchen is drawn anew beside every unit that takes it.
+FOON's nodes go round in circles; where a plan numbers its things, two bowls that look alike are two. What comes from
+the kitchen is drawn anew beside every unit that takes it.
 """
 
 from __future__ import annotations
@@ -12,12 +13,12 @@ from typing import Literal
 
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
-from foon_kg.result import PlannedUnit
+from foon_kg.result import Mentioned, PlannedUnit
 from foon_kg.views.words import shown_inputs, shown_outputs
 
 _KITCHEN = -1
-_Stage = tuple[int, ObjectNode]
-"""A node as the unit at this place left it, or as it lies in the kitchen."""
+_Stage = tuple[int, Mentioned]
+"""A thing as the unit at this place left it, or as it lies in the kitchen."""
 
 
 @dataclass(frozen=True)
@@ -52,23 +53,32 @@ def scene_of(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen, *
     stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow to what follows.
     """
     takings = _takings(units)
-    shown = [_shown_inputs(unit, kitchen) if folded else list(unit.input_nodes) for unit in units]
+    shown = [_shown_inputs(unit, kitchen) if folded else list(_taken(unit)) for unit in units]
     _keep_connected(units, takings, shown, goal)
     return _Drawing(units, goal, kitchen, takings, shown).scene(folded=folded)
 
 
-def _takings(units: Sequence[PlannedUnit]) -> list[dict[ObjectNode, int]]:
+def _taken(unit: PlannedUnit) -> tuple[Mentioned, ...]:
+    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.taken))
+
+
+def _made(unit: PlannedUnit) -> tuple[Mentioned, ...]:
+    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.made))
+
+
+def _takings(units: Sequence[PlannedUnit]) -> list[dict[Mentioned, int]]:
     """Answer for every unit which unit made each of its inputs last."""
-    made: dict[ObjectNode, int] = {}
+    made: dict[Mentioned, int] = {}
     takings = []
     for place, unit in enumerate(units):
-        takings.append({node: made.get(node, _KITCHEN) for node in unit.input_nodes})
-        made.update(dict.fromkeys(unit.output_nodes, place))
+        takings.append({one: made.get(one, _KITCHEN) for one in _taken(unit)})
+        made.update(dict.fromkeys(_made(unit), place))
     return takings
 
 
-def _shown_inputs(unit: PlannedUnit, kitchen: Kitchen) -> list[ObjectNode]:
-    return [node for node in shown_inputs(unit.input_nodes) if not _is_tool(node, kitchen)]
+def _shown_inputs(unit: PlannedUnit, kitchen: Kitchen) -> list[Mentioned]:
+    shown = [node for node in shown_inputs(unit.input_nodes) if not _is_tool(node, kitchen)]
+    return [one for one in _taken(unit) if one.node in shown]
 
 
 def _is_tool(node: ObjectNode, kitchen: Kitchen) -> bool:
@@ -77,8 +87,8 @@ def _is_tool(node: ObjectNode, kitchen: Kitchen) -> bool:
 
 def _keep_connected(
     units: Sequence[PlannedUnit],
-    takings: Sequence[dict[ObjectNode, int]],
-    shown: list[list[ObjectNode]],
+    takings: Sequence[dict[Mentioned, int]],
+    shown: list[list[Mentioned]],
     goal: ObjectNode,
 ) -> None:
     """Show a folded node where it is the only way on from a unit: a stove is turned on for somebody."""
@@ -86,7 +96,7 @@ def _keep_connected(
         takers = range(place + 1, len(units))
         if goal in unit.output_nodes or any(takings[i].get(n) == place for i in takers for n in shown[i]):
             continue
-        on = ((i, node) for i in takers for node, maker in takings[i].items() if maker == place)
+        on = ((i, one) for i in takers for one, maker in takings[i].items() if maker == place)
         taker = next(on, None)
         if taker is not None:
             shown[taker[0]].append(taker[1])
@@ -97,8 +107,8 @@ class _Drawing:
     units: Sequence[PlannedUnit]
     goal: ObjectNode
     kitchen: Kitchen
-    takings: Sequence[dict[ObjectNode, int]]
-    shown: Sequence[Sequence[ObjectNode]]
+    takings: Sequence[dict[Mentioned, int]]
+    shown: Sequence[Sequence[Mentioned]]
     boxes: list[ObjectBox | MotionBox] = field(default_factory=list)
     arrows: list[tuple[int, int]] = field(default_factory=list)
     made: dict[_Stage, int] = field(default_factory=dict)
@@ -111,44 +121,46 @@ class _Drawing:
         return Scene(tuple(self.boxes), tuple(dict.fromkeys(self.arrows)))
 
     def _inputs_and_motion(self, place: int, *, folded: bool) -> None:
-        inputs = [self._input(place, node) for node in self.shown[place]]
+        inputs = [self._input(place, one) for one in self.shown[place]]
         unit = self.units[place]
-        tools = dict.fromkeys(
-            n.label for n in unit.input_nodes if n not in self.shown[place] and _is_tool(n, self.kitchen)
-        )
+        folded_in = (one.node for one in _taken(unit) if one not in self.shown[place])
+        tools = dict.fromkeys(node.label for node in folded_in if _is_tool(node, self.kitchen))
         motion = self._add(MotionBox(place + 1, unit, tuple(tools) if folded else ()))
         self.motions.append(motion)
         self.arrows += [(box, motion) for box in inputs]
 
-    def _input(self, place: int, node: ObjectNode) -> int:
-        maker = self.takings[place][node]
+    def _input(self, place: int, one: Mentioned) -> int:
+        maker = self.takings[place][one]
         if maker == _KITCHEN:
-            return self._add(ObjectBox(node, "kitchen"))
-        return self._made(maker, node)
+            return self._add(ObjectBox(one.node, "kitchen"))
+        return self._made(maker, one)
 
     def _outputs(self, place: int, *, folded: bool) -> None:
-        outputs = self.units[place].output_nodes
+        outputs = _made(self.units[place])
+        goal = next((one for one in outputs if one.node == self.goal), None)
         if not folded:
-            for node in outputs:
-                self._made(place, node)
-        elif self.goal in outputs and not self._made_later(place):
-            self._made(place, self.goal)
-        elif not any(self._taken(place, node) for node in outputs):
-            for node in shown_outputs(outputs):
-                self._made(place, node)
+            for one in outputs:
+                self._made(place, one)
+        elif goal is not None and not self._made_later(place):
+            self._made(place, goal)
+        elif not any(self._taken(place, one) for one in outputs):
+            shown = shown_outputs([one.node for one in outputs])
+            for one in outputs:
+                if one.node in shown:
+                    self._made(place, one)
 
     def _made_later(self, place: int) -> bool:
         return any(self.goal in unit.output_nodes for unit in self.units[place + 1 :])
 
-    def _taken(self, place: int, node: ObjectNode) -> bool:
+    def _taken(self, place: int, one: Mentioned) -> bool:
         later = range(place + 1, len(self.units))
-        return any(self.takings[i].get(node) == place and node in self.shown[i] for i in later)
+        return any(self.takings[i].get(one) == place and one in self.shown[i] for i in later)
 
-    def _made(self, maker: int, node: ObjectNode) -> int:
-        stage = (maker, node)
+    def _made(self, maker: int, one: Mentioned) -> int:
+        stage = (maker, one)
         if stage not in self.made:
-            last = node == self.goal and not self._made_later(maker)
-            self.made[stage] = self._add(ObjectBox(node, "goal" if last else "made"))
+            last = one.node == self.goal and not self._made_later(maker)
+            self.made[stage] = self._add(ObjectBox(one.node, "goal" if last else "made"))
             self.arrows.append((self.motions[maker], self.made[stage]))
         return self.made[stage]
 

@@ -44,7 +44,6 @@ _STROKE: _Paint = {
     "kitchen": ("#d0d7de", "#39414a"),
     "goal": ("#1a7f37", "#57c275"),
     "motion": ("#cf5b53", "#b5554d"),
-    "added": ("#cf5b53", "#b5554d"),
     "unseen-box": ("#0969da", "#79b8ff"),
     "way": ("#8c959f", "#727b85"),
     "rule": ("#d0d7de", "#39414a"),

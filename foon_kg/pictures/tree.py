@@ -36,9 +36,8 @@ _NOTHING = 0.5  # pixels
 _LEGEND = (
     ("kitchen", "from the kitchen"),
     ("object", "made on the way"),
-    ("motion", "as in the reference"),
-    ("changed", "something substituted"),
-    ("added", "+ from elsewhere in the FOON"),
+    ("motion", "as the FOON has it"),
+    ("changed", "as it does to a like food"),
     ("unseen-box", "~ never seen so, with its equivalent"),
 )
 
@@ -141,8 +140,7 @@ class _Words:
         return [Line(line, "aside", 11) for line in wrapped(f"with {names}", _TEXT_WIDTH, 11)]
 
     def of_motion(self, box: MotionBox) -> list[Line]:
-        plus = "+ " if box.unit.origin == "foon" else ""
-        lines = [Line(f"{plus}{box.number} {box.unit.motion_node}", "verb", 13, bold=True)]
+        lines = [Line(f"{box.number} {box.unit.motion_node}", "verb", 13, bold=True)]
         if box.tools:
             tools = wrapped(", ".join(box.tools), _TEXT_WIDTH, 10.5, most=2)
             lines += [Line(line, "aside", 10.5) for line in tools]
@@ -160,7 +158,7 @@ def _size(box: ObjectBox | MotionBox, lines: Sequence[Line]) -> tuple[float, flo
 
 def _paint(box: ObjectBox | MotionBox, unseen: Mapping[str, Substitution]) -> tuple[str, ...]:
     if isinstance(box, MotionBox):
-        return ("added",) if box.unit.origin == "foon" else ("motion",)
+        return ("motion",)
     kind = _PAINT[box.part]
     return (kind, "unseen-box") if box.node.label in unseen else (kind,)
 
@@ -197,14 +195,13 @@ def _arrow_head(root: ET.Element) -> None:
 
 
 def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
-    """Answer what a reader of this tree meets; FOON text has no reference to differ from."""
+    """Answer what a reader of this tree meets; FOON text is as it is."""
     origins = {unit.origin for unit in tree.units}
     there = {
         "kitchen": True,
         "object": True,
         "motion": tree.result is not None,
         "changed": "adapted" in origins,
-        "added": "foon" in origins,
         "unseen-box": bool(tree.unseen),
     }
     return [(kind, text) for kind, text in _LEGEND if there[kind]]

@@ -38,9 +38,9 @@ def _origin(one: Explanation) -> str:
     chosen = ", as you chose" if one.chosen else ""
     match one.how:
         case "played":
-            return f"is handled as the reference handles {like}{seen}{sure}{chosen}"
+            return f"has a place in the recorded dish, and is handled as FOON handles {like}{seen}{sure}{chosen}"
         case "made":
-            return f"is made apart, as FOON makes {like}{seen}{sure}{chosen}"
+            return f"is made ready as FOON makes {like}{seen}{sure}{chosen}"
         case "sold":
             return "joins as it is sold"
         case "assumed":
@@ -50,14 +50,14 @@ def _origin(one: Explanation) -> str:
 
 
 def _renamed(one: Explanation) -> str:
-    pairs = [f"{now} for {known}" for known, now in one.renamed]
+    pairs = [f"“{asked}” is read as {meant}" for asked, meant in one.renamed]
     return f" ({', '.join(pairs)})" if pairs else ""
 
 
 def _place(joins: Joining) -> str:
     where = f"joins the others in step {joins.step} ({joins.motion})" if joins.step else f"joins in “{joins.motion}”"
     if joins.like and round(joins.likeness, 1) > 0:
-        return f"{where}, where {joins.like} joins in the reference ({joins.likeness:.2f} like it)"
+        return f"{where}, where {joins.like} joins in the recorded dish ({joins.likeness:.2f} like it)"
     if joins.left_open:
         return f"{where}, in the place of {', '.join(joins.left_open)}, which nobody asked for"
     return where

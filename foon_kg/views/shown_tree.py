@@ -38,9 +38,7 @@ class ShownTree:
         """Look at FOON text. The goal is the last output that is marked as one, else the first of the last unit."""
         source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
-            PlannedUnit.of(
-                note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
-            )
+            PlannedUnit.of(note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),))
             for i, note in enumerate(subgraph.annotations)
         )
         outputs = [one for note in subgraph.annotations for one in note.unit.outputs]

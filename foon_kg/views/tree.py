@@ -46,6 +46,8 @@ def tree_view(tree: ShownTree) -> RenderableType:
         rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
     if tree.result and tree.result.assumptions:
         rest.append(_section("Assumptions", _assumptions(tree.result)))
+    if tree.result and tree.result.passed_over:
+        rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
     if tree.lines:
         rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
@@ -103,8 +105,7 @@ def _reference(result: PlanResult) -> Text:
     reference = result.reference
     proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
-    videos = [unit.seen_in[0].video for unit in result.units if unit.origin == "foon" and unit.seen_in]
-    seen = f" (video {max(sorted(videos), key=videos.count)})" if videos else ""
+    seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
     return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
 
 
@@ -137,8 +138,7 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
     made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
     text = Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made)
     if unit.origin != "foon" and unit.seen_in:
-        word = "like" if unit.origin == "adapted" else "from"
-        text.append(f"  [{word} {unit.seen_in[0].video}]", ASIDE)
+        text.append(f"  [like {unit.seen_in[0].video}]", ASIDE)
     return text
 
 
@@ -161,6 +161,10 @@ def _substitution(one: Substitution) -> Text:
 
 def _assumptions(result: PlanResult) -> RenderableType:
     return Group(*(Text.assemble(node_words(one.node), f": {one.why}") for one in result.assumptions))
+
+
+def _passed_over(result: PlanResult) -> RenderableType:
+    return Group(*(Text(f"{one.similarity:.2f} {one.goal.label}: {one.why}") for one in result.passed_over))
 
 
 def _progress(lines: tuple[ProgressLine, ...], unseen: frozenset[str]) -> Group:

@@ -53,5 +53,5 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
 def explanation_to_json(one: Explanation) -> JsonObject:
     """Answer why one ingredient is made as it is, field by field."""
     fields: JsonObject = asdict(one)
-    fields["renamed"] = [{"known": known, "now": now} for known, now in one.renamed]
+    fields["renamed"] = [{"asked": asked, "read_as": meant} for asked, meant in one.renamed]
     return fields

@@ -9,25 +9,55 @@ from pydantic import BaseModel
 from foon_kg.web.telling import Near, Node, RecipeTold, Unit, Wanted
 
 
-class Step(Unit):
-    """A unit of a plan, and whether it is of the reference tree, of elsewhere, or has something substituted."""
+class Thing(Node):
+    """An object node of a plan; the same thing in two steps has the same number, and two bowls have two.
 
+    ``container_thing`` is the number of what it is in or on.
+    """
+
+    thing: int | None = None
+    container_thing: int | None = None
+
+
+class Step(Unit):
+    """A unit of a plan: as the FOON has it or adapted, when it is done, and how near its evidence is.
+
+    ``grounding``: the same food, a like one, one of its kind, or the motion alone.
+    """
+
+    input_nodes: list[Thing]
+    output_nodes: list[Thing]
+    phase: Literal["prepare", "heat", "finish"] | None = None
     origin: Literal["foon", "adapted"]
+    grounding: Literal["food", "like", "kind", "motion"] | None = None
 
 
 class Reference(BaseModel):
-    """The reference tree in figures."""
+    """The reference tree in figures.
+
+    ``videos`` are those after which the plan is made, ``core`` the foods of theirs that the recipe has too.
+    """
 
     goal: Node
     units: int
     overlap: int
     exact: bool
+    videos: list[str]
+    core: list[str]
+
+
+class GoalPassedOver(BaseModel):
+    """A dish that is nearer by its ingredients, how near that is (0..1), and why it was not taken."""
+
+    goal: Node
+    similarity: float
+    why: str
 
 
 class SubstitutionTold(BaseModel):
     """What stood in the FOON (``equivalent``) where the recipe wants ``required``."""
 
-    kind: Literal["object", "state", "motion"]
+    kind: Literal["object", "state", "motion", "tool", "vessel"]
     object: str
     required: str
     equivalent: str
@@ -79,10 +109,10 @@ class JoiningTold(BaseModel):
 
 
 class Renamed(BaseModel):
-    """A state or motion as the FOON has it, and what stands for it now."""
+    """An asked state, and what it was read as."""
 
-    known: str
-    now: str
+    asked: str
+    read_as: str
 
 
 class ExplanationTold(BaseModel):
@@ -158,6 +188,7 @@ class PlanTold(BaseModel):
     substitutions: list[SubstitutionTold]
     assumptions: list[AssumptionTold]
     progress_lines: list[Line]
+    passed_over: list[GoalPassedOver]
     notes: list[str]
     explanations: list[ExplanationTold] | None = None
     schedules: list[ScheduleTold] | None = None

@@ -12,7 +12,7 @@ from foon_kg.durations import Duration, Durations
 from foon_kg.kitchen import Kitchen
 from foon_kg.pictures.gantt import schedule_svg
 from foon_kg.pictures.step_changes import step_changes_svg
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.schedule import schedule
 from foon_kg.settings import PlanSettings
 from foon_kg.step_changes import step_changes

@@ -19,7 +19,7 @@ KITCHEN = Kitchen.default()
 @pytest.fixture(scope="module")
 def page(tmp_path_factory):
     path = tmp_path_factory.mktemp("page") / "plan.html"
-    path.write_text(page_of(ShownTree.of_result(demo_plan("parsnip_soup")), KITCHEN), encoding="utf-8")
+    path.write_text(page_of(ShownTree.of_result(demo_plan("kohlrabi_salad")), KITCHEN), encoding="utf-8")
     return path
 
 
@@ -172,8 +172,8 @@ def test_the_page_is_no_wider_than_the_screen(opened, width):
 
 
 def test_hostile_words_stay_words():
-    plan = demo_plan("parsnip_soup").to_json()
-    hostile = json.loads(json.dumps(plan).replace("parsnip", "<img src=x onerror=alert(1)>"))
+    plan = demo_plan("kohlrabi_salad").to_json()
+    hostile = json.loads(json.dumps(plan).replace("kohlrabi", "<img src=x onerror=alert(1)>"))
     from foon_kg.result import PlanResult
 
     html = page_of(ShownTree.of_result(PlanResult.from_json(hostile)), KITCHEN)
@@ -186,7 +186,7 @@ def test_a_step_links_to_the_second_of_its_video_only_by_web_addresses(page):
 
     from foon_kg.model import Sighting
 
-    result = demo_plan("parsnip_soup")
+    result = demo_plan("kohlrabi_salad")
     seen = (Sighting("soup", 3, "https://example.org/watch?v=1", 65.0, 70.0),)
     odd = (Sighting("soup", 3, "javascript:alert(1)", 65.0, 70.0),)
     for sightings, linked in ((seen, True), (odd, False)):

@@ -113,7 +113,7 @@ def test_every_video_of_the_demo_can_be_drawn():
 
 def test_words_that_mean_something_in_xml_are_only_words():
     strange = ObjectNode('<b>"&\x00', ("a<b",), ("x&y",))
-    units = (PlannedUnit((strange,), "mix & <stir>", (ObjectNode("soup"),), "reference", ()),)
+    units = (PlannedUnit((strange,), "mix & <stir>", (ObjectNode("soup"),), "foon", ()),)
     svg = tree_svg(ShownTree("<title>", units, ObjectNode("soup"), (strange,), ()), KITCHEN)
     assert '<b>"&\ufffd' in texts(svg)
     assert "1 mix & <stir>" in texts(svg)
@@ -144,6 +144,6 @@ def test_a_plan_that_was_read_back_shows_the_same_progress(name):
 
 
 def test_a_png_is_as_large_as_asked():
-    png = png_of(progress_svg(shown("leek_omelette")), scale=1)
+    png = png_of(progress_svg(shown("courgette_salad")), scale=1)
     assert png.startswith(b"\x89PNG")
     assert int.from_bytes(png[16:20], "big") == 1180

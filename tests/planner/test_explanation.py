@@ -101,14 +101,14 @@ def test_a_choice_is_said_to_be_one_and_others_are_passed_over_for_it():
                 "played",
                 "onion",
                 0.6,
-                renamed=(("chop", "slice"),),
+                renamed=(("juice", "liquid"),),
                 videos=("a",),
             ),
-            "is handled as the reference handles onion in a, 0.60 sure (slice for chop)",
+            "and is handled as FOON handles onion in a, 0.60 sure (“juice” is read as liquid)",
         ),
         (
             Explanation(RequiredIngredient("leek", "sliced"), "made", "leek", joins=Joining(4, "pour", "onion", 0.83)),
-            "joins the others in step 4 (pour), where onion joins in the reference (0.83 like it)",
+            "joins the others in step 4 (pour), where onion joins in the recorded dish (0.83 like it)",
         ),
         (
             Explanation(
@@ -131,7 +131,7 @@ def test_a_choice_is_said_to_be_one_and_others_are_passed_over_for_it():
         ),
         (
             Explanation(RequiredIngredient("leek", "sliced"), "made", "bread", 0.02, chosen=True),
-            "is made apart, as FOON makes bread, 0.02 sure, as you chose",
+            "is made ready as FOON makes bread, 0.02 sure, as you chose",
         ),
         (Explanation(RequiredIngredient("leek", "burnt"), "assumed"), "is assumed to be there"),
         (Explanation(RequiredIngredient("leek", "whole"), "missing"), "does not get into this dish"),

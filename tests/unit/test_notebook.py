@@ -18,8 +18,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True),
     goal=SALAD,
     units=(
-        PlannedUnit((KOHLRABI,), "grate", (GRATED,), "substituted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
-        PlannedUnit((GRATED, CREAM), "toss", (SALAD,), "reference", ()),
+        PlannedUnit((KOHLRABI,), "grate", (GRATED,), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
+        PlannedUnit((GRATED, CREAM), "toss", (SALAD,), "foon", ()),
     ),
     kitchen=(KOHLRABI, CREAM),
     substitutions=(Substitution("object", "kohlrabi", "kohlrabi", "carrot", 0.534, (Alternative("celery", 0.2),)),),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.errors import NoTreeError, ReadError
+from foon_kg.json_fields import Fields
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, RequiredIngredient, Sighting
 from foon_kg.progress import ProgressLine, ProgressStep
 from foon_kg.result import (
@@ -33,7 +35,7 @@ units = st.builds(
     st.lists(nodes, max_size=3).map(tuple),
     words,
     st.lists(nodes, max_size=3).map(tuple),
-    st.sampled_from(["reference", "foon", "substituted"]),
+    st.sampled_from(["foon", "adapted"]),
     st.lists(sightings, max_size=2).map(tuple),
 )
 recipes = st.builds(
@@ -81,7 +83,7 @@ def small_result() -> PlanResult:
         goal=salad,
         units=(
             PlannedUnit.of(chop, "foon", (Sighting("0001-a", 3, "https://example.org/a", 1.0, 2.0),)),
-            PlannedUnit.of(toss, "reference", (Sighting("0002-b", 0),)),
+            PlannedUnit.of(toss, "foon", (Sighting("0002-b", 0),)),
         ),
         kitchen=(board, onion),
     )
@@ -105,6 +107,7 @@ def test_the_json_has_exactly_the_agreed_fields():
     value = small_result().to_json()
     assert list(value) == [
         "recipe", "reference", "goal", "units", "kitchen", "substitutions", "assumptions", "progress_lines",
+        "passed_over",
     ]  # fmt: skip
     assert value["goal"] == {
         "label": "salad",
@@ -128,6 +131,29 @@ def test_a_failure_has_no_units_and_keeps_what_the_error_said():
     }
 
 
+def test_the_goal_is_marked_where_it_is_made_though_a_stove_is_turned_off_after_it():
+    plan = small_result()
+    off = PlannedUnit((ObjectNode("stove", ("on",)),), "turn off", (ObjectNode("stove", ("off",)),), "foon", ())
+    units = [note.unit for note in replace(plan, units=(*plan.units, off)).to_subgraph().annotations]
+    assert [p.dish_type for unit in units for p in unit.outputs] == [None, "salad", None]
+
+
+def test_things_keep_their_numbers_and_steps_their_phase_and_grounding():
+    unit = replace(
+        PlannedUnit((chopped, board), "toss", (salad,), "adapted", (Sighting("0002-b", 0),)),
+        phase="finish",
+        grounding="like",
+        input_things=((1, 2), (3, None)),
+        output_things=((4, None),),
+    )
+    value = unit.to_json()
+    assert [node.get("thing") for node in value["input_nodes"]] == [1, 3]
+    assert [node.get("container_thing") for node in value["input_nodes"]] == [2, None]
+    assert (value["phase"], value["grounding"]) == ("finish", "like")
+    assert PlannedUnit.from_json(Fields(json.loads(json.dumps(value)), "unit")) == unit
+    assert [one.identity for one in unit.taken] == [1, 3]
+
+
 def test_the_subgraph_of_a_plan_keeps_stars_and_flags_and_marks_only_the_goal():
     subgraph = small_result().to_subgraph()
     chop, toss = (annotation.unit for annotation in subgraph.annotations)
@@ -141,7 +167,7 @@ def test_the_subgraph_of_a_plan_keeps_stars_and_flags_and_marks_only_the_goal():
     ("spoil", "place"),
     [
         (lambda v: v.pop("goal"), "“goal” is missing"),
-        (lambda v: v["units"][1].update(origin="dreamt"), "units[1]: “origin” should be one of reference"),
+        (lambda v: v["units"][1].update(origin="dreamt"), "units[1]: “origin” should be one of foon"),
         (lambda v: v["units"][0]["seen_in"][0].update(unit=True), "seen_in[0]: “unit” should be a whole number"),
         (lambda v: v["kitchen"][0].update(states=["raw", 3]), "kitchen[0]: “states[1]” should be text, found 3"),
         (lambda v: v["reference"].update(exact="yes"), "reference: “exact” should be true or false"),

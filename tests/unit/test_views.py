@@ -12,7 +12,7 @@ from rich.console import Console
 
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.progress import ProgressLine, ProgressStep
-from foon_kg.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.result import Alternative, Assumption, PassedOver, PlannedUnit, PlanResult, ReferenceSummary, Substitution
 from foon_kg.views.tree import plan_view
 from foon_kg.views.words import node_words, shown_inputs, shown_outputs
 
@@ -28,11 +28,11 @@ CREAM = ObjectNode("cream", ("whipped",))
 
 PLAN = PlanResult(
     recipe=Recipe("salad", (RequiredIngredient("kohlrabi", "grated"),), title="Grated kohlrabi"),
-    reference=ReferenceSummary(SALAD, 7, 0, exact=True),
+    reference=ReferenceSummary(SALAD, 7, 0, exact=True, videos=("greens",)),
     goal=SALAD,
     units=(
-        PlannedUnit((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL), "substituted", (Sighting("carrot", 2),)),
-        PlannedUnit((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER), "reference", (Sighting("greens", 5),)),
+        PlannedUnit((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL), "adapted", (Sighting("carrot", 2),)),
+        PlannedUnit((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER), "foon", (Sighting("greens", 5),)),
     ),
     kitchen=(KOHLRABI, GRATER, BOWL, CREAM),
     substitutions=(
@@ -40,6 +40,7 @@ PLAN = PlanResult(
         Substitution("state", "kohlrabi", "grated", "shredded", 0.9),
     ),
     assumptions=(Assumption(CREAM, "nothing makes it"),),
+    passed_over=(PassedOver(BOWL, 0.75, "it has no core"),),
     progress_lines=(
         ProgressLine(
             "kohlrabi",
@@ -75,6 +76,7 @@ def test_every_part_of_a_plan_is_there():
     assert "  0.53 ~kohlrabi is handled like carrot  or celery 0.20" in lines
     assert "  0.90 kohlrabi: grated where FOON has shredded" in lines
     assert "  cream (whipped): nothing makes it" in lines
+    assert "  0.75 salad bowl: it has no core" in lines
     assert "  ~kohlrabi (whole) · grater · salad bowl (empty) · cream (whipped)" in lines
 
 

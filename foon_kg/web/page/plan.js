@@ -26,6 +26,7 @@ export const planView = (plan, chosen, choose) => {
     heading(3, "Utensils, and what is always there"),
     list(besides(plan).map((node) => nodeWords(node, unseen)), { class: "columns" }),
     assumptions(plan, unseen),
+    passedOver(plan),
     ...scheduleView(plan),
     heading(3, "Progress of each ingredient"),
     element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)),
@@ -77,9 +78,15 @@ const assumptions = (plan, unseen) => {
   return element("div", {}, heading(3, "Taken to be there"), list(told));
 };
 
+const passedOver = (plan) => {
+  if (!plan.passed_over.length) return null;
+  const told = plan.passed_over.map((one) => [element("strong", {}, one.goal.label), ` ${one.similarity.toFixed(2)}: ${one.why}`]);
+  return element("div", {}, heading(3, "Nearer by their foods, and passed over"), list(told));
+};
+
 const HOW = {
-  played: (one) => `is handled as the video handles ${one.label === one.want.object ? "it" : one.label}`,
-  made: (one) => `is made apart, as the FOON makes ${one.label === one.want.object ? "it" : one.label}`,
+  played: (one) => `has a place in the recorded dish, and is handled as the FOON handles ${one.label === one.want.object ? "it" : one.label}`,
+  made: (one) => `is made ready as the FOON makes ${one.label === one.want.object ? "it" : one.label}`,
   sold: () => "joins as it is sold",
   assumed: () => "is assumed to be there: nothing in this FOON makes it so",
   missing: () => "does not get into this dish",
