@@ -12,14 +12,13 @@ from hypothesis import strategies as st
 from kitchen_stories import subgraph, unit
 from planner.dishes import KITCHEN, questions
 
-from foon_kg import goals
 from foon_kg.errors import NoTreeError
 from foon_kg.graph import Connection, Neo4jGraph, load, remove, words
 from foon_kg.graph.free_cypher import ask_freely
 from foon_kg.kitchen import singular
-from foon_kg.model import Annotation, RequiredIngredient, Subgraph
+from foon_kg.model import Annotation, Subgraph
 from foon_kg.names import canonical
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.recipes import IngredientWords, names_in, recipe_of
 from foon_kg.result import PlanFailure
 from foon_kg.settings import PlanSettings
@@ -51,12 +50,10 @@ def keep(empty_graph):
 
 @pytest.fixture
 def few_at_a_time(monkeypatch):
-    """Ask for so few points and goals that most of a small FOON is left out at first."""
+    """Ask for so few points that most of a small FOON is left out at first."""
     monkeypatch.setattr(words, "FIRST", 2)
     monkeypatch.setattr(words, "MORE", 2)
     monkeypatch.setattr(words, "MOST", 64)
-    monkeypatch.setattr(goals, "LOOKED_AT", 1)
-    monkeypatch.setattr(goals, "MORE", 2)
 
 
 def answer(planner, recipe):
@@ -72,9 +69,7 @@ def test_a_plan_from_what_matters_is_the_plan_from_the_whole_foon(few_at_a_time,
     subgraphs, recipe = question
     snapshot = Snapshot.of(subgraphs, KITCHEN)
     with keep(subgraphs) as graph, graph.reading() as view:
-        planner = Planner(view, SETTINGS)
-        assert planner.asks_for_parts
-        assert answer(planner, recipe) == answer(Planner(snapshot, SETTINGS, snapshot.units), recipe)
+        assert answer(Planner(view, SETTINGS), recipe) == answer(Planner(snapshot, SETTINGS, snapshot.units), recipe)
 
 
 @some
@@ -102,30 +97,6 @@ def matters(foods, vocabulary):
         spoken = set(singular(food).split())
         found |= {label for label in vocabulary.labels if spoken < set(singular(label).split())}
     return found
-
-
-@some
-@given(foons(), st.lists(st.sampled_from(ASKED), min_size=1, max_size=4, unique=True), st.sampled_from(["salad", None]))
-def test_no_other_goal_scores_more_than_is_said(few_at_a_time, keep, subgraphs, foods, dish_type):
-    snapshot = Snapshot.of(subgraphs, KITCHEN)
-    known = snapshot.likely_goals(dish_type, foods, 1)
-    with keep(subgraphs) as graph, graph.reading() as view:
-        likely = view.likely_goals(dish_type, foods, 1)
-    assert set(likely.goals) <= set(known.goals)
-    others = set(known.goals) - set(likely.goals)
-    assert all(score(goal, foods) <= likely.most + 1e-9 for goal in others)
-    ranked = {r.goal: r for r in rank(known.goals, foods, known.known_foods)}
-    assert all(r == ranked[r.goal] for r in rank(likely.goals, foods, likely.known_foods))
-
-
-def rank(found, foods, known_foods):
-    wants = [RequiredIngredient(food, "") for food in foods]
-    sure = lambda a, b: float(food_similarity().matrix([a], [b])[0, 0])  # noqa: E731 - said once
-    return goals.rank_goals(found, wants, name_confidence=sure, known_foods=known_foods)
-
-
-def score(goal, foods):
-    return rank([goal], foods, frozenset())[0].score
 
 
 def test_the_words_of_the_units_behind_a_goal_are_added(keep):

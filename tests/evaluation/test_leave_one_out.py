@@ -11,12 +11,10 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.evaluation.leave_one_out import asking_without
 from foon_kg.evaluation.left_out_video import left_out_video
-from foon_kg.evaluation.methods import METHODS, OURS, PARTS, SameName, methods, same_state
+from foon_kg.evaluation.methods import METHODS, OURS, SameName
 from foon_kg.evaluation.tree_overlap import Overlap
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import write_text
-from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 
@@ -33,7 +31,7 @@ def salad(name, food, cut="chop", cut_so="chopped"):
     )
 
 
-COMPARED = methods(parts=False)
+COMPARED = tuple(METHODS)
 SALADS = (
     salad("onions", "onion"),
     salad("twin", "onion"),
@@ -70,7 +68,6 @@ def test_the_similarity_of_names_knows_no_other_food():
     assert similarity.matrix(["leek"], []).shape == (1, 0)
     assert similarity.nearest("onions", ["leek", "onion"], limit=1)[0].name == "onion"
     assert (similarity.why("onions", "onion"), similarity.why("leek", "onion")) == (("the same food",), ())
-    assert (same_state("chopped", "Chopped"), same_state("chopped", "diced")) == (1, 0)
 
 
 @pytest.fixture(scope="module")
@@ -88,10 +85,10 @@ def evaluate(folder, *arguments):
 
 
 def test_figures_are_the_means_of_the_videos_and_a_comparison_with_itself_changes_nothing(folder, tmp_path):
-    answer = evaluate(folder, "--json", "--parts")
+    answer = evaluate(folder, "--json")
     assert answer.exit_code == 0, answer.output
     value = json.loads(answer.stdout)
-    assert evaluate(folder, "--json", "--parts").stdout_bytes == answer.stdout_bytes
+    assert evaluate(folder, "--json").stdout_bytes == answer.stdout_bytes
     ours = value["dish_types"][-1]["methods"][OURS]["units"]["mean"]
     assert ours == pytest.approx(sum(video["units"] for video in value["videos"]) / 4, abs=1e-6)
     assert [video["id"] for video in value["videos"]] == ["carrots", "leeks", "onions", "twin"]
@@ -130,25 +127,8 @@ def test_a_file_of_another_run_is_refused(folder, tmp_path):
     kept = tmp_path / "videos.jsonl"
     evaluate(folder, "--output", kept)
     before = kept.read_bytes()
-    for other in (["--parts"], ["--sample", "1", "--seed", "3"]):
+    for other in (["--sample", "1", "--seed", "3"],):
         answer = evaluate(folder, "--output", kept, *other)
         assert answer.exit_code == 2
         assert "another" in answer.stderr
         assert kept.read_bytes() == before
-
-
-@pytest.mark.parametrize("part", PARTS)
-def test_every_part_can_be_switched_off(part):
-    found = figures(SALADS[2], SALADS, (OURS, part))
-    assert part in found.failed or found.overlaps[part].units > 0
-
-
-def test_without_its_motions_a_substituted_state_keeps_the_motion_of_its_equivalent():
-    recipe = Recipe("salad", (RequiredIngredient("onion", "sliced"), RequiredIngredient("tomato", "whole")))
-    foon = Snapshot.of(SALADS, KITCHEN)
-    with_motions, without = (
-        [unit.motion for unit in METHODS[method](foon, recipe)] for method in (OURS, "no motion choice")
-    )
-    assert "slice" in with_motions
-    assert "slice" not in without
-    assert "chop" in without

@@ -54,7 +54,7 @@ def plan(name, dish_type="salad", **more):
                 "input_nodes": [node("egg", "whole"), node("knife")],
                 "motion_node": "chop",
                 "output_nodes": [node("egg", "chopped", inside="bowl")],
-                "origin": "substituted",
+                "origin": "adapted",
                 "seen_in": [{"video": "secret-video", "unit": 3, "source": None, "start": 1.0, "end": 2.0}],
             }
         ],

@@ -20,7 +20,7 @@ VOCABULARY = Vocabulary((), (MadeBy("chopped", "chop", 3), MadeBy("grated", "gra
 
 def scores(want, *lines, goal=GOAL, vocabulary=VOCABULARY):
     food, state = want.split(", ")
-    units = tuple(PlannedUnit.of(unit(line), "reference", ()) for line in lines)
+    units = tuple(PlannedUnit.of(unit(line), "foon", ()) for line in lines)
     recipe = Recipe("salad", (RequiredIngredient(food, state),))
     result = PlanResult(recipe, ReferenceSummary(node(goal), len(units), 1, exact=True), node(goal), units, ())
     (scored,) = Rule(vocabulary, Kitchen.default()).scores(result)

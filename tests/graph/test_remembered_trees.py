@@ -10,7 +10,6 @@ from foons import foons
 from hypothesis import HealthCheck, given, settings
 from kitchen_stories import CHOP_ONION, SALAD, subgraph
 
-from foon_kg import workshop
 from foon_kg.errors import UsageError
 from foon_kg.graph import Connection, Neo4jGraph, load, remove
 from foon_kg.graph.free_cypher import ask_freely
@@ -18,7 +17,8 @@ from foon_kg.graph.remembering import keep_trees
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import RetrievedTree
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.planner import plan
+from foon_kg.planning import references
+from foon_kg.planning.planner import plan
 from foon_kg.search import recall
 from foon_kg.snapshot import Snapshot
 
@@ -57,7 +57,7 @@ def searches(monkeypatch):
 
     retrieve = recall.retrieve
     monkeypatch.setattr(recall, "retrieve", noted)
-    assert workshop.retrieve_once is recall.retrieve_once
+    assert references.retrieve_once is recall.retrieve_once
     return searched
 
 
