@@ -7,7 +7,7 @@ against the whole FOON. Printed, for each dish type and for all: recipes, median
 what is derived for one recipe serves the next), shares that a robot can carry out, that a cook would serve, that both
 accept, and that keep the form (a failure counts as none of these), means of units, substitutions and assumptions; then
 how many trees break each rule. ``--findings`` prints every finding, and why there is no tree. ``--own`` asks instead
-for every goal of the FOON itself, as its dish type with its own foods.
+for the dish of every video of the FOON itself, as its dish type with its own foods.
 """
 
 import argparse
@@ -18,14 +18,13 @@ from collections import Counter, defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from own_goals import own_goals
-
 from foon_kg.errors import NoTreeError
+from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.processes import collect_seldom
 from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.result import PlanFailure, PlanResult
@@ -61,13 +60,18 @@ def main() -> None:
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
-    recipes = list(own_goals(snapshot.subgraphs, snapshot.kitchen)) if options.own else asked(snapshot, options.recipes)
+    recipes = own_dishes(snapshot) if options.own else asked(snapshot, options.recipes)
     done = plan_all(snapshot, recipes[:: options.every], PlanSettings(time_limit=options.time_limit))
     show(done)
     if options.findings:
         for planned in done:
             for told in told_of(planned):
                 print(f"{planned.recipe.dish_type} {planned.recipe.id}: {told}")
+
+
+def own_dishes(snapshot: Snapshot) -> list[Recipe]:
+    videos = (left_out_video(subgraph, snapshot.kitchen) for subgraph in snapshot.subgraphs)
+    return [video.recipe for video in videos if video is not None]
 
 
 def asked(snapshot: Snapshot, paths: list[Path]) -> list[Recipe]:

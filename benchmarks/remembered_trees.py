@@ -19,8 +19,8 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import RetrievedTree
 from foon_kg.loaders import read_paths
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, retrieve, retrieve_once
+from foon_kg.search.gaps import gap_cost, mixtures
 from foon_kg.snapshot import Snapshot
-from foon_kg.workshop import gap_cost, mixtures
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "foon-111" / "TXT"
 

@@ -29,15 +29,16 @@ from foon_kg.graph import Connection, GraphView, Neo4jGraph, load
 from foon_kg.graph.free_cypher import ask_freely
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Recipe
-from foon_kg.planner import Planner
+from foon_kg.planning.planner import Planner
 from foon_kg.recipes import IngredientWords, foods_named, read_recipe, recipe_files
 from foon_kg.server import ConnectionSettings, connection_settings
 from foon_kg.settings import PlanSettings
 
 QUERIES = SHARED.parents[1] / "queries"
-COLUMNS = ("trips", "kB", "words", "goals", "behind", "trees", "database", "plan", "CPU")
+COLUMNS = ("trips", "kB", "methods", "words", "goals", "behind", "trees", "database", "plan", "CPU")
 
 KINDS = {
+    "methods": "methods",
     "vocabulary": "words",
     "words_for": "words",
     "words_in": "words",

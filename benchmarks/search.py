@@ -26,10 +26,10 @@ from foon_kg.search import NoWayError, SearchProblem, UnitIndex, enumerate_paths
 from foon_kg.search.core import Core, core_behind
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.forward import chain, cheapest_first
+from foon_kg.search.gaps import gap_cost, mixtures
 from foon_kg.search.penalty import needy, reachable, within_least_penalty
 from foon_kg.search.reduction import value_of
 from foon_kg.snapshot import Snapshot
-from foon_kg.workshop import gap_cost, mixtures
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 ENUMERATED = 200
