@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Tables
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
 from foon_kg.integration.places import Join
@@ -552,9 +553,13 @@ class Cooking:
 
     def _is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
-        if not stuff.mixed or any(self.known.state(state).needs_heat for state in stuff.states):
+        if not stuff.mixed or "baked" in stuff.states:
             return False
-        return any(self.known.foods.food(food).is_a("liquid", "creamy", "water", "egg") for food in stuff.foods)
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        if any(self.known.state(state).needs_heat for state in stuff.states):
+            sets = any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
+            return not sets and any(food.is_a("liquid", "creamy") for food in foods)
+        return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
 
     def _pure(self, way: Way) -> bool:
         does = self.known.motion(way[0]).does
@@ -592,7 +597,10 @@ class Cooking:
                 self._transfer(one, vessel, stage)
             else:
                 self._bring(self.ready[one.want.number], vessel, one.slot)
-            if merge and (main or len(vessel.contents) > 1):
+            if merge and self._lies_unmixed(vessel):
+                attested = self._stirring(foods_of(vessel))
+                self.bench.work(vessel, attested, self.plan.label, self._kept_states(vessel), with_device=False)
+            elif merge and (main or len(vessel.contents) > 1):
                 self._name(vessel, self.plan.label if main else self._label(stage, vessel))
         if on_stove:
             self._heat_on(vessel)
@@ -605,6 +613,14 @@ class Cooking:
             and not any(self._mixing(one) for one in works)
             and not any(one.adds for one in later if self._stage_alive(one))
         )
+
+    def _lies_unmixed(self, vessel: Vessel) -> bool:
+        """Whether something lies beside what was mixed before, uncooked, in a vessel in which it can be stirred."""
+        mixed = [s for s in vessel.contents if s.mixed and not {"blended", "mixed"}.isdisjoint(s.states)]
+        cooked = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
+        beside = [stuff for stuff in vessel.contents if stuff not in mixed]
+        tops = all(self.known.foods.food(stuff.label).is_a("topping") for stuff in beside)
+        return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
 
     def _stage_alive(self, stage: Stage) -> bool:
         return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self._alive(add) for add in stage.adds)
@@ -667,7 +683,7 @@ class Cooking:
             return
         role = "" if source is None else ("storage" if source.storage else "vessel")
         usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
-        groups: list[list[Way]] = []
+        groups: list[list[Way]] = [self._by_store(usual, stuff, source)]
         if slot is not None and (slot.motion, slot.tools) in usual:
             groups.append([(slot.motion, slot.tools)])
         for name in (*want.names, f"kind:{want.facts.kind}"):
@@ -685,6 +701,18 @@ class Cooking:
         if attested is None:
             attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
         self.bench.bring([stuff], vessel, attested)
+
+    def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
+        """Return the usual ways that the thing from which a food comes asks for: a mill strews, a tub is scooped out."""
+        if source is None or not source.storage:
+            return []
+        row = self.known.utensil(source.label)
+        motions: frozenset[str] = frozenset()
+        if row is not None and row.group in word_list("strews"):
+            motions = word_list("is strewn by")
+        elif not word_list("is scooped").isdisjoint(stuff.states):
+            motions = word_list("is scooped by")
+        return [way for way in usual if way[0] in motions]
 
     # --- heat and work ---
 
@@ -790,6 +818,8 @@ class Cooking:
 
     def _way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         foods = foods_of(vessel)
+        if stage.motion in word_list("needs a closed vessel") and not self._is_closed(vessel):
+            return self._stirring(foods)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
             both = [
                 way
@@ -822,6 +852,14 @@ class Cooking:
         if found is None and not stage.does.isdisjoint(_MIXES | _HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found
+
+    def _is_closed(self, vessel: Vessel) -> bool:
+        return bool(vessel.lid) or vessel.label in word_list("closed vessels")
+
+    def _stirring(self, foods: Sequence[str]) -> Attested:
+        """Return the likeliest way to mix foods through with a tool, as they are."""
+        ways = [way for way in self.bench.operators.ways.get("mix", ()) if way[1]]
+        return self.bench.require([way for way in ways if self.known.motion(way[0]).does == {"mix"}], foods)
 
     def _label(self, stage: Stage, vessel: Vessel, *, last: bool = False, main: bool = False) -> str:
         """Return what the whole is called after a stage: as in the frame where that is true of what is in it."""
@@ -863,7 +901,7 @@ class Cooking:
             states.add("kneaded")
         if "dry" in does:
             states.add("baked")
-        elif "heat" in does:
+        elif "heat" in does and "cooked" in self.known.motion(way[0]).gives:
             states.add("cooked" if finished else "partly cooked")
         elif "warm" in does:
             states.add("heated")

@@ -71,11 +71,13 @@ class _Derivation:
         self.world = World(known=known)
         self.places: list[dict[int, _Place]] = []
         self.heated: list[frozenset[int]] = []
+        self.over_heat: list[frozenset[str]] = []
         self.names: dict[Part, int] = {}
         for unit in units:
             number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
             self.places.append(self._places())
             self.heated.append(frozenset(self._name(part) for part in self.world.supply.parts if part.heated == number))
+            self.over_heat.append(self._over_heat())
 
     def _name(self, part: Part) -> int:
         """Return the number by which a part is known here: that of its first sighting."""
@@ -185,8 +187,10 @@ class _Derivation:
         motion, tools = self._tells(happening)
         appliance, source = _appliance(happening, place, self.known) if works else ("", "")
         does = happening.motion.does
-        if source == "heat" and "mix" in does and place is not None and self._told_cooked(place, happening):
-            does |= {"heat"}  # it stands over heat and is cooked afterwards, though nobody noted the cooking
+        if source == "heat" and "mix" in does and place is not None:
+            lit = place.vessel in self.over_heat[step] and does <= {"mix", "move"}
+            if lit or self._told_cooked(place, happening):
+                does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
         return Stage(
             tuple(cluster.waiting),
             motion,
@@ -199,6 +203,15 @@ class _Derivation:
             place.label if place else "",
             place.states if place else (),
             step,
+        )
+
+    def _over_heat(self) -> frozenset[str]:
+        """Return the names of the vessels that stand over a fire that burns."""
+        vessels = (vessel for many in self.world.supply.vessels.values() for vessel in many)
+        return frozenset(
+            vessel.label
+            for vessel in vessels
+            if vessel.where is not None and vessel.where.row.source == "heat" and vessel.where.is_on(vessel.label)
         )
 
     def _told_cooked(self, place: _Place, happening: Happening) -> bool:
