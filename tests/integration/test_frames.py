@@ -15,8 +15,8 @@ from foon_kg.integration.frames import Line, Slot
 from foon_kg.integration.methods import Methods
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant
 
-TO_BE_MENDED = frozenset({"same food in two", "between two of a kind"})
-"""What nodes without numbers cannot tell: see tests/world/test_walks.py."""
+TO_BE_MENDED = frozenset({"same food in two", "between two of a kind", "scoop"})
+"""What nodes without numbers cannot tell (see tests/world/test_walks.py), and what may leave a part of it behind."""
 
 LEAST_RECALL = 0.95
 """Which share of the foods of the recorded goals has a slot at least."""
@@ -214,7 +214,7 @@ def _frame_of(walk):
     return frame_of(list(_units(walk)), walk.goal, "salad", "walk")
 
 
-for_many_walks = settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+for_many_walks = settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
 short_walks = walks(TO_BE_MENDED, most=15)
 
 
