@@ -249,6 +249,9 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
             yield f"nothing of it is to be {spot.stage.motion}ed"
             break
     for join in joins:
+        runs = join.want.facts.is_a("liquid", "creamy", "egg") and not join.want.facts.is_a("water", "fat")
+        if id(join.spot) in layout.drained and runs and join.slot is None:
+            yield f"{join.want.label} would run off"
         if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
 

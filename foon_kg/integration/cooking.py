@@ -212,6 +212,8 @@ class Cooking:
         ):
             if self.plan.cooked_by.get(name):
                 return self.plan.cooked_by[name]
+        if form_of(self.known, want.label, want.leaf) == "liquid":
+            return ()  # it would be poured away with the water
         return ("boil",)
 
     def _is_boiled(self, state: str) -> bool:
