@@ -327,7 +327,11 @@ class Preparer:
             self._assume(ready, state)
             return
         attested = self._with_tool(attested)
+        board = self._board(attested.way)
+        if board and ready.stuff.at is not None and not ready.stuff.at.storage and ready.stuff.at.label != board:
+            carried = self.bench.require([("pick-and-place", ()), ("pour", ())], want.names)
+            self.bench.bring([ready.stuff], self.bench.vessel(board), carried)  # nothing is cut in a strainer
         try:
-            self.bench.act(ready.stuff, attested, (state,), self._board(attested.way))
+            self.bench.act(ready.stuff, attested, (state,), board)
         except RefusedError:
             self._assume(ready, state)
