@@ -5,5 +5,11 @@
 MATCH (f:Foon {name: 'foon-kg'})
 SET f.words = $words, f.all_placed = true
 WITH f
-MATCH (i:Ingredient)
-REMOVE i.canonical, i.singular, i.vector
+CALL () {
+  MATCH (i:Ingredient)
+  REMOVE i.canonical, i.singular, i.vector
+}
+CALL () {
+  MATCH (m:Food)
+  REMOVE m.canonical, m.vector
+}

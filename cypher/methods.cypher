@@ -19,7 +19,7 @@ CALL () {
 }
 RETURN
   [o IN found | [o.motion, o.tools]] AS operators,
-  [o IN found | [(o)-[d:DONE_TO]->(m) | [m.name, d.units, d.changed, d.seen, d.changes]]] AS evidence,
+  [o IN found | [(o)-[d:DONE_TO]->(m) | [m.name, [d.units, d.changed, d.seen, d.changes]]]] AS evidence,
   [o IN found | [(o)-[r:GIVES]->(s) | [s.name, r.count]]] AS gives,
   [o IN found | [(o)-[r:BRINGS]->(m) | [m.name, r.out_of, r.count]]] AS brings,
   [o IN found | [(o)-[r:DONE_IN]->(u) | [u.name, r.count]]] AS places,

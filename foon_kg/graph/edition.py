@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from foon_kg.graph.methods import CommonMethods
+from foon_kg.graph.near_matters import KnownMatters
 from foon_kg.graph.words import WordsFound
+from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.knowledge import LikelyGoals, SeenAs, Vocabulary
 from foon_kg.model import Goal, KnownUnit
@@ -31,6 +34,9 @@ class Edition:
     vocabulary: Vocabulary | None = None
     goals: dict[str, tuple[Goal, ...]] = field(default_factory=dict)
     methods: Methods | None = None
+    frames: tuple[Frame, ...] | None = None
+    common: CommonMethods | None = None
+    matters: KnownMatters = field(default_factory=KnownMatters)
     units: dict[str, KnownUnit] = field(default_factory=dict)
     rows_of: dict[str, tuple[SeenAs, ...]] = field(default_factory=dict)
     words: Recent[Asked, WordsFound | None] = field(default_factory=lambda: Recent(MOST_QUESTIONS))

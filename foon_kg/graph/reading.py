@@ -17,7 +17,7 @@ from foon_kg.graph.equivalents import find_equivalents
 from foon_kg.graph.kept_rows import KeptRows
 from foon_kg.graph.known_units import known_units
 from foon_kg.graph.lifting import methods_key
-from foon_kg.graph.methods import methods_of
+from foon_kg.graph.methods import CommonMethods, frames_of, methods_of
 from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
     GoalValue,
@@ -31,10 +31,13 @@ from foon_kg.graph.schema import check_readable
 from foon_kg.graph.statements import (
     BEHIND,
     EQUIVALENTS,
+    FRAMES,
     GOALS,
     KNOWN_UNITS,
     LIKELY_GOALS,
     METHODS,
+    METHODS_ASKED,
+    METHODS_COMMON,
     MOTION_COSTS,
     NODES_CALLED,
     REMEMBERED,
@@ -47,8 +50,9 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
-from foon_kg.kitchen import Kitchen, singular
+from foon_kg.kitchen import Kitchen, singular, words
 from foon_kg.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.motion_costs import MotionCosts
@@ -73,7 +77,7 @@ class GraphView:
         self._transaction = transaction
         self._edition = edition or Edition()
         self._kitchen = Kitchen.default()
-        self._learnt_by: str | None = None
+        self._learnt_by: str | None = methods_key()
         self.round_trips = 0
         self.retrieved: list[RetrievedTree] = []
         self._fetched: list[tuple[Statement[Any], dict[str, object], list[Any]]] = []
@@ -180,9 +184,32 @@ class GraphView:
         return self._edition.methods
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Answer what this FOON teaches of making a dish of ``foods``."""
-        del foods, dish_type
-        return self.methods()
+        """Answer what this FOON teaches of making a dish of ``foods``.
+
+        That are the operators done to ``foods``, to those like one of them at all, or to their kinds.
+        """
+        del dish_type
+        if self._learnt_by != methods_key() or not all(map(words, foods)):
+            return self.methods()
+        matters = self._edition.matters.for_foods(
+            {singular(food) for food in (*foods, *self._kitchen.free_foods)},
+            lambda asked: self._ask(METHODS_ASKED, **asked),
+        )
+        if matters is None:
+            return self.methods()
+        if self._edition.common is None:
+            self._edition.common = CommonMethods(*self._ask_once(METHODS_COMMON))
+        common = self._edition.common
+        methods = Methods(common.operators_with(matters), self._frames, self.goals())
+        vars(methods)["posts"] = common.posts
+        return methods
+
+    @property
+    def _frames(self) -> tuple[Frame, ...]:
+        if self._edition.frames is None:
+            (row,) = self._ask_once(FRAMES)
+            self._edition.frames = frames_of(row.frames)
+        return self._edition.frames
 
     def _read_methods(self) -> Methods:
         if self._learnt_by != methods_key():

@@ -36,9 +36,12 @@ StateRow = tuple[str, list[str], list[int], list[int]]
 SightingValue = tuple[str, int, str | None, float | None, float | None]
 """The values of a ``Sighting``: video, position, source, start and end."""
 
-EvidenceValue = tuple[str, int, int, list[str], list[str]]
-"""``[matter, units, changed, seen, changes]``: how many units of an operator are done to a matter and how many
+EvidenceValue = tuple[int, int, list[str], list[str]]
+"""``[units, changed, seen, changes]``: how many units of an operator are done to a matter, how many
 change it, and the texts of the first sightings of either."""
+
+MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
+"""``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
 
 Counted = list[tuple[str, int]]
 """Names with their counts."""
@@ -250,6 +253,48 @@ class TextRow:
     text: str
 
 
+PostCount = tuple[str, str, str, str, bool, int]
+"""``[kind, dish_type, work, heated, joins, count]``."""
+
+
+@dataclass(frozen=True)
+class MethodsCommonRow:
+    """What of the methods matters to every question, in no order. Operators go by their numbers in the store.
+
+    ``operators``: number, motion, tools, and evidence for anything. ``usual``: the foods that each is most often done
+    to, and most often changes.
+    """
+
+    operators: list[tuple[int, str, list[str], EvidenceValue]]
+    usual: list[tuple[int, str, EvidenceValue]]
+    gives: list[tuple[int, str, int]]
+    places: list[tuple[int, str, int]]
+    appliances: list[tuple[int, str, int]]
+    brings: list[tuple[int, str, str, int]]
+    states: list[tuple[str, list[str]]]
+    posts: list[PostCount]
+    beside: list[tuple[str, str, int]]
+    cooked: list[tuple[str, str, int]]
+
+
+@dataclass(frozen=True)
+class MethodsAskedRow:
+    """For each asked food the number of points looked at, the cosine of the furthest, and the names of the near ones.
+
+    For each matter the evidence of its operators, from where they bring it (number, role, count), and its states.
+    """
+
+    near: list[tuple[str, int, float | None, list[str]]]
+    matters: list[MatterValue]
+
+
+@dataclass(frozen=True)
+class FramesRow:
+    """The texts of all frames."""
+
+    frames: list[str]
+
+
 @dataclass(frozen=True)
 class MethodsRow:
     """What was learnt of a FOON, in no order. The first seven columns have a value for each operator.
@@ -258,13 +303,13 @@ class MethodsRow:
     """
 
     operators: list[tuple[str, list[str]]]
-    evidence: list[list[EvidenceValue]]
+    evidence: list[list[tuple[str, EvidenceValue]]]
     gives: list[Counted]
     brings: list[list[tuple[str, str, int]]]
     places: list[Counted]
     appliances: list[Counted]
     states: list[tuple[str, list[str]]]
-    posts: list[tuple[str, str, str, str, bool, int]]
+    posts: list[PostCount]
     beside: list[tuple[str, str, int]]
     cooked: list[tuple[str, str, int]]
     frames: list[str]

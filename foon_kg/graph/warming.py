@@ -41,6 +41,7 @@ def _ask_everything(view: GraphView) -> None:
     words = view.vocabulary()
     view.words_for(FOODS)
     view.likely_goals(None, FOODS, GOALS)
+    view.methods_for(FOODS, "")
     goals = [goal for dish_type in words.dish_types[:1] for goal in view.goals(dish_type)] or list(view.goals())
     foods = [(food.label, food.state) for food in words.foods[:GOALS]]
     view.remembered("")

@@ -108,6 +108,7 @@ class Writer:
         self._learner.learn(units.values(), subgraphs)
         self._learner.unlearn((), ())
         self._learner.finish(())
+        self._write_vectors()
         self._record()
 
     def _record(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 
 import pytest
@@ -16,9 +17,11 @@ from foon_kg.graph import load, loading, remove
 from foon_kg.graph.free_cypher import ask_freely
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
+from foon_kg.planning.likes import FoodLikes
 from foon_kg.planning.planner import Planner
 from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.settings import PlanSettings
+from foon_kg.similarity import food_similarity
 from foon_kg.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
@@ -64,6 +67,44 @@ def test_the_demo_teaches_the_same_when_it_came_one_by_one_and_some_went(connect
     assert_equal_methods(graph, videos)
     remove(connection, [video.name for video in videos[::3]])
     assert_equal_methods(graph, [video for video in videos if video not in videos[::3]])
+
+
+def test_what_is_asked_for_some_foods_answers_as_the_whole_does(connection, graph):
+    videos = videos_of_the_demo()
+    load(connection, videos)
+    whole = Snapshot.of(videos, Kitchen.default()).methods().operators
+    likes = FoodLikes(food_similarity(), whole.foods)
+    for foods in (["onion", "leek"], ["egg", "feta", "chickpea"], ["xyzzy"], []):
+        with graph.reading() as view:
+            part = view.methods_for(foods, "soup").operators
+        fewer = FoodLikes(food_similarity(), part.foods)
+        for food, way, act in itertools.product([*foods, "water"], whole.evidence, (False, True)):
+            for one, other in (
+                (whole.attested(way, [food], likes.likes, act=act), part.attested(way, [food], fewer.likes, act=act)),
+                (whole.farthest(way, [food], likes.alike, act=act), part.farthest(way, [food], fewer.alike, act=act)),
+            ):
+                assert repr(other) == repr(one)
+        for table in ("giving", "onto", "ways"):
+            assert getattr(part, table) == getattr(whole, table)
+
+
+@pytest.mark.parametrize("written", ["f.words = 'others'", "f.methods = 'others'"])
+def test_where_points_tell_nothing_the_whole_is_answered(connection, graph, written):
+    videos = videos_of_the_demo()[:4]
+    load(connection, videos)
+    ask_freely(connection, f"MATCH (f:Foon) SET {written}", write=True)
+    with graph.reading() as view:
+        assert told(view.methods_for(["onion"], "soup")) == told(Snapshot.of(videos, Kitchen.default()).methods())
+
+
+def test_what_is_known_of_a_food_is_not_asked_twice(connection, graph):
+    load(connection, videos_of_the_demo())
+    with graph.reading() as view:
+        first = view.methods_for(["onion", "leek"], "soup")
+    with graph.reading() as view:
+        again = view.methods_for(["leek"], "salad")
+        assert view.round_trips == 1  # which edition it is
+        assert again.operators.foods <= first.operators.foods
 
 
 @pytest.mark.parametrize("by", ["'another program'", "null"])

@@ -93,8 +93,9 @@ def test_what_is_behind_or_before_a_node_is_found_by_a_search_that_visits_each_n
 @pytest.mark.parametrize(
     "name",
     [
-        "attested", "count_joins", "count_operators", "evidence", "first_sightings", "forget_frames", "forget_plans", "goals",
-        "known_units", "load_evidence", "load_frames", "load_matters", "load_operators", "remember", "remembered",
+        "attested", "count_joins", "count_operators", "evidence", "first_sightings", "forget_frames", "forget_plans",
+        "goals", "known_units", "load_evidence", "load_frames", "load_matters", "load_operators", "remember",
+        "remembered",
     ],
 )  # fmt: skip
 def test_nodes_are_sought_by_their_keys_and_names(session, name):
