@@ -36,7 +36,7 @@ def test_without_an_option_the_tree_is_printed(plans):
 
 
 def test_one_of_many_results_is_chosen_by_its_line_and_standard_input_is_read(plans):
-    assert "leek" in show("-", "--line", 2, text=plans.read_text(encoding="utf-8")).stdout
+    assert "Sliced tomato salad" in show("-", "--line", 2, text=plans.read_text(encoding="utf-8")).stdout
     answer = show(plans, "--line", 9)
     assert answer.exit_code == 2
     assert "has 3 results, and --line asks for 9" in answer.stderr

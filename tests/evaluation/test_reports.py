@@ -22,6 +22,9 @@ from foon_kg.pictures.charts import curve_chart, histogram_chart, interval_chart
 from foon_kg.pictures.recipes_report import recipes_report, worst
 
 
+COLD = [path for path in sorted(demo_recipes()) if not path.stem.endswith(("omelette", "soup"))][:4]
+
+
 def evaluate(report, *arguments):
     places = ["--files", str(demo_folder()), "--jobs", "1", "--html", str(report), "--json"]
     answer = CliRunner().invoke(app, ["evaluate", *map(str, arguments), *places])
@@ -34,7 +37,7 @@ def reports(tmp_path_factory):
     """Both reports, and what JSON says in the same runs."""
     folder = tmp_path_factory.mktemp("reports")
     recipes, videos = folder / "recipes.html", folder / "videos.html"
-    found = evaluate(recipes, "recipes", *sorted(demo_recipes())[:4])
+    found = evaluate(recipes, "recipes", *COLD)
     return {recipes: found, videos: evaluate(videos, "leave-one-out", "--sample", 1)}
 
 
@@ -74,7 +77,7 @@ def test_the_report_of_videos_shows_both_trees_of_each_of_the_worst(reports):
 
 def test_a_report_is_the_same_to_the_byte(reports, tmp_path):
     (path, _), _ = reports.items()
-    evaluate(tmp_path / "again.html", "recipes", *sorted(demo_recipes(), reverse=True)[-4:])
+    evaluate(tmp_path / "again.html", "recipes", *reversed(COLD))
     assert (tmp_path / "again.html").read_bytes() == path.read_bytes()
 
 
