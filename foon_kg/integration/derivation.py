@@ -105,7 +105,9 @@ class _Derivation:
     def _parts_of(self, lump: Lump, last: int) -> list[Part]:
         there = self.places[last]
         key = next((place.key for place in there.values() if place.lump is lump), None)
-        found = [part for part in self.world.supply.parts if (name := self._name(part)) in there and there[name].key == key]
+        found = [
+            part for part in self.world.supply.parts if (name := self._name(part)) in there and there[name].key == key
+        ]
         return found or list(lump.parts)
 
     def _places(self) -> dict[int, _Place]:
@@ -160,7 +162,9 @@ class _Derivation:
         involved = self._involved(members, parts, happening, step)
         if len(group) > 1:
             told = self._tells(happening)
-            adds: list[Slot | Line] = [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
+            adds: list[Slot | Line] = (
+                [] if first.stages or first.waiting else [_slot(first, parts, self.known, first.brought)]
+            )
             for cluster in group:
                 if cluster is not first:
                     adds += _joined(cluster, parts, self.known, told, step)

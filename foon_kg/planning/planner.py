@@ -18,7 +18,8 @@ from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.goals.choice import Fit, Outline, fits, is_truly, missing_core, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.cooking import Cooking, Plan
+from foon_kg.integration.cooking import Cooking
+from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods

@@ -1,0 +1,212 @@
+"""Foods that are cooked, beaten or measured by themselves before they join the others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Tables
+from foon_kg.integration.bench import Bench, Stuff
+from foon_kg.integration.carrying import Carrier
+from foon_kg.integration.course import HEATS, MIXES, Course
+from foon_kg.integration.operators import Attested, Way, form_of
+from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import Preparer, Ready, Want, owed
+
+
+class Alone:
+    """Cooks single foods on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
+
+    def __init__(
+        self, bench: Bench, course: Course, preparer: Preparer, carry: Carrier, ready: dict[int, Ready]
+    ) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.course = course
+        self.plan = course.plan
+        self.preparer = preparer
+        self.carry = carry
+        self.ready = ready
+
+    def measure(self, ready: Ready) -> None:
+        """Fetch water before anything is hot."""
+        if ready.stuff.at is not None and ready.stuff.at.storage:
+            cup = self.bench.vessel("measuring cup")
+            attested = self.bench.attest([("pour", ())], ready.want.names)
+            if attested is not None:
+                self.bench.bring([ready.stuff], cup, attested)
+
+    def beaten_first(self, join: Join, ready: Ready) -> None:
+        """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
+        if not ready.whole_shell:
+            return
+        stage, want = join.spot.stage, join.want
+        beaten = [
+            s
+            for s in (want.make, *(join.slot.states if join.slot else ()))
+            if s and "shell" in self.known.state(s).earns
+        ]
+        heats = not stage.does.isdisjoint(HEATS)
+        mixes = not stage.does.isdisjoint(MIXES) and not heats
+        if not (want.make or (beaten and not mixes)):
+            return
+        if not any(s for s in beaten if self._beating(want, s)):
+            return
+        state = next(s for s in beaten if self._beating(want, s))
+        bowl = self.bench.vessel("bowl")
+        self.carry.open_into(ready, bowl)
+        attested = self._beating(want, state)
+        if attested is not None:
+            self.bench.work(bowl, attested, want.label, (state,), with_device=False)
+            ready.stuff = bowl.contents[0]
+
+    def _beating(self, want: Want, state: str) -> Attested | None:
+        motion = self.known.motion
+        ways = [way for way in self.bench.operators.making(state) if motion(way[0]).does <= {"mix", "whip"} and way[1]]
+        ways.sort(key=lambda way: "whip" not in motion(way[0]).does)
+        return self.bench.attest(ways, want.names)
+
+    def cooked_first(self, join: Join) -> tuple[str, ...]:
+        """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
+        want, spot = join.want, join.spot
+        due = {"cook", "boil"} & owed(want, self.known)
+        if not due and not want.cooked:
+            return self._warmed_first(join)
+        if want.facts.kind in self.plan.eased or any(kind in self.plan.eased for kind in want.facts.kinds):
+            return ()
+        if join.slot is not None and join.slot.cooked:
+            return join.slot.cooked
+        heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
+        if want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats):
+            return ("boil",)
+        if "boil" in due:
+            bath = [stage for stage in heats if "dry" not in stage.does]
+            if bath and self.course.has_liquid(spot.path, bath):
+                return ()
+            return ("boil",)
+        if heats and not (spot.post[0] == "heat" and join.slot is None and "cook" in due and not self._pours(want)):
+            return ()
+        if heats and self.course.has_liquid(spot.path, [spot.stage]):
+            return ()
+        for name in (
+            want.facts.kind,
+            *sorted(f"trait:{trait}" for trait in want.facts.traits),
+            *sorted(want.facts.kinds),
+        ):
+            if self.plan.cooked_by.get(name):
+                return self.plan.cooked_by[name]
+        if form_of(self.known, want.label, want.leaf) == "liquid":
+            return ()  # it would be poured away with the water
+        return ("boil",)
+
+    def _is_boiled(self, state: str) -> bool:
+        """Whether a state is one that only cooking in water gives."""
+        motions = {
+            way[0] for way in self.bench.operators.ways.get("heat", ()) if state in self.known.motion(way[0]).gives
+        }
+        own = [motion for motion in motions if any(word.startswith(motion[:4]) for word in state.split())]
+        return bool(own) and all("liquid" in self.known.motion(motion).does for motion in own)
+
+    def _warmed_first(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
+        state = join.want.make
+        if not state or not self.known.state(state).needs_heat or not join.spot.stage.does.isdisjoint(HEATS):
+            return ()
+        ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & HEATS]
+        found = self.bench.attest(
+            [way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names
+        )
+        return (found.way[0],) if found is not None else ()
+
+    def _pours(self, want: Want) -> bool:
+        """Whether a food is opened over the dish and runs into it: such food is cooked as fast as anything."""
+        return "shell" in want.facts.owes and self.preparer.opening(want) is not None
+
+    def cook_first(self, join: Join, method: Sequence[str]) -> None:
+        ready = self.ready[join.want.number]
+        liquid = any("liquid" in self.known.motion(motion).does for motion in method)
+        liquid = (
+            liquid
+            or "boil" in owed(join.want, self.known)
+            or (ready.whole_shell and form_of(self.known, join.want.label, join.want.leaf) == "whole")
+        )
+        if liquid:
+            self._boil(ready)
+        else:
+            self._pan_cook(ready, method)
+        if ready.whole_shell:
+            ready.whole_shell = False
+            self._cool(ready)
+            self.preparer.shelled(ready, join.slot.states if join.slot else ())
+
+    def _cool(self, ready: Ready) -> None:
+        if ready.stuff.at is None:
+            return
+        attested = self.bench.require([(m, ()) for m in ("rinse", "wash")], ready.want.names)
+        water = self.bench.fetch("water", ("liquid",), (), "faucet")
+        stuff = ready.stuff
+        states = tuple(sorted({*stuff.states, "washed"}))
+
+        def change() -> None:
+            stuff.states = states
+
+        self.bench.emit(attested, [stuff.at, stuff, water], change, [stuff])
+
+    def _boil(self, ready: Ready) -> None:
+        bench, want = self.bench, ready.want
+        pot = bench.vessel("pot")
+        self.carry.add_water(pot)
+        device = bench.place(pot, "stove", "on")
+        bench.switch(pot, device, on=True)
+        self.carry.bring(ready, pot, None)
+        attested = bench.require([("boil", ()), ("cook", ()), ("simmer", ())], want.names)
+        stuff = ready.stuff
+        before = list(pot.contents)
+        states = self._cooked_states(stuff, want, attested.way)
+
+        def change() -> None:
+            stuff.states = states
+            pot.hot = True
+
+        bench.emit(attested, [pot, (device, pot), *before], change, [pot, stuff])
+        bench.switch(pot, device, on=False)
+        strainer = bench.vessel("strainer")
+        drained = bench.require([("drain", ()), ("pour", ())], want.names)
+
+        def drain() -> None:
+            pot.contents.clear()
+            strainer.contents.append(stuff)
+            stuff.at = strainer
+
+        bench.emit(drained, [pot, stuff, strainer], drain, [strainer, stuff, pot])
+
+    def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
+        kept = [s for s in stuff.states if not self.says_raw(s)]
+        able = self.known.motion(way[0]).gives | {
+            s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())
+        }
+        if want.make in able and self.known.state(want.make).needs_heat:
+            return tuple(sorted({*(kept if want.cooked else ()), want.make}))
+        return tuple(sorted({*kept, "cooked"}))
+
+    def says_raw(self, state: str) -> bool:
+        """Whether a state says that a food is as yet uncooked, or in one piece as it was bought."""
+        row = self.known.state(state)
+        return row.half or not {"raw", "uncooked", "frozen"}.isdisjoint(state.split())
+
+    def _pan_cook(self, ready: Ready, method: Sequence[str]) -> None:
+        bench, want = self.bench, ready.want
+        pan = bench.vessel("cooking pan")
+        device = bench.place(pan, "stove", "on")
+        bench.switch(pan, device, on=True)
+        self.carry.bring(ready, pan, None)
+        ways = [way for motion in (*method, "cook") for way in bench.operators.ways_of(motion)]
+        attested = bench.require(ways, want.names)
+        stuff = ready.stuff
+        states = self._cooked_states(stuff, want, attested.way)
+
+        def change() -> None:
+            stuff.states = states
+            pan.hot = True
+
+        bench.emit(attested, [pan, (device, pan), stuff], change, [pan, stuff])
+        bench.switch(pan, device, on=False)

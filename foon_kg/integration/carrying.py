@@ -1,0 +1,111 @@
+"""Bringing foods from one place to another, as their form and what they come out of allow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.integration.frames import Slot, Stage
+from foon_kg.integration.operators import Attested, Way, form_of
+from foon_kg.integration.preparation import Preparer, Ready
+
+_MOVES = frozenset({"move", "scatter", "fetch"})
+
+
+class Carrier:
+    """Carries foods about on a bench."""
+
+    def __init__(self, bench: Bench, preparer: Preparer) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.preparer = preparer
+
+    def open_into(self, ready: Ready, vessel: Vessel) -> None:
+        attested = self.preparer.opening(ready.want)
+        if attested is None:
+            raise RefusedError(f"nothing opens {ready.want.label}")
+        state = self.preparer._gives(attested.way, ("shell", "open"))  # noqa: SLF001
+        self.bench.bring([ready.stuff], vessel, attested, (state,))
+        ready.whole_shell = False
+
+    def transfer(self, source: Vessel, target: Vessel, stage: Stage) -> None:
+        """Bring all that is in one vessel into another."""
+        stuffs = list(source.contents)
+        foods = foods_of(source)
+        runs = len(stuffs) > 1 or any(
+            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self._is_wet(stuff)
+            for stuff in stuffs
+        )
+        usual = self.bench.operators.brings("liquid" if runs else "pieces", "vessel")
+        ways: list[Way] = []
+        if (
+            stage.motion
+            and self._pure((stage.motion, stage.tools))
+            and (not runs or (stage.motion, ()) in usual or (stage.motion, stage.tools) in usual)
+        ):
+            ways.append((stage.motion, stage.tools))
+        ways += [way for way in usual if self._pure(way)]
+        attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
+        self.bench.bring(stuffs, target, attested)
+
+    def _is_wet(self, stuff: Stuff) -> bool:
+        """Whether a mixture runs: it has liquid in it that was not baked away."""
+        if not stuff.mixed or "baked" in stuff.states:
+            return False
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        if any(self.known.state(state).needs_heat for state in stuff.states):
+            sets = any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
+            return not sets and any(food.is_a("liquid", "creamy") for food in foods)
+        return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
+
+    def _pure(self, way: Way) -> bool:
+        does = self.known.motion(way[0]).does
+        return bool(does) and does <= _MOVES and way[0] not in {"throw away", "remove", "measure", "scoop"}
+
+    def add_water(self, vessel: Vessel) -> None:
+        water = self.bench.fetch("water", ("liquid",), (), "faucet")
+        attested = self.bench.require([("pour", ()), ("fill", ())], ("water",))
+        self.bench.bring([water], vessel, attested)
+
+    def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
+        if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
+            self.open_into(ready, vessel)
+            return
+        stuff, want = ready.stuff, ready.want
+        source = stuff.at
+        if source is vessel:
+            return
+        role = "" if source is None else ("storage" if source.storage else "vessel")
+        usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
+        groups: list[list[Way]] = [self._by_store(usual, stuff, source)]
+        if slot is not None and (slot.motion, slot.tools) in usual:
+            groups.append([(slot.motion, slot.tools)])
+        for name in (*want.names, f"kind:{want.facts.kind}"):
+            counts = self.bench.operators.bringing.get((name, role), {})
+            ways = sorted((way for way in counts if way in usual and counts[way] > 1), key=lambda w: (-counts[w], w))
+            groups.append([way for way in ways if self._pure(way)])
+        groups.append([way for way in usual if self._pure(way)])
+        attested: Attested | None = None
+        for group in groups:
+            found = self.bench.attest(group, stuff.foods)
+            if found is not None and (attested is None or found.nearness < attested.nearness):
+                attested = found
+            if attested is not None:
+                break
+        if attested is None:
+            attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
+        self.bench.bring([stuff], vessel, attested)
+
+    def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
+        """Return the usual ways that the thing from which a food comes asks for: a mill strews, a tub is scooped out."""
+        if source is None or not source.storage:
+            return []
+        row = self.known.utensil(source.label)
+        motions: frozenset[str] = frozenset()
+        if row is not None and row.group in word_list("strews"):
+            motions = word_list("is strewn by")
+        elif not word_list("is scooped").isdisjoint(stuff.states):
+            motions = word_list("is scooped by")
+        return [way for way in usual if way[0] in motions]

@@ -1,0 +1,120 @@
+"""What is to be made after which frame: the foods of one recipe at the stages at which they join."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.places import Join
+
+MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
+HEATS = frozenset({"heat", "warm"})
+WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut"}
+
+
+@dataclass
+class Plan:
+    """What is made: the name of the dish, its states, and which foods join where.
+
+    ``goal`` is what the recorded dish is called. ``cooked_by`` are the motions by which foods of a kind are cooked on
+    their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish.
+    """
+
+    label: str
+    goal: str
+    joins: Sequence[Join]
+    cooked_by: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    eased: frozenset[str] = frozenset()
+
+
+class Course:
+    """The stages of a frame with the foods that join at each (``at``, by the stage's identity)."""
+
+    def __init__(self, line: Line, plan: Plan) -> None:
+        self.line = line
+        self.plan = plan
+        self.at: dict[int, list[Join]] = {}
+        for join in plan.joins:
+            self.at.setdefault(id(join.spot.stage), []).append(join)
+
+    def in_order(self) -> Iterator[Join]:
+        def walk(line: Line) -> Iterator[Join]:
+            for stage in line.stages:
+                for add in stage.adds:
+                    if isinstance(add, Line):
+                        yield from walk(add)
+                yield from self.ordered(stage)
+
+        yield from walk(self.line)
+
+    def ordered(self, stage: Stage) -> list[Join]:
+        """Return the foods that join a stage in their order: as the frame has them; others by what they are."""
+        slots = list(stage.adds)
+        heats = not stage.does.isdisjoint(HEATS)
+
+        def order(join: Join) -> tuple[float, int, int]:
+            facts = join.want.facts
+            if join.slot is not None:
+                place: float = slots.index(join.slot) if join.slot in slots else -0.5
+            elif facts.is_a("fat") and heats:
+                place = -1
+            elif facts.is_a("liquid", "creamy"):
+                place = len(slots) + 0.5
+            elif facts.is_a("spice", "herb"):
+                place = len(slots) + 1
+            else:
+                place = len(slots)
+            owes = 0 if "cook" in facts.owes else 1
+            return (place, owes, join.want.number)
+
+        found = sorted(self.at.get(id(stage), ()), key=order)
+        if heats:
+            found.sort(key=lambda join: not join.want.facts.is_a("fat"))
+        return found
+
+    def is_hot(self, stage: Stage) -> bool:
+        """Whether the vessel of a stage is hot already when foods join there."""
+
+        def before(line: Line) -> bool:
+            if stage in line.stages:
+                place = line.stages.index(stage)
+                return any("heat" in one.does for one in line.stages[:place] if self.stage_alive(one))
+            return any(before(add) for one in line.stages for add in one.adds if isinstance(add, Line))
+
+        return before(self.line)
+
+    def has_liquid(self, path: tuple[int, ...], stages: Sequence[Stage]) -> bool:
+        for join in self.plan.joins:
+            if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
+                return True
+        return self._water_slot(stages)
+
+    def _until(self, last: Stage) -> list[Stage]:
+        found: list[Stage] = []
+
+        def walk(line: Line) -> bool:
+            for stage in line.stages:
+                for add in stage.adds:
+                    if isinstance(add, Line) and walk(add):
+                        return True
+                found.append(stage)
+                if stage is last:
+                    return True
+            return False
+
+        walk(self.line)
+        return found
+
+    def _water_slot(self, stages: Sequence[Stage]) -> bool:
+        last = stages[-1]
+        return any(slot.food == "water" for stage in self._until(last) for slot in stage.slots)
+
+    def alive(self, line: Line) -> bool:
+        return any(
+            self.at.get(id(stage)) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)
+            for stage in line.stages
+        )
+
+    def stage_alive(self, stage: Stage) -> bool:
+        return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)

@@ -1,0 +1,180 @@
+"""Working on what is in a vessel: in which way, what comes of it, and what that is called."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.alone import Alone
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
+from foon_kg.integration.course import HEATS, MIXES, WORKS, Plan
+from foon_kg.integration.frames import Stage
+from foon_kg.integration.operators import Attested, Nearness, Way
+from foon_kg.world.becoming import meets
+
+
+class Worker:
+    """Works on foods on a bench, and tells what comes of it."""
+
+    def __init__(self, bench: Bench, plan: Plan, alone: Alone) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.plan = plan
+        self.alone = alone
+
+    def name(self, vessel: Vessel, label: str) -> None:
+        """Let the last step tell what is in a vessel as one thing."""
+        last = self.bench.done[-1]
+        if len(vessel.contents) == 1 and vessel.contents[0].label == label:
+            return
+        whole = self._whole(vessel, label, self.kept_states(vessel))
+        numbers = {stuff.number for stuff in vessel.contents}
+        before = {mention.thing for mention in last.step.inputs}
+        others = [stuff for stuff in vessel.contents if stuff.number not in before]
+        vessel.contents[:] = [whole]
+        outputs = [m for m in last.step.outputs if m.thing not in numbers and m.thing != vessel.number]
+        inputs = [*last.step.inputs]
+        shown = {mention.thing for mention in inputs}
+        for stuff in others:
+            if stuff.number not in shown:
+                inputs.append(self.bench.mention(stuff))
+        step = replace(
+            last.step, inputs=tuple(inputs), outputs=(self.bench.mention(vessel), self.bench.mention(whole), *outputs)
+        )
+        self.bench.done[-1] = replace(last, step=step)
+
+    def kept_states(self, vessel: Vessel) -> tuple[str, ...]:
+        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        states = mixed[0].states if len(mixed) == 1 else ()
+        return tuple(s for s in states if not self.known.state(s).half)
+
+    def _whole(self, vessel: Vessel, label: str, states: tuple[str, ...]) -> Stuff:
+        foods = tuple(sorted({food for stuff in vessel.contents for food in stuff.foods}))
+        wants = frozenset().union(*(stuff.wants for stuff in vessel.contents))
+        return Stuff(label, self.bench.number(), states, foods, wants, vessel, mixed=True)
+
+    def lies_unmixed(self, vessel: Vessel) -> bool:
+        """Whether something lies beside what was mixed before, uncooked, in a vessel in which it can be stirred."""
+        mixed = [s for s in vessel.contents if s.mixed and not {"blended", "mixed"}.isdisjoint(s.states)]
+        cooked = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
+        beside = [stuff for stuff in vessel.contents if stuff not in mixed]
+        tops = all(self.known.foods.food(stuff.label).is_a("topping") for stuff in beside)
+        return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
+
+    def work_each(self, vessel: Vessel, attested: Attested, states: tuple[str, ...], *, with_device: bool) -> None:
+        stuffs = list(vessel.contents)
+        device = vessel.device if with_device else None
+
+        def change() -> None:
+            for stuff in stuffs:
+                kept = [s for s in stuff.states if not self.alone.says_raw(s)]
+                facts = self.known.foods.food(stuff.label)
+                melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
+                stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
+            vessel.hot = vessel.hot or device is not None
+
+        self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
+
+    def way(self, stage: Stage, vessel: Vessel) -> Attested | None:
+        foods = foods_of(vessel)
+        if stage.motion in word_list("needs a closed vessel") and not self._is_closed(vessel):
+            return self.stirring(foods)
+        if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
+            both = [
+                way
+                for way in self.bench.operators.ways.get("heat", ())
+                if self.known.motion(way[0]).does == {"heat", "mix"}
+            ]
+            return self.bench.require(both, foods)
+        mixes_by_hand = (
+            not stage.tools
+            and vessel.device is None
+            and stage.does & {"mix", "whip", "mash"}
+            and not stage.does & {"shape", "knead"}
+        )
+        if mixes_by_hand and not stage.appliance:
+            tooled = [way for way in self.bench.operators.ways_of(stage.motion) if way[1]]
+            found = self.bench.attest(tooled, foods)
+            if found is not None and found.nearness <= Nearness.LIKE:
+                return found
+        own = self.bench.attest([(stage.motion, stage.tools)], foods)
+        if own is not None and own.nearness <= Nearness.LIKE:
+            return own
+        found = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
+        if found is not None and (own is None or found.nearness < own.nearness):
+            return found
+        if own is not None:
+            return own
+        main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
+        ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
+        found = self.bench.attest(ways, foods)
+        if found is None and not stage.does.isdisjoint(MIXES | HEATS):
+            raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
+        return found
+
+    def _is_closed(self, vessel: Vessel) -> bool:
+        return bool(vessel.lid) or vessel.label in word_list("closed vessels")
+
+    def stirring(self, foods: Sequence[str]) -> Attested:
+        """Return the likeliest way to mix foods through with a tool, as they are."""
+        ways = [way for way in self.bench.operators.ways.get("mix", ()) if way[1]]
+        return self.bench.require([way for way in ways if self.known.motion(way[0]).does == {"mix"}], foods)
+
+    def label(self, stage: Stage, vessel: Vessel, *, last: bool = False, main: bool = False) -> str:
+        """Return what the whole is called after a stage: as in the frame where that is true of what is in it."""
+        if last:
+            return self.plan.label
+        label = stage.label
+        if label == self.plan.goal and main and not stage.does.isdisjoint(HEATS):
+            return self.plan.label
+        facts = self.known.foods.food(label, stage.states)
+        foods = [self.known.foods.food(food) for food in foods_of(vessel)]
+        if not label or label in self.known.dishes or not facts.is_a("made", "dough"):
+            return ""
+        if not all(
+            any(meets(need, food, self.known) for need in needs for food in foods)
+            for needs in self.known.contains.get(label, ())
+        ):
+            return ""
+        names = {word for food in foods for word in food.name.split()}
+        named = [
+            w
+            for w in label.split()
+            if self.known.foods.is_listed(w) and not self.known.foods.food(w).is_a("made", "dough")
+        ]
+        return label if all(w in names for w in named) else ""
+
+    def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
+        does = self.known.motion(way[0]).does
+        states: set[str] = set()
+        kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
+        if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
+            return tuple(sorted({*vessel.contents[0].states, "flipped"}))
+        if product and len(vessel.contents) == 1:
+            states |= kept
+        if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
+            states.add("blended")
+        elif not does.isdisjoint({"mix", "whip"}):
+            states.add("mixed")
+        if "knead" in does:
+            states.add("kneaded")
+        if "dry" in does:
+            states.add("baked")
+        elif "heat" in does and "cooked" in self.known.motion(way[0]).gives:
+            states.add("cooked" if finished else "partly cooked")
+        elif "warm" in does:
+            states.add("heated")
+        if "wait" in does:
+            states |= {"chilled"} if way[0] == "chill" else {"rested"}
+        if not states and stage.motion:
+            able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
+            states |= set(able[:1])
+        if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
+            known = {s for stuff in vessel.contents for s in stuff.states}
+            given = self.bench.operators.giving
+            able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
+            able = sorted(s for s in able if not self.known.state(s).needs_heat)
+            states |= known | set(able[:1])
+        return tuple(sorted(states))
