@@ -84,15 +84,24 @@ class NumberedUnit(Protocol):
     """A unit whose nodes say by a number which thing they are."""
 
     @property
-    def input_nodes(self) -> tuple[ObjectNode, ...]: ...
+    def input_nodes(self) -> tuple[ObjectNode, ...]:
+        """What goes in."""
+
     @property
-    def output_nodes(self) -> tuple[ObjectNode, ...]: ...
+    def output_nodes(self) -> tuple[ObjectNode, ...]:
+        """What comes out."""
+
     @property
-    def motion_node(self) -> str: ...
+    def motion_node(self) -> str:
+        """What is done."""
+
     @property
-    def input_things(self) -> tuple[tuple[int | None, int | None], ...]: ...
+    def input_things(self) -> tuple[tuple[int | None, int | None], ...]:
+        """The numbers of the input things and of what they are in."""
+
     @property
-    def output_things(self) -> tuple[tuple[int | None, int | None], ...]: ...
+    def output_things(self) -> tuple[tuple[int | None, int | None], ...]:
+        """The same of the output things."""
 
 
 def lines_of_things(

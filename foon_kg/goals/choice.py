@@ -93,7 +93,7 @@ class Outline:
 
 
 def shortlisted(
-    outlines: Iterable[Outline], wants: Sequence[Want], dish_type: str, title: str, known: Tables, likes: Likes
+    outlines: Iterable[Outline], wants: Sequence[Want], dish_type: str, title: str, *, known: Tables, likes: Likes
 ) -> list[str]:
     """Return the keys of the frames that are worth a closer look, the best first, at most ``MOST_FITTED``.
 
@@ -181,7 +181,7 @@ def _defined(joins: Sequence[Join], dish_type: str, known: Tables) -> bool:
 
 
 def _recalled(frame: Frame, joins: Sequence[Join], known: Tables) -> tuple[float, float]:
-    """Return which share of what the recorded dish is built on, and of its other foods, this recipe has too (0 to 1)."""
+    """Return which share (0 to 1) of what the recorded dish is built on, and of its other foods, this recipe has."""
     taken = {id(join.slot) for join in joins if join.slot is not None}
     built: list[bool] = []
     other: list[bool] = []
@@ -205,7 +205,7 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
 
 
 def is_truly(fit: Fit, known: Tables) -> bool:
-    """Whether a dish may be called as the recorded one is: it has most of its foods, those apart that only season it."""
+    """Whether a dish may be called as the recorded one is: it has most of its foods but seasonings."""
     taken = {id(join.slot) for join in fit.joins if join.slot is not None}
     slots = [s for s in fit.frame.line.all_slots() if not known.foods.food(s.food, s.states).is_a(*_SEASONS)]
     plain = set(words(fit.frame.goal.label)) <= set(words(fit.frame.dish_type)) or not slots
@@ -217,13 +217,11 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
     found = []
     foods = [want.facts for want in wants]
     for dish in known.dishes_named(frame.goal.label):
-        for needs in dish.needs:
-            if not any(meets(need, food, known) for need in needs for food in foods):
-                found.append(dish.name)
+        unmet = (needs for needs in dish.needs if not any(meets(need, f, known) for need in needs for f in foods))
+        found += [dish.name for _ in unmet]
     names = {word for want in wants for word in (*want.facts.name.split(), *want.facts.taken_for.split())}
-    for word in words(frame.goal.label):
-        if known.foods.is_listed(word) and word not in names and not known.foods.food(word).is_a("made", "dough"):
-            found.append(word)
+    strange = (word for word in words(frame.goal.label) if known.foods.is_listed(word) and word not in names)
+    found += [word for word in strange if not known.foods.food(word).is_a("made", "dough")]
     return tuple(found)
 
 

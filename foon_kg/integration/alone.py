@@ -76,22 +76,23 @@ class Alone:
         if join.slot is not None and join.slot.cooked:
             return join.slot.cooked
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
-        if want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats):
-            return ("boil",)
-        if "boil" in due:
-            bath = [stage for stage in heats if "dry" not in stage.does]
-            if bath and self.course.has_liquid(spot.path, bath):
-                return ()
-            return ("boil",)
-        if heats and not (spot.post[0] == "heat" and join.slot is None and "cook" in due and not self._pours(want)):
+        bath = [stage for stage in heats if "dry" not in stage.does]
+        if "boil" in due and bath and self.course.has_liquid(bath):
             return ()
-        if heats and self.course.has_liquid(spot.path, [spot.stage]):
-            return ()
-        for name in (
-            want.facts.kind,
-            *sorted(f"trait:{trait}" for trait in want.facts.traits),
-            *sorted(want.facts.kinds),
-        ):
+        boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
+        if boiled or "boil" in due:
+            return ("boil",)
+        return () if heats and self._cooks_there(join, due) else self._usual_cooking(want)
+
+    def _cooks_there(self, join: Join, due: set[str]) -> bool:
+        """Whether a food gets done where it joins, and is not only warmed up there with foods that are done."""
+        quick = join.spot.post[0] == "heat" and join.slot is None and "cook" in due and not self._pours(join.want)
+        return not quick or self.course.has_liquid([join.spot.stage])
+
+    def _usual_cooking(self, want: Want) -> tuple[str, ...]:
+        """Return how such foods are cooked by themselves in this FOON."""
+        traits = sorted(f"trait:{trait}" for trait in want.facts.traits)
+        for name in (want.facts.kind, *traits, *sorted(want.facts.kinds)):
             if self.plan.cooked_by.get(name):
                 return self.plan.cooked_by[name]
         if form_of(self.known, want.label, want.leaf) == "liquid":
@@ -122,6 +123,7 @@ class Alone:
         return "shell" in want.facts.owes and self.preparer.opening(want) is not None
 
     def cook_first(self, join: Join, method: Sequence[str]) -> None:
+        """Cook a prepared food by itself with the first of these motions that suits it, and open it where it is due."""
         ready = self.ready[join.want.number]
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
         liquid = (
@@ -139,7 +141,8 @@ class Alone:
             self.preparer.shelled(ready, join.slot.states if join.slot else ())
 
     def _cool(self, ready: Ready) -> None:
-        if ready.stuff.at is None:
+        place = ready.stuff.at
+        if place is None:
             return
         attested = self.bench.require([(m, ()) for m in ("rinse", "wash")], ready.want.names)
         water = self.bench.fetch("water", ("liquid",), (), "faucet")
@@ -149,7 +152,7 @@ class Alone:
         def change() -> None:
             stuff.states = states
 
-        self.bench.emit(attested, [stuff.at, stuff, water], change, [stuff])
+        self.bench.emit(attested, [place, stuff, water], change, [stuff])
 
     def _boil(self, ready: Ready) -> None:
         bench, want = self.bench, ready.want

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
@@ -23,6 +23,7 @@ class Carrier:
         self.preparer = preparer
 
     def open_into(self, ready: Ready, vessel: Vessel) -> None:
+        """Open a food in its shell over a vessel; raises :class:`RefusedError` where nothing opens it."""
         attested = self.preparer.opening(ready.want)
         if attested is None:
             raise RefusedError(f"nothing opens {ready.want.label}")
@@ -65,11 +66,13 @@ class Carrier:
         return bool(does) and does <= _MOVES and way[0] not in {"throw away", "remove", "measure", "scoop"}
 
     def add_water(self, vessel: Vessel) -> None:
+        """Pour water from the tap into a vessel."""
         water = self.bench.fetch("water", ("liquid",), (), "faucet")
         attested = self.bench.require([("pour", ()), ("fill", ())], ("water",))
         self.bench.bring([water], vessel, attested)
 
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
+        """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
         if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
             self.open_into(ready, vessel)
             return
@@ -83,7 +86,7 @@ class Carrier:
         if slot is not None and (slot.motion, slot.tools) in usual:
             groups.append([(slot.motion, slot.tools)])
         for name in (*want.names, f"kind:{want.facts.kind}"):
-            counts = self.bench.operators.bringing.get((name, role), {})
+            counts: Mapping[Way, int] = self.bench.operators.bringing.get((name, role), {})
             ways = sorted((way for way in counts if way in usual and counts[way] > 1), key=lambda w: (-counts[w], w))
             groups.append([way for way in ways if self._pure(way)])
         groups.append([way for way in usual if self._pure(way)])
@@ -99,7 +102,7 @@ class Carrier:
         self.bench.bring([stuff], vessel, attested)
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
-        """Return the usual ways that the thing from which a food comes asks for: a mill strews, a tub is scooped out."""
+        """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""
         if source is None or not source.storage:
             return []
         row = self.known.utensil(source.label)

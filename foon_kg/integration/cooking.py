@@ -215,19 +215,8 @@ class Cooking:
         heats: bool, relation: str, later: Sequence[Stage], main: bool,
     ) -> None:  # fmt: skip
         on_stove = heats and vessel.device is not None and relation == "on"
-        stuffs: list[Join | Vessel] = []
-        waiting = list(lines)
-        by_line = [add for add in stage.adds if isinstance(add, Line)]
-        first_line = min((stage.adds.index(add) for add in by_line), default=len(stage.adds))
-        for join in joins:
-            before = join.slot is not None and join.slot in stage.adds and stage.adds.index(join.slot) < first_line
-            if waiting and not before and not (heats and join.want.facts.is_a("fat")):
-                stuffs += waiting
-                waiting = []
-            stuffs.append(join)
-        stuffs += waiting
-        water = self._water(stage, vessel, later)
-        if water:
+        stuffs = self._comers(stage, joins, lines, heats=heats)
+        if self._water(stage):
             self.carry.add_water(vessel)
         for number, one in enumerate(stuffs):
             last = number == len(stuffs) - 1
@@ -250,6 +239,22 @@ class Cooking:
         if on_stove:
             self._heat_on(vessel)
 
+    def _comers(
+        self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel], *, heats: bool
+    ) -> list[Join | Vessel]:
+        """Return what joins a stage in its order: foods, and vessels in which other lines were made."""
+        stuffs: list[Join | Vessel] = []
+        waiting = list(lines)
+        by_line = [add for add in stage.adds if isinstance(add, Line)]
+        first_line = min((stage.adds.index(add) for add in by_line), default=len(stage.adds))
+        for join in joins:
+            before = join.slot is not None and join.slot in stage.adds and stage.adds.index(join.slot) < first_line
+            if waiting and not before and not (heats and join.want.facts.is_a("fat")):
+                stuffs += waiting
+                waiting = []
+            stuffs.append(join)
+        return [*stuffs, *waiting]
+
     def _merges(self, stage: Stage, later: Sequence[Stage], *, main: bool) -> bool:
         """Whether nothing mixes the whole any more, so that what joins last completes it."""
         works = [stage, *later]
@@ -262,8 +267,8 @@ class Cooking:
     def _mixing(self, stage: Stage) -> bool:
         return bool(stage.motion) and not stage.does.isdisjoint(MIXES | HEATS)
 
-    def _water(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
-        """Whether free water joins here: the frame has it, nobody asked for any, and no other liquid takes its place."""
+    def _water(self, stage: Stage) -> bool:
+        """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
         if not any(slot.food == "water" for slot in stage.slots):
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
@@ -289,19 +294,10 @@ class Cooking:
     def _do(
         self, stage: Stage, vessel: Vessel, device: str, relation: str, later: Sequence[Stage], *, main: bool
     ) -> None:
-        if not stage.motion or stage.does.isdisjoint(WORKS):
+        if not stage.motion or stage.does.isdisjoint(WORKS) or self._is_idle(stage, vessel, later):
             return
         mixes = not stage.does.isdisjoint(MIXES)
         heats = not stage.does.isdisjoint(HEATS)
-        single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
-        if later and self._goes_on(stage, later[0]):
-            return
-        if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
-            return  # fat alone is only made hot
-        if single and mixes and not heats and stage.does <= {"mix"}:
-            return
-        if not mixes and not heats and "wait" not in stage.does and single:
-            return
         if device and not relation:
             self._by_hand_device(stage, vessel, device, later, main=main)
             return
@@ -316,26 +312,38 @@ class Cooking:
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
         product = bool(label) or (mixes and not heats)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
-        if (
-            product
-            and len(vessel.contents) == 1
-            and vessel.contents[0].label == (label or "mixture")
-            and vessel.contents[0].states == states
-        ):
+        if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
             return
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
         else:
             self.work.work_each(vessel, attested, states, with_device=bool(device))
-        if vessel.device is not None and vessel.relation != "on":
-            nxt = next((one for one in later if not one.does.isdisjoint(HEATS)), None)
-            if (
-                nxt is None
-                or nxt.appliance != vessel.device.label
-                or nxt.vessel not in {vessel.label, ""}
-                or any(one.adds for one in later)
-            ):
-                self._heat_off(vessel)
+        if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):
+            self._heat_off(vessel)
+
+    def _is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a stage would change nothing: it is done again anyway, or there is only one food to be mixed."""
+        mixes = not stage.does.isdisjoint(MIXES)
+        heats = not stage.does.isdisjoint(HEATS)
+        single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
+        if later and self._goes_on(stage, later[0]):
+            return True
+        if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
+            return True  # fat alone is only made hot
+        if single and mixes and not heats and stage.does <= {"mix"}:
+            return True
+        return not mixes and not heats and "wait" not in stage.does and single
+
+    def _stays_in(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a vessel stays in its appliance: the next heating is there, and nothing joins before."""
+        following = next((one for one in later if not one.does.isdisjoint(HEATS)), None)
+        return (
+            following is not None
+            and vessel.device is not None
+            and following.appliance == vessel.device.label
+            and following.vessel in {vessel.label, ""}
+            and not any(one.adds for one in later)
+        )
 
     def _by_hand_device(self, stage: Stage, vessel: Vessel, device: str, later: Sequence[Stage], *, main: bool) -> None:
         """Work with an appliance that is held in the hand."""

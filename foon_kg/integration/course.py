@@ -39,6 +39,8 @@ class Course:
             self.at.setdefault(id(join.spot.stage), []).append(join)
 
     def in_order(self) -> Iterator[Join]:
+        """Yield all joins in the order in which the lines come together."""
+
         def walk(line: Line) -> Iterator[Join]:
             for stage in line.stages:
                 for add in stage.adds:
@@ -84,7 +86,8 @@ class Course:
 
         return before(self.line)
 
-    def has_liquid(self, path: tuple[int, ...], stages: Sequence[Stage]) -> bool:
+    def has_liquid(self, stages: Sequence[Stage]) -> bool:
+        """Whether a liquid to cook in is there at the last of ``stages``."""
         for join in self.plan.joins:
             if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
                 return True
@@ -111,10 +114,12 @@ class Course:
         return any(slot.food == "water" for stage in self._until(last) for slot in stage.slots)
 
     def alive(self, line: Line) -> bool:
+        """Whether any of the asked foods joins this line."""
         return any(
             self.at.get(id(stage)) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)
             for stage in line.stages
         )
 
     def stage_alive(self, stage: Stage) -> bool:
+        """Whether any of the asked foods joins at this stage."""
         return bool(self.at.get(id(stage))) or any(isinstance(add, Line) and self.alive(add) for add in stage.adds)

@@ -159,7 +159,7 @@ class _Derivation:
         first = self._receiver(group, parts, step)
         members = frozenset().union(*(cluster.parts for cluster in group))
         place = next((self._place_of(parts[name], step) for name in sorted(members)), None)
-        involved = self._involved(members, parts, happening, step)
+        involved = self._involved(members, happening)
         if len(group) > 1:
             told = self._tells(happening)
             adds: list[Slot | Line] = (
@@ -226,7 +226,7 @@ class _Derivation:
     def _tells(self, happening: Happening) -> tuple[str, tuple[str, ...]]:
         return happening.step.motion, tuple(sorted(singular(node.label) for node in happening.tools))
 
-    def _involved(self, members: frozenset[int], parts: dict[int, Part], happening: Happening, step: int) -> bool:
+    def _involved(self, members: frozenset[int], happening: Happening) -> bool:
         lumps = [*happening.inputs, *happening.outputs.values(), *happening.made]
         lumps += [lump for vessel in happening.vessels for lump in vessel.lumps if vessel.row.role != "storage"]
         lumps += [lump for lump, _, _ in happening.moved]
@@ -238,10 +238,11 @@ class _Derivation:
 
         def order(cluster: _Cluster) -> tuple[bool, int, int, int]:
             place = self._place_of(parts[min(cluster.parts)], step)
-            stays = cluster.place is not None and place is not None and cluster.place.vessel == place.vessel
+            was = cluster.place.vessel if cluster.place is not None else ""
+            stays = place is not None and bool(was) and was == place.vessel
             first = min(parts[name].taken for name in cluster.parts)
             return (
-                stays and not cluster.place.vessel == "",
+                stays,
                 len(cluster.parts),
                 -first,
                 -min(parts[n].origin for n in cluster.parts),

@@ -156,21 +156,18 @@ class Operators:
         evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None:
             return None
-        for food in foods:
-            if food in evidence.foods:
-                return Attested(way, Nearness.FOOD, _few(evidence.foods[food]))
         if not foods:
             return Attested(way, Nearness.MOTION, _few(evidence.all))
-        if likes is not None:
-            for food in foods:
-                for like, confidence in likes(food):
-                    if like in evidence.foods:
-                        return Attested(way, Nearness.LIKE, _few(evidence.foods[like]), (food, like, confidence))
-        for food in foods:
-            kind = self.known.foods.find(food)[0]
-            if kind in evidence.kinds:
-                return Attested(way, Nearness.KIND, _few(evidence.kinds[kind]))
-        return None
+        own = next((food for food in foods if food in evidence.foods), None)
+        if own is not None:
+            return Attested(way, Nearness.FOOD, _few(evidence.foods[own]))
+        pairs = ((food, *like) for food in foods for like in (likes(food) if likes is not None else ()))
+        alike = next((pair for pair in pairs if pair[1] in evidence.foods), None)
+        if alike is not None:
+            return Attested(way, Nearness.LIKE, _few(evidence.foods[alike[1]]), alike)
+        kinds = (self.known.foods.find(food)[0] for food in foods)
+        kind = next((kind for kind in kinds if kind in evidence.kinds), None)
+        return Attested(way, Nearness.KIND, _few(evidence.kinds[kind])) if kind is not None else None
 
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
         """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.

@@ -33,7 +33,7 @@ _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
 is worth where it is of another kind; how well it fits where a dish makes such a thing itself."""
 
 _AS_USUAL = 0.75
-"""How usual a place must be for a kind, beside its most usual one in that dish, to be taken for the sake of a like food."""
+"""How usual a place must be for a kind, beside its most usual one in that dish, to be taken for a like food."""
 
 _SURELY = 0.99
 _SAME_ROLE = 0.55
@@ -328,7 +328,7 @@ class Matcher:
         return Join(want, found, most)
 
     def _in_place_of(self, layout: Layout, want: Want) -> Join | None:
-        """Return where a food joins that is bought in the place of what the dish makes on its way: dough, a dressing."""
+        """Return where a food joins that is bought instead of being made on the way: dough, a dressing."""
         own = frozenset(want.facts.name.split())
         dough = want.facts.is_a("dough")
         for words, is_dough, label, following in layout.made:

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.food.rows import State
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.operators import Attested, Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
@@ -81,38 +82,45 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     facts = known.foods.food(one.object, [one.state] if one.state else [])
     if _JUICE in one.state and facts.is_a("remains"):
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
-    row = known.state(one.state)
-    sold_so = (
-        not one.state or row.sold or bool(row.sold_for and facts.is_a(*row.sold_for)) or facts.sold_as == one.state
-    )
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
     if not one.state or facts.sold_as == one.state:
         return replace(want, leaf=(one.state,) if one.state else want.leaf)
+    row = known.state(one.state)
+    sold_so = row.sold or bool(row.sold_for and facts.is_a(*row.sold_for))
     if sold_so or not (row.earns or row.fine or row.half):
-        if one.state in operators.states[singular(one.object)] or one.state in operators.states[f"kind:{facts.kind}"]:
-            return replace(want, leaf=(one.state,))
-        if row.undivided or form_of(known, one.object, (plain,)) == "whole":
-            return replace(want, leaf=(one.state,))
-        return replace(want, read_as=plain)
+        taken = _taken_at_its_word(want, plain, known, operators)
+        return replace(want, leaf=(one.state,)) if taken else replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)
     if row.needs_heat and "cook" in row.earns:
-        if form in {"whole", "pieces"} and not facts.is_a("spice", "fat"):
-            return replace(want, cooked=True, make=one.state)
-        return replace(want, read_as=plain)
-    ways = [way for way in operators.giving.get(one.state, ()) if operators.attested(way, want.names, act=True)]
-    if "juice" in one.state and form == "whole" and operators.giving.get(_JUICE):
+        whole = form in {"whole", "pieces"} and not facts.is_a("spice", "fat")
+        return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
+    if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
-    known_so = any(operators.attested(way, want.names, act=True) for way in operators.making(one.state))
-    if form in {"liquid", "powder", "soft"} and not ways:
-        return replace(want, read_as=plain)
+    can = _can_be_made(want, form, row, operators)
+    return replace(want, make=one.state) if can else replace(want, read_as=plain)
+
+
+def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operators) -> bool:
+    """Whether a food is had as it is asked: the FOON has it so, or it is undivided."""
+    if any(want.asked in operators.states[name] for name in (singular(want.label), f"kind:{want.facts.kind}")):
+        return True
+    return known.state(want.asked).undivided or form_of(known, want.label, (plain,)) == "whole"
+
+
+def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> bool:
+    """Whether the asked state, that of ``row``, can be given to a food of such a form."""
+    facts = want.facts
+    ways = operators.giving.get(want.asked, ())
+    if form in {"liquid", "powder", "soft"} and not any(operators.attested(w, want.names, act=True) for w in ways):
+        return False
     if facts.is_a("fat", "creamy") and (row.fine or 0) >= _POWDER:
-        return replace(want, read_as=plain)
-    if facts.is_a("stock", "ready") and not known_so and (row.fine or 0) in {0, _POWDER}:
-        return replace(want, read_as=plain)
-    if not row.fine and not known_so and not row.earns & facts.owes.keys():
-        return replace(want, read_as=plain)
-    return replace(want, make=one.state)
+        return False
+    if any(operators.attested(way, want.names, act=True) for way in operators.making(want.asked)):
+        return True
+    if facts.is_a("stock", "ready") and (row.fine or 0) in {0, _POWDER}:
+        return False
+    return bool(row.fine) or bool(row.earns & facts.owes.keys())
 
 
 def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
@@ -139,9 +147,7 @@ class Preparer:
         self.known = bench.known
         self.operators = bench.operators
 
-    def prepare(
-        self, want: Want, form: Sequence[str] = (), *, divided: bool = True, cooked_later: bool = True
-    ) -> Ready:
+    def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True) -> Ready:
         """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
 
         ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
@@ -242,7 +248,7 @@ class Preparer:
         for name in (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}", "kind:vegetable"):
             for state in self.operators.states.get(name, ()):
                 fine = self.known.state(state).fine or 0
-                if 1 < fine < 5:
+                if 1 < fine < _POWDER:
                     counts[state] = counts.get(state, 0) + sum(
                         n for way, n in self.operators.giving.get(state, {}).items() if self.is_cut(way)
                     )
@@ -281,7 +287,7 @@ class Preparer:
         state = want.make if want.make in able else self._gives(attested.way, does)
         if want.make and not self.known.state(want.make).fine and want.make != state:
             ready.read_as = state
-        kept = tuple(s for s in ready.stuff.states if not self.known.state(s).undivided and s not in {"unpeeled"})
+        kept = tuple(s for s in ready.stuff.states if not self.known.state(s).undivided and s != "unpeeled")
         if any(self.known.state(s).undivided for s in ready.stuff.states):
             kept = (*kept, "whole") if name in {"peel", "shell"} else kept
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), self._board(attested.way))

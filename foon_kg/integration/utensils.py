@@ -16,13 +16,13 @@ class Utensils:
         self.known: Tables = bench.known
 
     def device_for(self, stage: Stage) -> tuple[str, str]:
+        """Return the appliance of a stage and how it holds its vessel (``"on"``, ``"in"``, ``""`` by hand)."""
         over_heat = stage.source == "heat" and not stage.does.isdisjoint({"mix", "turn"})
         if stage.does.isdisjoint(HEATS | {"blend", "wait"}) and stage.source != "power" and not over_heat:
             return "", ""
         row = self.known.utensil(stage.appliance) if stage.appliance else None
-        if not stage.does.isdisjoint(HEATS):
-            if row is None or row.source != "heat":
-                row = self.known.utensil("oven" if "dry" in stage.does else "stove")
+        if not stage.does.isdisjoint(HEATS) and (row is None or row.source != "heat"):
+            row = self.known.utensil("oven" if "dry" in stage.does else "stove")
         if row is None or row.role != "appliance":
             return "", ""
         if row.source == "power":
@@ -36,6 +36,7 @@ class Utensils:
         return row.name, holds
 
     def vessel_label(self, stage: Stage, vessel: Vessel | None, device: str) -> str:
+        """Return which vessel a stage takes; ``vessel`` is the one in which the whole is as yet."""
         row = self.known.utensil(stage.vessel) if stage.vessel else None
         fits = row is not None and row.role in {"vessel", "wrap"}
         if device and fits and row is not None:

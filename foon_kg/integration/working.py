@@ -37,15 +37,14 @@ class Worker:
         outputs = [m for m in last.step.outputs if m.thing not in numbers and m.thing != vessel.number]
         inputs = [*last.step.inputs]
         shown = {mention.thing for mention in inputs}
-        for stuff in others:
-            if stuff.number not in shown:
-                inputs.append(self.bench.mention(stuff))
+        inputs += [self.bench.mention(stuff) for stuff in others if stuff.number not in shown]
         step = replace(
             last.step, inputs=tuple(inputs), outputs=(self.bench.mention(vessel), self.bench.mention(whole), *outputs)
         )
         self.bench.done[-1] = replace(last, step=step)
 
     def kept_states(self, vessel: Vessel) -> tuple[str, ...]:
+        """Return the states that the one mixture in a vessel keeps when something joins it."""
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         states = mixed[0].states if len(mixed) == 1 else ()
         return tuple(s for s in states if not self.known.state(s).half)
@@ -64,6 +63,7 @@ class Worker:
         return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
 
     def work_each(self, vessel: Vessel, attested: Attested, states: tuple[str, ...], *, with_device: bool) -> None:
+        """Work on all foods of a vessel, each of which stays what it is."""
         stuffs = list(vessel.contents)
         device = vessel.device if with_device else None
 
@@ -78,6 +78,7 @@ class Worker:
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
 
     def way(self, stage: Stage, vessel: Vessel) -> Attested | None:
+        """Return how a stage is done to what is in the vessel, nearest to what the FOON attests, or ``None``."""
         foods = foods_of(vessel)
         if stage.motion in word_list("needs a closed vessel") and not self._is_closed(vessel):
             return self.stirring(foods)
@@ -99,6 +100,9 @@ class Worker:
             found = self.bench.attest(tooled, foods)
             if found is not None and found.nearness <= Nearness.LIKE:
                 return found
+        return self._attested(stage, foods)
+
+    def _attested(self, stage: Stage, foods: Sequence[str]) -> Attested | None:
         own = self.bench.attest([(stage.motion, stage.tools)], foods)
         if own is not None and own.nearness <= Nearness.LIKE:
             return own
@@ -146,7 +150,16 @@ class Worker:
         ]
         return label if all(w in names for w in named) else ""
 
+    def _heated(self, way: Way, *, finished: bool) -> set[str]:
+        motion = self.known.motion(way[0])
+        if "dry" in motion.does:
+            return {"baked"}
+        if "heat" in motion.does and "cooked" in motion.gives:
+            return {"cooked" if finished else "partly cooked"}
+        return {"heated"} if "warm" in motion.does and "heat" not in motion.does else set()
+
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
+        """Return in which states the foods of a vessel are after a stage; ``finished``: it is not heated any more."""
         does = self.known.motion(way[0]).does
         states: set[str] = set()
         kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
@@ -160,12 +173,7 @@ class Worker:
             states.add("mixed")
         if "knead" in does:
             states.add("kneaded")
-        if "dry" in does:
-            states.add("baked")
-        elif "heat" in does and "cooked" in self.known.motion(way[0]).gives:
-            states.add("cooked" if finished else "partly cooked")
-        elif "warm" in does:
-            states.add("heated")
+        states |= self._heated(way, finished=finished)
         if "wait" in does:
             states |= {"chilled"} if way[0] == "chill" else {"rested"}
         if not states and stage.motion:

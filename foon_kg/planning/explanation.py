@@ -19,8 +19,8 @@ MOST_OTHERS = 3
 """How many known foods that were passed over are named."""
 
 How = Literal["played", "made", "sold", "assumed", "missing"]
-"""The recorded dish has a place for such a food; or it is prepared and joins where its kind does; or it joins so as it is
-sold, or is assumed to be; or not at all."""
+"""The recorded dish has a place for such a food; or it is prepared and joins where its kind does; or it joins as it
+is sold, or is assumed to be; or not at all."""
 
 
 @dataclass(frozen=True)
@@ -97,8 +97,8 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
         if name != like
     )
     return Explanation(
-        asked, how, like or want.label, sure, sure == 1.0 and bool(like), renamed, tuple(_videos(unit for _, unit in own)),
-        joining, others[:MOST_OTHERS],
+        asked, how, like or want.label, sure, sure == 1.0 and bool(like), renamed,
+        tuple(_videos(unit for _, unit in own)), joining, others[:MOST_OTHERS],
     )  # fmt: skip
 
 

@@ -84,8 +84,8 @@ class Teaching:
 class Planner:
     """Plans recipes from one view.
 
-    For many recipes give ``units``, all of the FOON: what they teach is worked out once. Without them each plan asks the
-    view for what matters to it.
+    For many recipes give ``units``, all of the FOON: what they teach is worked out once. Without them each plan asks
+    the view for what matters to it.
     """
 
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
@@ -206,7 +206,7 @@ class _Question:
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        keys = shortlisted(outlines, self.wants, dish_type, title, self.known, self.likes)
+        keys = shortlisted(outlines, self.wants, dish_type, title, known=self.known, likes=self.likes)
         return fits([methods.layouts[key] for key in keys], self.wants, dish_type, title, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
@@ -221,9 +221,7 @@ class _Question:
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
-        cooking = Cooking(
-            bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased)
-        )
+        cooking = Cooking(bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased))
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
         result = self._result(fit, tree, dish_type)
@@ -234,9 +232,7 @@ class _Question:
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
-        goal = next(
-            goal for goal in self.methods.goals if goal.node == frame.goal and frame.video in goal.videos
-        )
+        goal = next(goal for goal in self.methods.goals if goal.node == frame.goal and frame.video in goal.videos)
         summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
