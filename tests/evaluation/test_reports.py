@@ -21,7 +21,6 @@ pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not ins
 from foon_kg.pictures.charts import curve_chart, histogram_chart, interval_chart
 from foon_kg.pictures.recipes_report import recipes_report, worst
 
-
 COLD = [path for path in sorted(demo_recipes()) if not path.stem.endswith(("omelette", "soup"))][:4]
 
 

@@ -24,25 +24,29 @@ from foon_kg.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
 
-BEAT = (
-    "mixing bowl(empty); egg(whole) > crack > mixing bowl{egg}; egg(raw)@mixing_bowl",
-    "mixing bowl{egg}; egg(raw)@mixing_bowl; whisk > beat > mixing bowl{egg}; egg(beaten)@mixing_bowl",
+BANANA = (
+    "cutting board(empty); banana(whole); knife > slice > banana(sliced)@on cutting_board; cutting board{banana}",
+    (
+        "glass(empty); cutting board{banana}; banana(sliced)@on cutting_board"
+        " > pour > glass{banana}; banana(sliced)@glass; cutting board(empty)"
+    ),
+    "glass{banana}; carton{milk}; milk(liquid)@carton > pour > glass{banana,milk}; milk(liquid)@glass",
 )
-FRY = (
-    "mixing bowl{egg}; egg(beaten)@mixing_bowl; frying pan(empty)"
-    " > pour* > frying pan{omelette}; omelette{egg}@frying_pan; mixing bowl(empty)"
+STIR = (
+    "glass{banana,milk}; banana(sliced)@glass; milk(liquid)@glass; spoon"
+    " > stir > glass{drink}; drink{banana,milk}@glass"
 )
 SHORT_WAY = "onion(whole); cutting board(empty); knife > slice > onion(chopped)@on cutting_board; cutting board{onion}"
 
 salad = subgraph("salad", "salad", *SALAD)
-omelette = subgraph("omelette", "omelette", *BEAT, FRY)
-with_a_fork = subgraph("with a fork", "omelette", BEAT[0], BEAT[1].replace("whisk", "fork"), FRY)
+drink = subgraph("drink", "drinks", *BANANA, STIR)
+with_a_fork = subgraph("with a fork", "drinks", *BANANA, STIR.replace("spoon", "fork"))
 chopping = subgraph("chopping", "salad", *CHOP_ONION)
 short_way = subgraph("short way", "salad", SHORT_WAY)
 
 WANTS = {
     "salad": Recipe("salad", (RequiredIngredient("tomato", "diced"), RequiredIngredient("onion", "chopped"))),
-    "omelette": Recipe("omelette", (RequiredIngredient("egg", "beaten"),)),
+    "drink": Recipe("drinks", (RequiredIngredient("banana", "sliced"), RequiredIngredient("milk", "liquid"))),
 }
 
 
@@ -77,10 +81,10 @@ def kept(connection):
 
 
 def test_the_same_question_is_searched_once_and_answered_alike(connection, graph, searches):
-    load(connection, [salad, omelette])
+    load(connection, [salad, drink])
     first = planned(graph, "salad")
     assert (kept(connection), searches) == (["salad"], ["salad"])
-    assert planned(graph, "salad") == first == in_memory("salad", salad, omelette)
+    assert planned(graph, "salad") == first == in_memory("salad", salad, drink)
     assert searches.count("salad") == 2  # the one in memory is the second
 
 
@@ -93,38 +97,38 @@ def test_another_program_takes_what_this_one_kept(connection, graph, empty_graph
 
 
 def test_a_load_that_touches_another_dish_keeps_the_tree(connection, graph, searches):
-    load(connection, [salad, omelette])
+    load(connection, [salad, drink])
     planned(graph, "salad")
-    planned(graph, "omelette")
+    planned(graph, "drink")
     load(connection, [with_a_fork])
     assert kept(connection) == ["salad"]
     planned(graph, "salad")
-    assert searches == ["salad", "omelette"]
-    assert planned(graph, "omelette") == in_memory("omelette", salad, omelette, with_a_fork)
+    assert searches == ["salad", "drink"]
+    assert planned(graph, "drink") == in_memory("drink", salad, drink, with_a_fork)
 
 
 def test_a_new_unit_far_behind_the_goal_throws_the_tree_out_though_no_old_one_changed(connection, graph):
-    load(connection, [salad, omelette])
+    load(connection, [salad, drink])
     before = planned(graph, "salad")
-    planned(graph, "omelette")
+    planned(graph, "drink")
     load(connection, [short_way])
-    assert kept(connection) == ["omelette"]
+    assert kept(connection) == ["drink"]
     after = planned(graph, "salad")
-    assert after == in_memory("salad", salad, omelette, short_way)
+    assert after == in_memory("salad", salad, drink, short_way)
     assert after != before
 
 
 def test_removing_a_unit_behind_the_goal_throws_the_tree_out(connection, graph):
-    load(connection, [salad, omelette, short_way])
+    load(connection, [salad, drink, short_way])
     planned(graph, "salad")
-    planned(graph, "omelette")
+    planned(graph, "drink")
     remove(connection, ["short way"])
-    assert kept(connection) == ["omelette"]
-    assert planned(graph, "salad") == in_memory("salad", salad, omelette)
+    assert kept(connection) == ["drink"]
+    assert planned(graph, "salad") == in_memory("salad", salad, drink)
 
 
 def test_replacing_the_video_of_a_dish_throws_its_tree_out_and_nothing_dangles(connection, graph):
-    load(connection, [salad, omelette])
+    load(connection, [salad, drink])
     planned(graph, "salad")
     load(connection, [subgraph("salad", "salad", *SALAD[:3])])
     assert kept(connection) == []
@@ -174,8 +178,8 @@ def test_a_kept_tree_that_the_graph_has_outgrown_is_not_taken(connection, graph,
 
 
 def test_plans_and_loads_at_once_never_give_a_tree_of_another_state(connection, empty_graph):
-    load(connection, [salad, omelette])
-    right = {in_memory("salad", salad, omelette), in_memory("salad", salad, omelette, short_way)}
+    load(connection, [salad, drink])
+    right = {in_memory("salad", salad, drink), in_memory("salad", salad, drink, short_way)}
 
     def cook(_):
         with Neo4jGraph(empty_graph) as own:
@@ -192,7 +196,7 @@ def test_plans_and_loads_at_once_never_give_a_tree_of_another_state(connection, 
         jobs = [programs.submit(work, n) for n, work in enumerate((cook, change, cook, cook))]
     assert set().union(*(job.result() for job in jobs)) <= right
     with Neo4jGraph(empty_graph) as own:
-        assert planned(own, "salad") == in_memory("salad", salad, omelette)
+        assert planned(own, "salad") == in_memory("salad", salad, drink)
 
 
 class ReadOnly(Connection):

@@ -62,9 +62,11 @@ def test_a_point_is_the_same_in_any_company_and_by_any_name():
     assert points(["Courgettes"]) == points(["zucchini"])
 
 
-def test_the_schema_makes_an_index_of_points_of_this_length():
-    (text,) = (step.text for step in schema_steps() if "VECTOR INDEX" in step.text)
-    assert re.search(r"`vector.dimensions`: (\d+)", text)[1] == str(POINT_LENGTH) == str(len(points(["caper"])[0]))
+def test_the_schema_makes_indexes_of_points_of_this_length():
+    texts = [step.text for step in schema_steps() if "VECTOR INDEX" in step.text]
+    assert texts
+    for text in texts:
+        assert re.search(r"`vector.dimensions`: (\d+)", text)[1] == str(POINT_LENGTH) == str(len(points(["caper"])[0]))
 
 
 def test_other_aliases_make_other_points(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
