@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from importlib.resources import files
-from itertools import permutations
 from pathlib import Path
 from typing import Any
 
@@ -40,12 +39,8 @@ class StateClasses:
     class_of: Mapping[str, str]
     spelling: Mapping[str, str]
     processed: frozenset[str]
-    neighbours: Mapping[Pair, float]
-    closer: Mapping[Pair, float]
     adverbs: Mapping[Pair, str]
     places: Mapping[str, str]
-    same_class: float
-    otherwise: float
     _placed: dict[str, tuple[str, float]] = field(default_factory=dict)
 
     def place(self, state: str) -> tuple[str, float]:
@@ -80,15 +75,6 @@ class StateClasses:
         moved = (adverb, self.class_of[state]) in self.adverbs
         return f"{adverb} {state}" if moved else self.spelling[state]
 
-    def similarity(self, one: str, other: str) -> float:
-        """Answer how well one canonical state stands for another."""
-        if one == other:
-            return 1.0
-        (class_a, sure_a), (class_b, sure_b) = self.place(one), self.place(other)
-        across = self.neighbours.get((class_a, class_b), self.otherwise)
-        between = self.closer.get((one, other), self.same_class if class_a == class_b else across)
-        return self.otherwise + (between - self.otherwise) * sure_a * sure_b
-
     def _of_the_nearest(self, state: str) -> tuple[str, float]:
         """Answer the class that most of the nearest listed states are in, weighed by their cosines."""
         known = sorted(self.class_of)
@@ -114,7 +100,7 @@ def _read(path: str) -> StateClasses:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise ReadError(
             f"{path}: not a table of state classes: {error!r}",
-            hint="Take the form of foon_kg/data/states.json: classes, neighbours, closer, adverbs.",
+            hint="Take the form of foon_kg/data/states.json: classes, adverbs, places.",
         ) from error
 
 
@@ -124,18 +110,10 @@ def _shipped() -> str:
 
 def _parsed(document: dict[str, Any]) -> StateClasses:
     classes = document["classes"]
-    closer: dict[Pair, float] = {}
-    for group in document["closer"]:
-        for one, other in permutations(map(canonical, group["states"]), 2):
-            closer[one, other] = max(group["similarity"], closer.get((one, other), 0.0))
     return StateClasses(
         class_of={canonical(state): row["name"] for row in classes for state in row["states"]},
         spelling={canonical(state): state for row in classes for state in reversed(row["states"])},
         processed=frozenset(row["name"] for row in classes if row["processed"]),
-        neighbours={pair: row["similarity"] for row in document["neighbours"] for pair in permutations(row["classes"])},
-        closer=closer,
         adverbs={(row["word"], row["from"]): row["to"] for row in document["adverbs"]},
         places=dict.fromkeys(document["places"]["words"], document["places"]["class"]),
-        same_class=document["same_class"],
-        otherwise=document["otherwise"],
     )

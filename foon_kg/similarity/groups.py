@@ -73,14 +73,6 @@ class FoodGroups:
             return ()
         return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
 
-    def headings_of(self, name: str) -> frozenset[str]:
-        """Answer the groups and shelves in which a canonical name, or else its last words, stands in the table."""
-        place = self.places.get(name, self._place_of_ending(name))
-        members = () if place is None else np.flatnonzero(self.listed[place])
-        return frozenset(
-            heading for group in members for heading in (self.groups[group], self.shelf_names[self.shelf_of[group]])
-        )
-
     def _place_of_ending(self, name: str) -> int | None:
         words = name.split()
         endings = (" ".join(words[start:]) for start in range(1, len(words)))

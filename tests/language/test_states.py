@@ -7,19 +7,12 @@ from hypothesis import strategies as st
 
 from foon_kg.errors import ReadError
 from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, Vocabulary
 from foon_kg.loaders import read_paths
 from foon_kg.snapshot import Snapshot
 from foon_kg.state_classes import STATES_VARIABLE, state_classes
-from foon_kg.states import is_processed, motion_for, state_class, state_in, state_similarity
+from foon_kg.states import state_class, state_in
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
-
-states = st.sampled_from([*sorted(state_classes().class_of), "frobbed", "thinly sliced", "finely chopped", ""])
-
-
-def words_of(*rows):
-    return Vocabulary((), tuple(MadeBy(*row) for row in rows), ())
 
 
 def test_there_are_twelve_classes():
@@ -96,60 +89,6 @@ def test_a_word_that_nobody_knows_is_placed_with_little_confidence():
     assert state_class("frobbed")[1] < 0.3
 
 
-@given(states, states)
-def test_similarity_is_the_same_both_ways_and_one_only_for_one_state(a, b):
-    forth, back = state_similarity(a, b), state_similarity(b, a)
-    assert forth == back
-    assert 0 <= forth <= 1
-    assert state_similarity(a, a) == 1
-
-
-def test_a_state_is_nearest_to_itself_then_to_its_class_then_to_a_neighbour():
-    to_minced = [state_similarity("minced", other) for other in ("minced", "crushed", "shaved", "sliced", "whole")]
-    assert to_minced == sorted(to_minced, reverse=True)
-    assert to_minced[0] == 1
-    assert to_minced[-1] < 0.2
-
-
-def test_only_what_no_shop_sells_is_processed():
-    processed = ["chopped", "beaten", "mashed", "finely chopped", "ground", "melted", "caramelized slowly"]
-    sold = ["whole", "raw", "dried", "liquid", "canned", "granulated"]
-    assert [state for state in processed if not is_processed(state)] == []
-    assert [state for state in sold if is_processed(state)] == []
-    assert not is_processed("ground", "black pepper")
-    assert is_processed("ground", "walnut")
-
-
-def test_the_motion_named_after_a_state_makes_it():
-    words = words_of(("minced", "chop", 3), ("minced", "mince", 1), ("chopped", "chop", 40))
-    assert motion_for("minced", words) == MadeBy("minced", "mince", 1)
-
-
-def test_otherwise_the_commonest_motion_that_changes_a_food_makes_the_state():
-    words = words_of(("julienned", "pour", 9), ("julienned", "cut", 2), ("julienned", "chop", 1))
-    assert motion_for("julienned", words) == MadeBy("julienned", "cut", 2)
-
-
-def test_ties_go_to_the_first_motion_by_name():
-    assert motion_for("cubed", words_of(("cubed", "dice", 2), ("cubed", "chop", 2))) == MadeBy("cubed", "chop", 2)
-
-
-def test_irregular_verbs_and_typing_errors_find_their_motion():
-    words = words_of(("ground", "grind", 1), ("beaten", "beat", 1), ("chopped", "chop", 2))
-    assert motion_for("beaten", words) == MadeBy("beaten", "beat", 1)
-    assert motion_for("ground", words) == MadeBy("ground", "grind", 1)
-    assert motion_for("choppped", words) == MadeBy("choppped", "chop", 2)
-
-
-def test_an_unseen_state_takes_the_motion_that_sounds_like_it_and_says_that_nobody_saw_it():
-    assert motion_for("toasted", words_of(("crisp", "toast", 2))) == MadeBy("toasted", "toast", 0)
-
-
-def test_a_state_of_which_nothing_is_known_has_no_motion():
-    assert motion_for("frobbed", words_of(("chopped", "chop", 2))) is None
-    assert motion_for("", words_of(("chopped", "chop", 2))) is None
-
-
 def test_the_classes_can_be_replaced_by_a_file(tmp_path, monkeypatch):
     table = json.loads((Path(__file__).parents[2] / "foon_kg" / "data" / "states.json").read_text(encoding="utf-8"))
     table["classes"][0]["states"].append("frobbed")
@@ -183,5 +122,3 @@ def test_every_state_of_the_public_foon_and_recipes_is_listed():
     seen = {row.state for row in vocabulary.foods if row.state and "[" not in row.state}
     assert seen
     assert sorted(state for state in seen | asked if state_class(state)[1] < 1) == []
-    assert motion_for("sliced", vocabulary).motion == "slice"
-    assert motion_for("minced", vocabulary).motion == "mince"
