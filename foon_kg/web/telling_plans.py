@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel
 
-from foon_kg.web.telling import Near, Node, RecipeTold, Unit, Wanted
+from foon_kg.web.telling import Near, Node, RecipeTold, SeenIn, Wanted
 
 
 class Thing(Node):
@@ -19,17 +19,19 @@ class Thing(Node):
     container_thing: int | None = None
 
 
-class Step(Unit):
+class Step(BaseModel):
     """A unit of a plan: as the FOON has it or adapted, when it is done, and how near its evidence is.
 
     ``grounding``: the same food, a like one, one of its kind, or the motion alone.
     """
 
     input_nodes: list[Thing]
+    motion_node: str
     output_nodes: list[Thing]
     phase: Literal["prepare", "heat", "finish"] | None = None
     origin: Literal["foon", "adapted"]
     grounding: Literal["food", "like", "kind", "motion"] | None = None
+    seen_in: list[SeenIn]
 
 
 class Reference(BaseModel):

@@ -172,3 +172,22 @@ def test_every_recipe_of_the_demo_has_a_tree(foon):
 
 def test_the_demo_reads_its_own_foon_without_a_remark():
     assert len(demo_subgraphs()) == len(list(demo_folder().glob("*.txt"))) >= 15
+
+
+def test_the_papers_own_method_is_there_to_compare(foon):
+    asked_for = ("--dish", "salad", "chopped onion", "chopped tomato", "liquid olive oil", "--json")
+    ours, theirs = (json.loads(foon(*asked_for, "--method", name).stdout) for name in ("frames", "paper"))
+    assert ours["units"][0]["phase"] == "prepare"
+    assert "phase" not in theirs["units"][0]
+    assert {unit["origin"] for unit in theirs["units"]} <= {"foon", "adapted"}
+    assert ours == json.loads(foon(*asked_for).stdout)
+
+
+@pytest.mark.parametrize(
+    "wish", [("--explain",), ("--enumerate",), ("--avoid", "salt"), ("--substitute", "leek=onion"), ("--kitchen", "k")]
+)
+def test_the_papers_own_method_knows_nothing_of_wishes(foon, wish, tmp_path):
+    wish = (wish[0], tmp_path / "k") if wish[0] == "--kitchen" else wish
+    answer = foon("--dish", "salad", "chopped onion", "--method", "paper", *wish)
+    assert (answer.exit_code, answer.stdout) == (2, "")
+    assert f"the paper's method knows nothing of {wish[0]}" in answer.stderr

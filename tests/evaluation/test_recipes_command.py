@@ -147,3 +147,17 @@ def test_two_recipes_of_one_name_are_refused(salads, tmp_path):
     answer = evaluate(tmp_path)
     assert answer.exit_code == 1
     assert "two recipes are called “recipe 0”" in answer.stderr
+
+
+def test_the_papers_own_method_can_be_evaluated_beside_ours():
+    recipe = next(path for path in demo_recipes() if path.stem == "tomato_salad")
+    ours, theirs = (
+        json.loads(
+            CliRunner()
+            .invoke(app, ["evaluate", "recipes", str(recipe), "--files", str(demo_folder()), "--json", *method])
+            .stdout
+        )["dish_types"][-1]
+        for method in ([], ["--method", "paper"])
+    )
+    assert ours["accepted"] == 1
+    assert theirs["accepted"] == 0
