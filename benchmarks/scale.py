@@ -39,6 +39,7 @@ COLUMNS = ("trips", "kB", "methods", "words", "goals", "behind", "trees", "datab
 
 KINDS = {
     "methods": "methods",
+    "methods_for": "methods",
     "vocabulary": "words",
     "words_for": "words",
     "words_in": "words",

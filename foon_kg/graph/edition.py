@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from foon_kg.graph.methods import CommonMethods
+from foon_kg.graph.methods import CommonMethods, LearntDishes
 from foon_kg.graph.near_matters import KnownMatters
 from foon_kg.graph.words import WordsFound
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.knowledge import LikelyGoals, SeenAs, Vocabulary
 from foon_kg.model import Goal, KnownUnit
@@ -15,6 +14,9 @@ from foon_kg.recent import Recent
 
 MOST_UNITS = 20_000
 """Bounds the memory that units read before may take: some 60 MB."""
+
+MOST_MATTERS = 4_000
+"""Bounds what is known of operators: some 60 MB."""
 
 MOST_QUESTIONS = 256
 """For so many recipes it is kept which words and goals matter to them: some 40 kB each."""
@@ -34,7 +36,7 @@ class Edition:
     vocabulary: Vocabulary | None = None
     goals: dict[str, tuple[Goal, ...]] = field(default_factory=dict)
     methods: Methods | None = None
-    frames: tuple[Frame, ...] | None = None
+    dishes: LearntDishes | None = None
     common: CommonMethods | None = None
     matters: KnownMatters = field(default_factory=KnownMatters)
     units: dict[str, KnownUnit] = field(default_factory=dict)
@@ -46,5 +48,6 @@ class Edition:
 
     def still(self, name: str | None) -> Edition:
         """Answer this edition where the graph has it still and it is not too large, else a new one without answers."""
-        same = name is not None and name == self.name and len(self.units) <= MOST_UNITS
-        return self if same else Edition(name)
+        same = name is not None and name == self.name
+        small = len(self.units) <= MOST_UNITS and len(self.matters.rows) <= MOST_MATTERS
+        return self if same and small else Edition(name)

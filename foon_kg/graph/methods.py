@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 from foon_kg.food import tables
 from foon_kg.graph.frame_rows import frame_of
 from foon_kg.graph.lifting import ANYTHING, KIND
-from foon_kg.graph.rows import EvidenceValue, MatterValue, MethodsCommonRow, MethodsRow
+from foon_kg.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCommonRow, MethodsRow
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.operators import Evidence, Operators, Way
-from foon_kg.integration.places import Post, Posts
-from foon_kg.model import Goal, Sighting
+from foon_kg.integration.places import Layout, Post, Posts
+from foon_kg.model import Goal, ObjectNode, Sighting
 
 
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
@@ -100,6 +101,27 @@ def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
     return posts
 
 
+class LearntDishes:
+    """The frames of one edition, with the goals that they are of and their layouts."""
+
+    def __init__(self, row: FramesRow) -> None:
+        self.frames = frames_of(row.frames)
+
+    @cached_property
+    def goals(self) -> tuple[Goal, ...]:
+        """Answer the goals that have a frame, sorted by node and type."""
+        videos: defaultdict[tuple[ObjectNode, str], list[str]] = defaultdict(list)
+        for frame in self.frames:
+            videos[frame.goal, frame.dish_type].append(frame.video)
+        found = (Goal(node, dish, node.ingredients, tuple(names)) for (node, dish), names in videos.items())
+        return tuple(sorted(found, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+
+    @cached_property
+    def layouts(self) -> Mapping[str, Layout]:
+        """Answer the places of each frame, by its key."""
+        return {frame.key: Layout.of(frame, tables()) for frame in self.frames}
+
+
 class CommonMethods:
     """What of the methods of one edition matters to every question; :meth:`operators_with` adds what one asks for."""
 
@@ -152,3 +174,9 @@ class CommonMethods:
         for evidence in found.evidence.values():
             found.foods |= evidence.foods.keys()
         return found
+
+    def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes) -> Methods:
+        """Answer the methods of a question."""
+        methods = Methods(self.operators_with(matters), dishes.frames, dishes.goals)
+        vars(methods).update(posts=self.posts, layouts=dishes.layouts)  # worked out once for all questions
+        return methods

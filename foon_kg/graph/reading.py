@@ -11,13 +11,14 @@ from typing import Any, Self, TypeVar
 
 import neo4j
 
+from foon_kg.errors import SchemaError
 from foon_kg.graph.connection import Connection
 from foon_kg.graph.edition import Edition
 from foon_kg.graph.equivalents import find_equivalents
 from foon_kg.graph.kept_rows import KeptRows
 from foon_kg.graph.known_units import known_units
 from foon_kg.graph.lifting import methods_key
-from foon_kg.graph.methods import CommonMethods, frames_of, methods_of
+from foon_kg.graph.methods import CommonMethods, LearntDishes, methods_of
 from foon_kg.graph.remembering import keep_trees
 from foon_kg.graph.rows import (
     GoalValue,
@@ -50,7 +51,6 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.kitchen import Kitchen, singular, words
 from foon_kg.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
@@ -62,6 +62,9 @@ from foon_kg.similarity.answers import nearest_of_each
 from foon_kg.snapshot import Snapshot
 
 Row = TypeVar("Row")
+
+MOST_LEARNT_ANEW = 500
+"""Of so many videos what another program learnt is learnt anew to read it, which takes some ten seconds."""
 
 
 class GraphView:
@@ -199,21 +202,19 @@ class GraphView:
             return self.methods()
         if self._edition.common is None:
             self._edition.common = CommonMethods(*self._ask_once(METHODS_COMMON))
-        common = self._edition.common
-        methods = Methods(common.operators_with(matters), self._frames, self.goals())
-        vars(methods)["posts"] = common.posts
-        return methods
-
-    @property
-    def _frames(self) -> tuple[Frame, ...]:
-        if self._edition.frames is None:
-            (row,) = self._ask_once(FRAMES)
-            self._edition.frames = frames_of(row.frames)
-        return self._edition.frames
+        if self._edition.dishes is None:
+            self._edition.dishes = LearntDishes(*self._ask_once(FRAMES))
+        return self._edition.common.methods_with(matters, self._edition.dishes)
 
     def _read_methods(self) -> Methods:
         if self._learnt_by != methods_key():
-            return Snapshot.of(self.subgraphs(self.video_names()), self._kitchen).methods()
+            names = self.video_names()
+            if len(names) > MOST_LEARNT_ANEW:
+                raise SchemaError(
+                    "the operators and frames of the graph were learnt by another foon-kg",
+                    hint="Load any FOON, even one that is there already: foon load foon PATH learns them anew.",
+                )
+            return Snapshot.of(self.subgraphs(names), self._kitchen).methods()
         (row,) = self._ask_once(METHODS)
         return methods_of(row, self.goals())
 

@@ -13,7 +13,7 @@ from methods_told import told
 
 from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError, SchemaError
-from foon_kg.graph import load, loading, remove
+from foon_kg.graph import load, loading, reading, remove
 from foon_kg.graph.free_cypher import ask_freely
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
@@ -95,6 +95,17 @@ def test_where_points_tell_nothing_the_whole_is_answered(connection, graph, writ
     ask_freely(connection, f"MATCH (f:Foon) SET {written}", write=True)
     with graph.reading() as view:
         assert told(view.methods_for(["onion"], "soup")) == told(Snapshot.of(videos, Kitchen.default()).methods())
+
+
+def test_what_another_program_learnt_of_a_large_foon_is_told_and_not_learnt_anew_to_read_it(
+    connection, graph, monkeypatch
+):
+    load(connection, videos_of_the_demo()[:3])
+    monkeypatch.setattr(reading, "MOST_LEARNT_ANEW", 2)
+    ask_freely(connection, "MATCH (f:Foon) SET f.methods = 'others'", write=True)
+    with graph.reading() as view, pytest.raises(SchemaError, match="learnt by another foon-kg") as told_so:
+        view.methods_for(["onion"], "soup")
+    assert "foon load foon" in told_so.value.hint
 
 
 def test_what_is_known_of_a_food_is_not_asked_twice(connection, graph):
