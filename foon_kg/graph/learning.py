@@ -47,11 +47,13 @@ class Learner:
         self._tally = Tally()
         self._joins = Joins()
         self._matters: set[str] = set()
+        self._forgotten: set[str] = set()
         self._sighted: defaultdict[str, list[SightingValue]] = defaultdict(list)
         self._attested: dict[str, tuple[str, Sequence[str], Sequence[str]]] = {}
 
     def forget(self, names: Sequence[str]) -> None:
         """Take away the frames of the named videos."""
+        self._forgotten.update(names)
         rows = self._ask(cypher.FORGET_FRAMES, names=names)
         self._joins.count((frame_of(row.text) for row in rows), weight=-1)
 
@@ -79,12 +81,10 @@ class Learner:
 
     def finish(self, doubtful: Collection[str]) -> None:
         """Bring evidence and counts up to date; ``doubtful`` are the units that lost a sighting."""
-        lost = set(self._pairs(doubtful))
-        found: dict[Pair, Seen] = dict.fromkeys(lost, ([], []))
-        found.update(self._first_seen(lost))
-        found.update(self._merged(lost))
-        if found:
-            self._ask(cypher.LOAD_EVIDENCE, rows=[self._evidence_row(pair, *found[pair]) for pair in sorted(found)])
+        pairs = {*self._pairs(doubtful), *self._pairs(self._sighted)}
+        if pairs:
+            evidence = self._evidence(pairs)
+            self._ask(cypher.LOAD_EVIDENCE, rows=[self._evidence_row(pair, *evidence[pair]) for pair in sorted(pairs)])
         counts, joins = self._tally.rows(), self._joins.rows()
         if any(counts.values()):
             self._ask(cypher.COUNT_OPERATORS, **counts)
@@ -103,28 +103,26 @@ class Learner:
             operator, done, _ = self._attested[unit]
             yield from ((operator, matter) for matter in done)
 
-    def _first_seen(self, pairs: set[Pair]) -> Iterator[tuple[Pair, Seen]]:
-        """Answer the evidence for pairs of which some was lost, found out anew."""
-        if pairs:
-            for row in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(pairs), most=MOST_SIGHTINGS):
-                yield (row.operator, row.matter), (row.seen, row.changes)
-
-    def _merged(self, but: set[Pair]) -> Iterator[tuple[Pair, Seen]]:
-        """Answer the evidence for all other pairs: what was kept, with what is new."""
-        found: dict[Pair, Seen] = {}
-        for unit, sightings in self._sighted.items():
-            operator, done, changes = self._attested[unit]
-            for matter in done:
-                if (operator, matter) not in but:
-                    seen, changed = found.setdefault((operator, matter), ([], []))
-                    seen += sightings
-                    if matter in changes:
-                        changed += sightings
-        for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(found)) if found else ():
+    def _evidence(self, pairs: set[Pair]) -> dict[Pair, Seen]:
+        """Answer the evidence for ``pairs``: what was kept, with what is new; found out anew where some of it went."""
+        found: dict[Pair, Seen] = {pair: ([], []) for pair in pairs}
+        lost: set[Pair] = set()
+        for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(pairs)):
             for operator, matter, *kept in row.kept:
                 for sightings, texts in zip(found[operator, matter], kept, strict=True):
                     sightings.extend(map(_sighting_value, texts))
-        yield from found.items()
+                    if any(video in self._forgotten for video, *_ in sightings):
+                        lost.add((operator, matter))
+        for unit, new in self._sighted.items():
+            operator, done, changes = self._attested[unit]
+            for matter in done:
+                seen, changed = found[operator, matter]
+                seen += new
+                changed += new if matter in changes else []
+        found.update((pair, ([], [])) for pair in lost)
+        for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
+            found[again.operator, again.matter] = again.seen, again.changes
+        return found
 
     def _evidence_row(self, pair: Pair, seen: list[SightingValue], changes: list[SightingValue]) -> dict[str, Any]:
         return {

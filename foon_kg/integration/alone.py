@@ -8,7 +8,7 @@ from foon_kg.food import Tables
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, Course
-from foon_kg.integration.operators import Attested, Way, form_of
+from foon_kg.integration.operators import Attested, Nearness, Way, form_of
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
 
@@ -82,7 +82,21 @@ class Alone:
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:
             return ("boil",)
-        return () if heats and self._cooks_there(join, due) else self._usual_cooking(want)
+        if heats and self._cooks_there(join, due):
+            return ()
+        return self._asked_cooking(want) or self._usual_cooking(want)
+
+    def _asked_cooking(self, want: Want) -> tuple[str, ...]:
+        """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""
+        if not want.cooked:
+            return ()
+        ways = [way for way in self.bench.operators.giving.get(want.make, ()) if self._is_simple_heat(way)]
+        found = self.bench.attest(ways, want.names, act=True)
+        return (found.way[0],) if found is not None and found.nearness <= Nearness.LIKE else ()
+
+    def _is_simple_heat(self, way: Way) -> bool:
+        does = self.known.motion(way[0]).does
+        return "heat" in does and "dry" not in does and does <= {"heat", "fat", "liquid", "mix"}
 
     def _cooks_there(self, join: Join, due: set[str]) -> bool:
         """Whether a food gets done where it joins, and is not only warmed up there with foods that are done."""
@@ -144,7 +158,10 @@ class Alone:
         place = ready.stuff.at
         if place is None:
             return
-        attested = self.bench.require([(m, ()) for m in ("rinse", "wash")], ready.want.names)
+        ways: list[Way] = [("rinse", ()), ("wash", ())]
+        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        if attested is None:
+            return
         water = self.bench.fetch("water", ("liquid",), (), "faucet")
         stuff = ready.stuff
         states = tuple(sorted({*stuff.states, "washed"}))

@@ -279,6 +279,8 @@ class Bench:
         if target.lid:
             raise RefusedError(f"the {target.label} is covered")
         source = stuffs[0].at
+        if source is not None and source.lid:
+            raise RefusedError(f"the {source.label} is covered")
         inputs: list[Thing] = [target, *([source] if source is not None else []), *stuffs]
 
         def change() -> None:

@@ -53,7 +53,7 @@ class Cooking:
             raise RefusedError("nothing of what was asked joins this dish")
         self.bench.phase = "finish"
         self._finish(vessel)
-        if len(vessel.contents) > 1:
+        if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
         return vessel.contents[0]
 

@@ -103,14 +103,16 @@ _SMOOTH = 0.02
 """What a post has in common with those at which no such food was ever seen."""
 
 
+def _no_counts() -> tuple[Counter[object], ...]:
+    return tuple(Counter() for _ in range(_FACTORS))
+
+
 class Posts:
     """How often foods join at each post and beside which others, counted over frames."""
 
     def __init__(self, frames: Iterable[Frame], known: Tables | None = None) -> None:
         self.known = known or tables()
-        self.counts: defaultdict[tuple[str, str], tuple[Counter[object], ...]] = defaultdict(
-            lambda: tuple(Counter() for _ in range(_FACTORS))
-        )
+        self.counts: defaultdict[tuple[str, str], tuple[Counter[object], ...]] = defaultdict(_no_counts)
         self.beside: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self.cooked: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self._kept: dict[tuple[str, frozenset[str], Post, str], float] = {}

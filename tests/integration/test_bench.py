@@ -237,7 +237,6 @@ def test_food_does_not_come_into_a_covered_vessel():
     assert foods_of(pot) == ("water", "potato", "salt")
 
 
-@pytest.mark.xfail(strict=True, reason="the bench lets food out of a covered vessel")
 def test_food_does_not_come_out_of_a_covered_vessel():
     cook, pot = pot_of_potatoes(on=False)
     cook.bench.cover(pot, "lid")

@@ -33,7 +33,6 @@ def text(planner, recipe):
     return json.dumps(answer(planner, recipe).to_json(), ensure_ascii=False)
 
 
-@pytest.mark.xfail(reason="a dish of one food is called by the food and not by the dish (C2)", strict=True)
 @for_many_questions
 @given(questions())
 def test_the_answer_is_a_sound_tree_or_a_reason_why_there_is_none(question):

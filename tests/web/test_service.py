@@ -88,7 +88,6 @@ def desk_of(service):
     return desk
 
 
-@pytest.mark.xfail(reason="Posts holds a lambda: what a FOON teaches cannot be sent to a process", strict=True)
 def test_a_process_answers_as_a_thread_does_and_is_begun_anew_when_ended(outside):
     with FoonService(FixedFoon(demo_foon())) as inside:
         assert outside.answer(SALAD).body == inside.answer(SALAD).body
@@ -98,7 +97,6 @@ def test_a_process_answers_as_a_thread_does_and_is_begun_anew_when_ended(outside
 
 
 @pytest.mark.skipif(os.name != "posix", reason="it stops a process as only POSIX can")
-@pytest.mark.xfail(reason="Posts holds a lambda: what a FOON teaches cannot be sent to a process", strict=True)
 def test_a_process_that_never_answers_is_replaced(outside, monkeypatch):
     outside.answer(SALAD)
     desk = desk_of(outside)
@@ -113,7 +111,6 @@ def test_a_process_that_never_answers_is_replaced(outside, monkeypatch):
     assert desk._process.pid != hung.pid
 
 
-@pytest.mark.xfail(reason="Posts holds a lambda: what a FOON teaches cannot be sent to a process", strict=True)
 def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(outside):
     with pytest.raises(InternalError):
         outside.answer("no question at all")
@@ -132,7 +129,6 @@ def test_the_process_of_an_edition_ends_when_what_it_was_asked_is_answered():
         assert desk_of(service)._process.is_alive()
 
 
-@pytest.mark.xfail(reason="Posts holds a lambda: what a FOON teaches cannot be sent to a process", strict=True)
 def test_a_plan_under_way_is_given_up_when_the_service_ends():
     service = FoonService(FixedFoon(demo_foon()), processes=1)
     process = desk_of(service)._process
