@@ -1,0 +1,169 @@
+"""Which recorded dish a recipe is made after: what cannot be comes last, what is most natural first."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from integration import videos
+from integration.school import SALAD
+from integration.told import Likes, snapshot_of
+
+from foon_kg.food import tables
+from foon_kg.goals.choice import (
+    MOST_FITTED,
+    Outline,
+    closing_heat,
+    fits,
+    missing_core,
+    named_alike,
+    refusals,
+    shortlisted,
+    weight,
+)
+from foon_kg.integration.places import Matcher
+from foon_kg.integration.preparation import wants_of
+from foon_kg.model import RequiredIngredient
+
+KNOWN = tables()
+METHODS = snapshot_of(SALAD, *videos.ALL).methods()
+LAYOUTS = list(METHODS.layouts.values())
+OUTLINES = [Outline.of(layout, KNOWN) for layout in LAYOUTS]
+LIKES = Likes({("leek", "onion"): 0.8, ("kohlrabi", "potato"): 0.9, ("spaghetti", "pasta"): 0.95})
+
+
+def wants(**foods):
+    asked = [RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items()]
+    return wants_of(asked, KNOWN, METHODS.operators)
+
+
+def chosen(asked, dish_type, title="", layouts=LAYOUTS):
+    return fits(layouts, asked, dish_type, title, Matcher(METHODS.posts, LIKES.alike))
+
+
+def layout(video):
+    return next(one for one in LAYOUTS if one.frame.video == video)
+
+
+SOUP = wants(kohlrabi="diced", leek="chopped", salt="granulated", water="liquid")
+CAKE = wants(flour="powder", sugar="granulated", egg="whole", butter="stick")
+
+
+@pytest.mark.parametrize(
+    ("asked", "dish_type", "video"),
+    [
+        (SOUP, "soup", "forgetful_soup"),
+        (CAKE, "cake", "plain_cake"),
+        (wants(spaghetti="dried", tomato="diced", olive_oil="liquid"), "pasta", "pasta_with_sauce"),
+        (wants(bread="sliced", ham="sliced", butter="creamy"), "sandwich", "tomato_sandwich"),
+        (wants(mango="sliced", milk="liquid", honey="liquid"), "drinks", "banana_drink"),
+        (wants(tomato="diced", cucumber="sliced", lemon="juiced", olive_oil="liquid"), "salad", "mixed_salad"),
+        (wants(lettuce="chopped", cucumber="sliced", salt="granulated"), "salad", "salad"),
+    ],
+)
+def test_a_recipe_is_made_after_the_dish_in_which_its_foods_have_a_natural_place(asked, dish_type, video):
+    best = chosen(asked, dish_type)[0]
+    assert best.frame.video == video
+    assert best.vetoes == ()
+
+
+def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food():
+    best = chosen(SOUP, "soup")[0]
+    assert [join.want for join in best.joins] == list(SOUP)
+    assert [join.slot.food for join in best.joins] == ["potato", "onion", "salt", "water"]
+    assert all(0 <= join.fit <= 1 for join in best.joins)
+    assert best.similarity == 1.0
+
+
+def test_what_has_to_be_baked_or_hot_is_not_made_after_what_is_cold():
+    vetoed = {fit.frame.video: fit.vetoes for fit in chosen(CAKE, "cake")}
+    assert vetoed["plain_cake"] == ()
+    assert any("is baked" in why for why in vetoed["mixed_salad"])
+    assert any("is baked" in why for why in vetoed["forgetful_soup"])
+    soup = {fit.frame.video: fit.vetoes for fit in chosen(SOUP, "soup")}
+    assert any("is hot" in why for why in soup["mixed_salad"])
+
+
+def test_vetoes_come_before_any_score():
+    for asked, dish_type in ((CAKE, "cake"), (SOUP, "soup")):
+        found = [len(fit.vetoes) for fit in chosen(asked, dish_type)]
+        assert found == sorted(found)
+
+
+def test_more_foods_in_place_score_higher():
+    few = chosen(wants(tomato="diced", salmon="raw", rice="uncooked"), "salad", "", [layout("mixed_salad")])[0]
+    many = chosen(wants(tomato="diced", cucumber="sliced", salt="granulated"), "salad", "", [layout("mixed_salad")])[0]
+    assert many.score > few.score
+    assert many.similarity == 1.0 > few.similarity
+
+
+def test_a_dish_that_is_called_as_the_title_says_scores_higher():
+    asked, one = wants(tomato="sliced", cheese="sliced"), [layout("tomato_sandwich")]
+    assert chosen(asked, "", "a sandwich for two", one)[0].score > chosen(asked, "", "supper", one)[0].score
+    assert named_alike("tomato soup", "soup", "a hot soup of tomatoes") == 1.0
+    assert named_alike("tomato soup", "soup", "supper") == 0.6
+    assert named_alike("fruit punch", "soup", "supper") == 0.0
+
+
+def test_what_defines_a_dish_is_asked_of_type_and_title():
+    assert refusals(wants(salt="granulated"), "omelette", "", KNOWN) == ["no omelette without egg"]
+    assert refusals(wants(egg="whole"), "omelette", "", KNOWN) == []
+    assert any("dumpling" in why for why in refusals(wants(egg="whole"), "omelette", "egg dumplings", KNOWN))
+    assert refusals(wants(salt="granulated"), "salad", "", KNOWN) == []
+
+
+def test_a_goal_promises_what_its_name_says():
+    assert missing_core(layout("tomato_sandwich").frame, wants(salt="granulated"), KNOWN)
+    assert missing_core(layout("tomato_sandwich").frame, wants(bread="sliced"), KNOWN) == ()
+
+
+@pytest.mark.parametrize(
+    ("video", "closing"),
+    [
+        ("mixed_salad", ("", "")),
+        ("tomato_sandwich", ("", "")),
+        ("banana_drink", ("", "")),
+        ("plain_cake", ("bake", "")),
+    ],
+)
+def test_dishes_end_cold_or_baked(video, closing):
+    assert closing_heat(layout(video), KNOWN) == closing
+
+
+def test_what_is_heated_over_a_fire_tells_the_vessel():
+    kind, group = closing_heat(layout("forgetful_soup"), KNOWN)
+    assert (kind, group) == ("heat", KNOWN.utensil("pot").group)
+
+
+def test_what_a_dish_is_built_on_weighs_most_and_what_seasons_least():
+    built, other, seasoning = wants(potato="whole", tomato="whole", salt="granulated")
+    assert weight(built, KNOWN) > weight(other, KNOWN) > weight(seasoning, KNOWN)
+
+
+def test_the_shortlist_has_the_type_first_and_no_dish_that_ends_otherwise():
+    keys = shortlisted(OUTLINES, SOUP, "soup", "", known=KNOWN, likes=LIKES)
+    found = [next(one for one in OUTLINES if one.key == key) for key in keys]
+    assert found[0].dish_type == "soup"
+    ends = next(one.ends for one in OUTLINES if one.dish_type == "soup")
+    assert all(one.ends == ends for one in found)
+    assert len(keys) == len(set(keys)) <= MOST_FITTED
+
+
+def test_an_outline_tells_foods_and_kinds_of_the_slots():
+    one = next(one for one in OUTLINES if one.label == "soup")
+    assert one.foods == {"water", "potato", "onion", "salt"}
+    assert one.kinds == {KNOWN.foods.find(food)[0] for food in one.foods}
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.randoms(use_true_random=False), st.sampled_from(("soup", "cake", "salad", "drinks", "")))
+def test_the_order_of_frames_does_not_matter(chance: random.Random, dish_type):
+    shuffled = chance.sample(LAYOUTS, len(LAYOUTS))
+    for asked in (SOUP, CAKE):
+        assert chosen(asked, dish_type, "", shuffled) == chosen(asked, dish_type)
+        outlines = chance.sample(OUTLINES, len(OUTLINES))
+        assert shortlisted(outlines, asked, dish_type, "", known=KNOWN, likes=LIKES) == shortlisted(
+            OUTLINES, asked, dish_type, "", known=KNOWN, likes=LIKES
+        )
