@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import random
 
-import pytest
 from hypothesis import event, given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
