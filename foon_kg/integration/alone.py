@@ -82,9 +82,8 @@ class Alone:
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:
             return ("boil",)
-        if heats and self._cooks_there(join, due):
-            return ()
-        return self._asked_cooking(want) or self._usual_cooking(want)
+        done_there = heats and self._cooks_there(join, due)
+        return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
 
     def _asked_cooking(self, want: Want) -> tuple[str, ...]:
         """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""

@@ -125,7 +125,10 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
 
 def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
     """Return the state in which a shop sells the food, such that its name still means the same food."""
-    candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground", asked]
+    row = known.state(asked)
+    candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground"]
+    if row.sold or not (row.earns or row.fine or row.half):
+        candidates.append(asked)
     for state in candidates:
         if state and known.foods.food(label, [state]).kind == facts.kind:
             return state
