@@ -22,7 +22,7 @@ baking tray ({cake}; in oven) + oven (on; {baking tray}) → REMOVE → baking t
 oven (on) → TURN OFF → oven (off)
 """
 OPERATORS = operators_of(school.SALAD, school.CRAFTS, APPLIANCES, *videos.ALL)
-LIKES = Likes({("leek", "onion"): 0.8})
+LIKES = Likes({("leek", "onion"): 0.8, ("cucumber", "tomato"): 0.7})
 
 FOODS = (
     ("tomato", ("whole",), ""), ("onion", ("whole",), ""), ("leek", ("whole",), ""), ("banana", ("whole",), ""),
@@ -156,6 +156,18 @@ class Cook:
             assert all(stuff.at is vessel for stuff in vessel.contents)
         assert len(self.wants()) == len(set(self.wants())) == len(FOODS) - len(self.fresh)
 
+    def is_as_in_the_world(self):
+        """Whether each vessel is where the judge sees it, covered or not, with the same foods, over the same fire."""
+        for vessel in self.vessels:
+            seen = self.world.supply.numbered_vessels.get(vessel.number)
+            if seen is None:
+                continue
+            device = vessel.device.label if vessel.device else None
+            foods = {part.name for lump in seen.lumps for part in lump.parts}
+            assert (seen.where and seen.where.label, seen.covered) == (device, bool(vessel.lid))
+            assert foods == set(foods_of(vessel))
+            assert device is None or seen.where.is_on(vessel.label) == self.bench.is_running(vessel)
+
     def wants(self):
         stuffs = [*self.free, *(stuff for vessel in self.vessels for stuff in vessel.contents)]
         return [number for stuff in stuffs for number in stuff.wants]
@@ -192,6 +204,7 @@ def cooks(draw, most=40):
         kind = draw(st.sampled_from([kind for kind in sorted(moves) for _ in range(LIKELY.get(kind, 1))]))
         draw(st.sampled_from(moves[kind]))()
         cook.check()
+        cook.is_as_in_the_world()
     return cook
 
 
@@ -293,7 +306,9 @@ def test_each_thing_keeps_its_number_and_tools_are_one_thing():
 def test_nearer_evidence_comes_first_and_of_equal_ones_the_first_way():
     one = bench()
     ways = [("dice", ("knife",)), ("slice", ("knife",))]
-    assert one.attest(ways, ("tomato",)).nearness is Nearness.FOOD
+    assert one.attest(ways, ("tomato",)).way == ("dice", ("knife",))
+    assert one.attest(ways, ("cucumber",)).way == ("slice", ("knife",))
+    assert one.attest([("dice", ("knife",)), ("chop", ("knife",))], ("leek",)).nearness is Nearness.LIKE
     assert one.attest(ways, ("leek",)).way == ("dice", ("knife",))
     assert one.attest(ways, ("leek",)).like == ("leek", "onion", 0.8)
     assert one.attest([("levitate", ())], ("tomato",)) is None

@@ -188,6 +188,25 @@ carrot (whole; in bowl) + salt (granulated; in bowl) + tomato (whole; in bowl) +
 """
 
 
+PORTIONS = """
+name: two_portions
+dish: salad
+goal: salad (mixed; {carrot, salt, tomato}; in bowl)
+carrot (whole) + plate (empty) → PICK-AND-PLACE → carrot (whole; on plate) + plate ({carrot})
+salt (granulated; in shaker) + plate ({carrot}) → SPRINKLE → salt (granulated; on plate) + plate ({carrot, salt})
+tomato (whole) + bowl (empty) → PICK-AND-PLACE → tomato (whole; in bowl) + bowl ({tomato})
+salt (granulated; in shaker) + bowl ({tomato}) → SPRINKLE → salt (granulated; in bowl) + bowl ({salt, tomato})
+carrot (whole; on plate) + salt (granulated; on plate) + plate ({carrot, salt}) + bowl ({salt, tomato}) → POUR
+  → carrot (whole; in bowl) + salt (granulated; in bowl) + bowl ({carrot, salt, tomato}) + plate (empty)
+carrot (whole; in bowl) + salt (granulated; in bowl) + tomato (whole; in bowl) + bowl ({carrot, salt, tomato}) + spoon
+  → MIX → salad (mixed; {carrot, salt, tomato}; in bowl) + bowl ({salad})
+"""
+
+
+def test_two_portions_of_a_food_that_meet_are_one_slot():
+    assert sorted(slot.food for slot in frame(PORTIONS).line.all_slots()) == ["carrot", "salt", "tomato"]
+
+
 @pytest.mark.xfail(strict=True, reason="a part that is in two lumps loses its place, and its slot")
 def test_a_food_that_is_poured_twice_has_a_slot():
     assert {slot.food for slot in frame(TWICE).line.all_slots()} == {"carrot", "salt", "tomato"}
