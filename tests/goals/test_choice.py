@@ -77,6 +77,13 @@ def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food
     assert best.similarity == 1.0
 
 
+def test_of_equally_like_foods_the_first_is_the_place():
+    both = Likes({("kohlrabi", "onion"): 0.9, ("kohlrabi", "potato"): 0.9})
+    (best,) = fits([layout("forgetful_soup")], wants(kohlrabi="diced"), "soup", "", Matcher(METHODS.posts, both.alike))
+    assert [slot.food for slot in layout("forgetful_soup").frame.line.all_slots()].index("potato") == 1
+    assert best.joins[0].slot.food == "potato"
+
+
 def test_what_has_to_be_baked_or_hot_is_not_made_after_what_is_cold():
     vetoed = {fit.frame.video: fit.vetoes for fit in chosen(CAKE, "cake")}
     assert vetoed["plain_cake"] == ()

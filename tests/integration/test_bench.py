@@ -272,6 +272,17 @@ def test_over_a_stove_that_is_on_it_is_cooked():
     assert [done.step.motion for done in cook.bench.done][-2:] == ["boil", "turn off"]
 
 
+def test_what_is_taken_off_its_appliance_stands_nowhere_and_is_told_so():
+    cook, pot = pot_of_potatoes(on=False)
+    stove = pot.device
+    cook.bench.take_off(pot)
+    assert (pot.device, pot.relation) == (None, "")
+    outputs = {mention.thing: mention.node for mention in cook.bench.done[-1].step.outputs}
+    assert (outputs[pot.number].container, outputs[stove.number].container) == (None, None)
+    cook.check()
+    assert cook.world.supply.numbered_vessels[pot.number].where is None
+
+
 def test_what_nobody_does_is_refused_and_the_refusal_names_it():
     with pytest.raises(RefusedError, match="“levitate” to tomato"):
         bench().require([("levitate", ())], ("tomato",))

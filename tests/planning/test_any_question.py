@@ -236,6 +236,13 @@ def test_nothing_avoided_is_in_a_tree(recipe, avoided):
     assert fatal(result, SNAPSHOT) == []
 
 
+def test_even_the_free_water_is_avoided():
+    asked = Recipe("salad", (RequiredIngredient("potato", "boiled"), RequiredIngredient("onion", "chopped")))
+    assert "water" in {node.label for node in PLANNER.plan(asked).kitchen}
+    found = answer(asked, Planner(SNAPSHOT, replace(SETTINGS, avoided=("water",)), SNAPSHOT.units))
+    assert isinstance(found, PlanFailure) or not any(names_avoided(node, ("water",)) for node in nodes(found))
+
+
 def test_an_avoided_food_is_left_out_of_the_recipe():
     planner = Planner(SNAPSHOT, replace(SETTINGS, avoided=("tomato",)), SNAPSHOT.units)
     result = planner.plan(Recipe("salad", (*SURE[0].ingredients, RequiredIngredient("onion", "chopped"))))
