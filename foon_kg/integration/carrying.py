@@ -53,7 +53,7 @@ class Carrier:
 
     def _is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
-        if not stuff.mixed or "baked" in stuff.states:
+        if not stuff.mixed:
             return False
         foods = [self.known.foods.food(food) for food in stuff.foods]
         if any(self.known.state(state).needs_heat for state in stuff.states):

@@ -269,7 +269,7 @@ class Cooking:
 
     def _water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
-        if not any(slot.food == "water" for slot in stage.slots):
+        if not any(slot.food == "water" for slot in stage.slots) or stage.does.isdisjoint(WORKS):
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
@@ -332,7 +332,18 @@ class Cooking:
             return True  # fat alone is only made hot
         if single and mixes and not heats and stage.does <= {"mix"}:
             return True
+        if mixes and stage.does <= {"mix", "blend", "move"} and self._is_mixed(stage, vessel):
+            return True
         return not mixes and not heats and "wait" not in stage.does and single
+
+    def _is_mixed(self, stage: Stage, vessel: Vessel) -> bool:
+        """Whether nothing is left to be mixed: it is mixed and nothing joined, or it is one food that pours."""
+        if len(vessel.contents) != 1:
+            return False
+        (stuff,) = vessel.contents
+        if not stuff.mixed:
+            return form_of(self.known, stuff.label, stuff.states) in {"powder", "liquid"}
+        return not self.course.stage_alive(stage) and not {"mixed", "blended"}.isdisjoint(stuff.states)
 
     def _stays_in(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether a vessel stays in its appliance: the next heating is there, and nothing joins before."""

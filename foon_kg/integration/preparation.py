@@ -166,6 +166,8 @@ class Preparer:
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
+        if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
+            self._assume(ready, want.make)
         for name in _BY_HAND:
             if name in due and not (name == "stone" and "core" in due):
                 self._treat(ready, name)
@@ -174,8 +176,6 @@ class Preparer:
             return ready
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
-        if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
-            self._assume(ready, want.make)
         cut = self._cut_state(want, form, due, divided=divided)
         if cut:
             self._cut(ready, cut)

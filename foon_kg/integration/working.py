@@ -180,7 +180,7 @@ class Worker:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])
         if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
-            known = {s for stuff in vessel.contents for s in stuff.states}
+            known = set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
             given = self.bench.operators.giving
             able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
             able = sorted(s for s in able if not self.known.state(s).needs_heat)
