@@ -124,6 +124,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("type", False),
         frozenset(row.get("soft", [])),
         row.get("baked", False),
+        row.get("tin", ""),
     )
 
 

@@ -138,7 +138,7 @@ class Dish:
     """What defines a dish: of each list in ``needs`` one is in it; ``heated`` is ``None`` where it may be hot or cold.
 
     ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink). ``baked``: it
-    comes out of an oven, and what is fried in a pan is another dish.
+    comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
     """
 
     name: str
@@ -147,3 +147,4 @@ class Dish:
     is_type: bool = False
     eases: frozenset[str] = frozenset()
     baked: bool = False
+    tin: str = ""

@@ -68,6 +68,8 @@ class Alone:
     def cooked_first(self, join: Join) -> tuple[str, ...]:
         """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
         want, spot = join.want, join.spot
+        if self.preparer.is_mashed_raw(want):
+            return ("boil",)
         due = {"cook", "boil"} & owed(want, self.known)
         if not due and not want.cooked:
             return self._warmed_first(join)
@@ -152,6 +154,7 @@ class Alone:
             ready.whole_shell = False
             self._cool(ready)
             self.preparer.shelled(ready, join.slot.states if join.slot else ())
+        self.preparer.cut_now(ready)
 
     def _cool(self, ready: Ready) -> None:
         place = ready.stuff.at

@@ -36,10 +36,12 @@ class Carrier:
         stuffs = list(source.contents)
         foods = foods_of(source)
         runs = len(stuffs) > 1 or any(
-            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self._is_wet(stuff)
+            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff)
             for stuff in stuffs
         )
-        usual = self.bench.operators.brings("liquid" if runs else "pieces", "vessel")
+        one_piece = len(stuffs) == 1 and stuffs[0].mixed and not runs
+        form = "liquid" if runs else "whole" if one_piece else "pieces"
+        usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
         if (
             stage.motion
@@ -51,7 +53,7 @@ class Carrier:
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
 
-    def _is_wet(self, stuff: Stuff) -> bool:
+    def is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
         if not stuff.mixed:
             return False

@@ -52,7 +52,7 @@ class Cooking:
         if vessel is None:
             raise RefusedError("nothing of what was asked joins this dish")
         self.bench.phase = "finish"
-        self._finish(vessel)
+        vessel = self._finish(vessel)
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
         return vessel.contents[0]
@@ -128,6 +128,8 @@ class Cooking:
             return None
         device, relation = self.utensils.device_for(stage)
         label = self.utensils.vessel_label(stage, vessel, device)
+        if vessel is not None and self.plan.tin and label != vessel.label:
+            label = self._tin_for(label, vessel)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -143,6 +145,17 @@ class Cooking:
             return None
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
+
+    def _tin_for(self, label: str, vessel: Vessel) -> str:
+        """Return what batter or dough is baked in: the tin of such a dish in the place of another dish's."""
+        row = self.known.utensil(label)
+        if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
+            return label
+        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
+        in_portions = row.group == "tins"
+        runs = any(self.carry.is_wet(stuff) for stuff in batter)
+        return self.plan.tin if batter and (in_portions or runs) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""
@@ -378,7 +391,15 @@ class Cooking:
                 self.bench.cover(vessel, lid)
         self.bench.place(vessel, device, relation)
 
-    def _finish(self, vessel: Vessel) -> None:
-        """Turn everything off, and let what is in the vessel be the dish."""
+    def _finish(self, vessel: Vessel) -> Vessel:
+        """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then."""
         self._heat_off(vessel)
         self.bench.all_off()
+        row = self.known.utensil(vessel.label)
+        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}):
+            return vessel
+        if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
+            self.work.name(vessel, self.plan.label)
+        target = self.bench.vessel("bowl" if self.carry.is_wet(vessel.contents[0]) else "plate")
+        self.carry.transfer(vessel, target, self.line.stages[-1])
+        return target

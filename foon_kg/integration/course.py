@@ -18,7 +18,8 @@ class Plan:
     """What is made: the name of the dish, its states, and which foods join where.
 
     ``goal`` is what the recorded dish is called. ``cooked_by`` are the motions by which foods of a kind are cooked on
-    their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish.
+    their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
+    or dough of such a dish is baked in.
     """
 
     label: str
@@ -26,6 +27,7 @@ class Plan:
     joins: Sequence[Join]
     cooked_by: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     eased: frozenset[str] = frozenset()
+    tin: str = ""
 
 
 class Course:

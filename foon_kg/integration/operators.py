@@ -13,6 +13,7 @@ from enum import IntEnum
 from functools import cached_property
 
 from foon_kg.food import Tables, tables
+from foon_kg.food.lists import word_list
 from foon_kg.model import FunctionalUnit, KnownUnit, Sighting
 from foon_kg.world.reading import Reader, Said, reader
 
@@ -253,9 +254,10 @@ _MASH = 5
 
 def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
     """Return how a food is handled: ``liquid``, ``powder``, ``soft``, ``pieces`` or ``whole``."""
+    states = tuple(states)
     facts = known.foods.food(label, states)
     rows = [known.state(state) for state in states]
-    if facts.is_a("liquid", "water"):
+    if facts.is_a("liquid", "water") or not word_list("runs").isdisjoint(states):
         return "liquid"
     if facts.is_a("creamy") or facts.sold_as in {
         "creamy",

@@ -24,8 +24,8 @@ _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
-LEAST_ALIKE = 0.0
-"""A food is handled like another one only where that is not quite absurd."""
+LEAST_ALIKE = 0.2
+"""A food is peeled, cored, grated or mashed like another one only where that is not quite absurd."""
 
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
@@ -67,6 +67,7 @@ class Ready:
     want: Want
     stuff: Stuff
     whole_shell: bool = False
+    cut_later: str = ""
     read_as: str | None = None
     assumptions: list[str] = field(default_factory=list)
 
@@ -177,9 +178,25 @@ class Preparer:
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
         cut = self._cut_state(want, form, due, divided=divided)
-        if cut:
+        if cut and self.is_mashed_raw(want):
+            ready.cut_later = cut
+        elif cut:
             self._cut(ready, cut)
         return ready
+
+    def is_mashed_raw(self, want: Want) -> bool:
+        """Whether a food is asked mashed that is still too hard for it: it has to be cooked before."""
+        ways = self.operators.giving.get(want.make, ()) if want.make else ()
+        mashed = (self.known.state(want.make).fine or 0) >= _POWDER and any(
+            "mash" in self.known.motion(way[0]).does for way in ways
+        )
+        return mashed and bool({"cook", "boil"} & want.facts.owes.keys())
+
+    def cut_now(self, ready: Ready) -> None:
+        """Cut or mash what had to be cooked before."""
+        state, ready.cut_later = ready.cut_later, ""
+        if state:
+            self._cut(ready, state)
 
     def _drain(self, ready: Ready) -> None:
         """Pour what is sold in liquid into a strainer."""
@@ -279,6 +296,8 @@ class Preparer:
         does = (name, *_STANDS_FOR.get(name, ()))
         ways = [way for one in does for way in self.operators.ways.get(one, ())]
         ways = [way for way in ways if not self.known.motion(way[0]).does & _NOT_BY_HAND]
+        if name == "shell":
+            ways = [way for way in ways if "open" not in self.known.motion(way[0]).does]  # opened is not shelled
         attested = self.bench.attest(ways, want.names, act=True)
         if attested is None and not want.facts.is_a("stock", "ready"):
             attested = self._far(ways, want)
@@ -296,8 +315,12 @@ class Preparer:
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), self._board(attested.way))
 
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
+        """Return the way of the likest food: whatever its food for a knife, else that of a food not quite unlike."""
+        knives = [way for way in ways if "cut" in self.known.motion(way[0]).does]
         found = self.bench.far(ways, want.names, act=True)
-        return found if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE else None
+        if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
+            return found
+        return self.bench.far(knives, want.names, act=True) if knives else None
 
     def _gives(self, way: Way, does: Sequence[str]) -> str:
         """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""

@@ -219,9 +219,11 @@ class _Question:
         own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
         own = own and is_truly(fit, self.known)
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
+        tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
-        cooking = Cooking(bench, frame.line, Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased))
+        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tins[-1] if tins else "")
+        cooking = Cooking(bench, frame.line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
         result = self._result(fit, tree, dish_type)
