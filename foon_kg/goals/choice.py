@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from foon_kg.food import Tables, singular, words
@@ -58,6 +58,9 @@ def weight(want: Want, known: Tables) -> float:
         return 2.0
     return 0.4 if want.facts.is_a(*_SEASONS) else 1.0
 
+
+_MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
+"""What tells ways of making a dish from each other."""
 
 MOST_FITTED = 16
 """How many frames are looked at closely."""
@@ -151,6 +154,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
         if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
     )  # fmt: skip
     score -= 0.6 * spoilt / sum(weights)
+    score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
@@ -168,6 +172,27 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
                 names = " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
                 found.append(f"no {dish.name} without {names}")
     return found
+
+
+def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]:
+    """Yield the words of a title that say how the dish is made (baked, fried, pureed) where the frame does not so."""
+    done = set().union(*(spot.stage.does for spot in layout.spots))
+    if layout.heats:
+        slots = [known.foods.food(slot.food, slot.states) for slot in layout.frame.line.all_slots()]
+        done |= {"fat" for food in slots if food.is_a("fat")}
+        done |= {"liquid" for food in slots if food.is_a("liquid", "water")}
+    for word in words(title):
+        if word not in known.states:
+            continue
+        rows = [row for motion, row in known.motion_words.items() if _is_of_verb(word, motion) and word in row.gives]
+        means = frozenset().union(*(row.does for row in rows)) & _MEANS
+        if means and means.isdisjoint(done):
+            yield word
+
+
+def _is_of_verb(word: str, verb: str) -> bool:
+    """Whether a word is made of a verb: baked of bake, fried of fry."""
+    return word.startswith((verb, verb.removesuffix("e"), verb.removesuffix("y") + "i"))
 
 
 def _defined(joins: Sequence[Join], dish_type: str, known: Tables) -> bool:

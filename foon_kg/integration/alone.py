@@ -68,15 +68,14 @@ class Alone:
     def cooked_first(self, join: Join) -> tuple[str, ...]:
         """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
         want, spot = join.want, join.spot
-        if self.preparer.is_mashed_raw(want):
-            return ("boil",)
         due = {"cook", "boil"} & owed(want, self.known)
         if not due and not want.cooked:
             return self._warmed_first(join)
-        if want.facts.kind in self.plan.eased or any(kind in self.plan.eased for kind in want.facts.kinds):
+        if not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
-        if join.slot is not None and join.slot.cooked:
-            return join.slot.cooked
+        told = join.slot.cooked if join.slot is not None else ()
+        if told or self.preparer.is_mashed_raw(want):
+            return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
         bath = [stage for stage in heats if "dry" not in stage.does]
         if "boil" in due and bath and self.course.has_liquid(bath):

@@ -27,6 +27,7 @@ _WORKS = (
 )  # fmt: skip
 
 _LATE = word_list("joins late")
+_FRESH = word_list("joins at the end")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
@@ -284,11 +285,24 @@ class Matcher:
             if ready_made is not None:
                 return ready_made
         best = self._natural(layout, want)
+        fresh = self._at_the_end(layout, want, best)
+        if fresh is not None:
+            return fresh
         if best is not None:
             return best
         if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         return self._usual(layout, want)
+
+    def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
+        """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
+        fresh = want.facts.sold_as != "dried" and not want.cooked and f"kind:{want.facts.kind}" in _FRESH
+        worked = best is not None and best.spot.post[0] in {"shape", "knead"}
+        done = [spot for spot in layout.spots if spot.post[1] == "before" and not spot.side]
+        if not fresh or worked or not done or (best is not None and best.spot.post[1] in {"before", "never"}):
+            return None
+        spot = next((spot for spot in done if spot.stage.adds), done[-1])
+        return Join(want, spot, best.fit if best is not None else NATURAL - 0.01)
 
     def _natural(self, layout: Layout, want: Want) -> Join | None:
         """Return the slot that such a food has there: the likest, the first of equally like ones."""

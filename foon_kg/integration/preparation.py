@@ -25,7 +25,7 @@ _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
 LEAST_ALIKE = 0.2
-"""A food is peeled, cored, grated or mashed like another one only where that is not quite absurd."""
+"""A food is grated or mashed like another one only where that is not quite absurd."""
 
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
@@ -158,12 +158,7 @@ class Preparer:
         blended). A food in a shell that is to be opened over a vessel comes as it is (``whole_shell``).
         """
         ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
-        due = owed(want, self.known)
-        state = self.known.state(want.make) if want.make else None
-        if state is not None:
-            due |= state.earns & set(_BY_HAND)
-        if want.squeezed:
-            due = set()
+        due = self._due(want)
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
@@ -178,11 +173,18 @@ class Preparer:
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
         cut = self._cut_state(want, form, due, divided=divided)
-        if cut and self.is_mashed_raw(want):
+        if self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
         return ready
+
+    def _due(self, want: Want) -> set[str]:
+        """Return what hands have to do to a food: what it owes, and what the asked state needs."""
+        if want.squeezed:
+            return set()
+        earns = self.known.state(want.make).earns if want.make else frozenset()
+        return owed(want, self.known) | (earns & set(_BY_HAND))
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Whether a food is asked mashed that is still too hard for it: it has to be cooked before."""
@@ -300,7 +302,7 @@ class Preparer:
             ways = [way for way in ways if "open" not in self.known.motion(way[0]).does]  # opened is not shelled
         attested = self.bench.attest(ways, want.names, act=True)
         if attested is None and not want.facts.is_a("stock", "ready"):
-            attested = self._far(ways, want)
+            attested = self.bench.far(ways, want.names, act=True)
         if attested is None:
             if want.facts.owes.get(name) is Level.FATAL or (want.make and name in self.known.state(want.make).earns):
                 self._assume(ready, self._state_for(name, want))
@@ -315,12 +317,11 @@ class Preparer:
         self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), self._board(attested.way))
 
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
-        """Return the way of the likest food: whatever its food for a knife, else that of a food not quite unlike."""
-        knives = [way for way in ways if "cut" in self.known.motion(way[0]).does]
+        """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
         found = self.bench.far(ways, want.names, act=True)
         if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
             return found
-        return self.bench.far(knives, want.names, act=True) if knives else None
+        return self.bench.far([way for way in ways if "cut" in self.known.motion(way[0]).does], want.names, act=True)
 
     def _gives(self, way: Way, does: Sequence[str]) -> str:
         """Return the state that a treatment gives: the one that the FOON tells most often, else the table's."""
