@@ -59,6 +59,9 @@ def weight(want: Want, known: Tables) -> float:
     return 0.4 if want.facts.is_a(*_SEASONS) else 1.0
 
 
+_AS_RECORDED, _VERY = 0.3, 0.99
+"""What it counts that a recipe has the foods of the recorded dish, and how well a food fits its own slot."""
+
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
 
@@ -159,8 +162,18 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
+    score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -> float:
+    """Return how far (0 to 1) a recipe has the very foods of the recorded dish, and no others."""
+    same = [join.slot is not None and join.fit >= _VERY for join in joins]
+    asked = sum(weight for weight, one in zip(weights, same, strict=True) if one) / sum(weights)
+    slots = {slot.food for slot in frame.line.all_slots()}
+    there = {join.slot.food for join, one in zip(joins, same, strict=True) if one and join.slot is not None}
+    return asked * len(there) / len(slots) if slots else 0.0
 
 
 def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
@@ -241,12 +254,17 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
     """Return what the goal's name promises and the recipe does not have."""
     found = []
     foods = [want.facts for want in wants]
-    for dish in known.dishes_named(frame.goal.label):
+    dishes = known.dishes_named(frame.goal.label)
+    for dish in dishes:
         unmet = (needs for needs in dish.needs if not any(meets(need, f, known) for need in needs for f in foods))
         found += [dish.name for _ in unmet]
-    names = {word for want in wants for word in (*want.facts.name.split(), *want.facts.taken_for.split())}
-    strange = (word for word in words(frame.goal.label) if known.foods.is_listed(word) and word not in names)
-    found += [word for word in strange if not known.foods.food(word).is_a("made", "dough")]
+    met = {word for dish in dishes for word in words(dish.name)} | set(words(frame.dish_type))
+    met |= {word for want in wants for word in (*want.facts.name.split(), *want.facts.taken_for.split())}
+    for word in words(frame.goal.label):
+        if word in met or any(facts.is_a(word) for facts in foods) or not known.foods.is_listed(word):
+            continue
+        if not known.foods.food(word).is_a("made", "dough"):
+            found.append(word)
     return tuple(found)
 
 

@@ -18,6 +18,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.world import Mention, Step
 
 _FLAT = word_list("flat utensils")
+_LIGHTS = ("light",)
 
 
 class RefusedError(Exception):
@@ -90,6 +91,7 @@ class Bench:
         self.devices: dict[str, Device] = {}
         self.tools: dict[str, int] = {}
         self.standing: dict[int, Vessel] = {}
+        self.other_motions: dict[tuple[str, str], str] = {}
         self._numbers = 0
 
     # --- things ---
@@ -229,13 +231,18 @@ class Bench:
         inputs: Sequence[Thing | tuple[Device, Vessel]],
         change: Callable[[], None],
         outputs: Sequence[Thing | tuple[Device, Vessel]],
+        *,
+        motion: str = "",
     ) -> None:
-        """Let one step happen: the nodes of ``inputs`` before and of ``outputs`` after ``change``."""
+        """Let one step happen: the nodes of ``inputs`` before and of ``outputs`` after ``change``.
+
+        ``motion`` is what is done, where the evidence shows another motion.
+        """
         before = [self._told(thing) for thing in inputs]
         before += [self.mention(tool) for tool in attested.way[1]]
         change()
         after = [self._told(thing) for thing in outputs]
-        step = Step(tuple(dict.fromkeys(before)), attested.way[0], tuple(dict.fromkeys(after)))
+        step = Step(tuple(dict.fromkeys(before)), motion or attested.way[0], tuple(dict.fromkeys(after)))
         if set(step.outputs) <= set(step.inputs):
             return  # it changes nothing
         self.done.append(Done(step, attested, self.phase))
@@ -362,13 +369,34 @@ class Bench:
         if device is None:
             return
         motions = ("detach", "remove") if vessel.relation == "attached to" else ("remove", "take out", "pick-and-place")
-        attested = self.first([(motion, ()) for motion in motions], foods_of(vessel))
+        back = ("attach", "insert") if vessel.relation == "attached to" else ("put inside", "insert", "place")
+        name, attested = self._undone(motions, back, device.label, foods_of(vessel))
 
         def change() -> None:
             vessel.device, vessel.relation = None, ""
 
         inside = list(vessel.contents) if vessel.relation == "in" else []
-        self.emit(attested, [vessel, (device, vessel), *inside], change, [vessel, *inside, device])
+        self.emit(attested, [vessel, (device, vessel), *inside], change, [vessel, *inside, device], motion=name)
+
+    def _undone(
+        self, names: Sequence[str], others: Sequence[str], device: str, foods: Sequence[str]
+    ) -> tuple[str, Attested]:
+        """Return how what was done with an appliance is undone, with the evidence.
+
+        Where no video shows it, that it was done, else that something is done with the appliance, tells as much: the
+        same hand undoes it.
+        """
+        try:
+            attested = self.first([(name, ()) for name in names], foods)
+        except RefusedError:
+            ways = [way for other in others for way in self.operators.ways_of(other) if not way[1]]
+            ways += sorted(
+                way for way in self.operators.evidence if not way[1] and self.operators.works_on(way, device)
+            )
+            attested = self.require(ways, foods)
+            self.other_motions[device, names[0]] = attested.way[0]
+            return names[0], attested
+        return attested.way[0], attested
 
     def switch(self, vessel: Vessel | None, device: Device, *, on: bool) -> None:
         """Turn an appliance on or off, a stove under one vessel."""
@@ -377,22 +405,17 @@ class Bench:
         number = vessel.number if vessel is not None and self._burners(device) else 0
         if (number in device.running) == on:
             return
-        name = "turn on" if on else "turn off"
-        ways = sorted(
-            (way for way in (*self.operators.ways_of(name), *self.operators.ways_of("light")) if not way[1]),
-            key=lambda way: (way[0] != name, not self.operators.works_on(way, device.label)),
-        )
-        attested = self.operators.attested((name, ()), ()) or self.require(ways, ())
+        on_names, off_names = ("turn on", *_LIGHTS), ("turn off",)
+        names, others = (on_names, off_names) if on else (off_names, on_names)
+        name, attested = self._undone(names, others, device.label, ())
         thing: Thing | tuple[Device, Vessel] = (device, vessel) if vessel is not None else device
         if vessel is not None:
             self.standing[number] = vessel
 
         def change() -> None:
             (device.running.add if on else device.running.discard)(number)
-            if vessel is not None and not on:
-                vessel.hot = False
 
-        self.emit(attested, [thing], change, [thing])
+        self.emit(attested, [thing], change, [thing], motion=name)
 
     def is_running(self, vessel: Vessel) -> bool:
         """Whether the appliance of a vessel is on for it."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
 from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
-from foon_kg.integration.preparation import Preparer, Ready
+from foon_kg.integration.preparation import Preparer, Ready, Want
 
 _MOVES = frozenset({"move", "scatter", "fetch"})
 
@@ -84,7 +84,7 @@ class Carrier:
             return
         role = "" if source is None else ("storage" if source.storage else "vessel")
         usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
-        groups: list[list[Way]] = [self._by_store(usual, stuff, source)]
+        groups: list[list[Way]] = [self._as_shown(slot, want, stuff), self._by_store(usual, stuff, source)]
         if slot is not None and (slot.motion, slot.tools) in usual:
             groups.append([(slot.motion, slot.tools)])
         for name in (*want.names, f"kind:{want.facts.kind}"):
@@ -102,6 +102,14 @@ class Carrier:
         if attested is None:
             attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
         self.bench.bring([stuff], vessel, attested)
+
+    def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
+        """Return how the video brings this very food in such a form."""
+        if slot is None or slot.food != singular(want.label) or not self._pure((slot.motion, slot.tools)):
+            return []
+        known = self.bench.known
+        alike = form_of(known, slot.food, slot.states) == form_of(known, want.label, stuff.states)
+        return [(slot.motion, slot.tools)] if alike else []
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""

@@ -401,5 +401,8 @@ class Cooking:
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
         target = self.bench.vessel("bowl" if self.carry.is_wet(vessel.contents[0]) else "plate")
-        self.carry.transfer(vessel, target, self.line.stages[-1])
+        try:
+            self.carry.transfer(vessel, target, self.line.stages[-1])
+        except RefusedError:  # nobody of this FOON serves such a dish
+            return vessel
         return target

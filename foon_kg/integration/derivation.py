@@ -96,23 +96,11 @@ class _Derivation:
         clusters = self._refined(parts, last)
         called = {"".join(singular(goal.label).split()), "".join(singular(lump.label).split())}
         named_only = {n for n, p in parts.items() if p.untold and "".join(p.name.split()) in called}
-        named_only |= {n for n, p in parts.items() if self._is_only_named(n, p, parts)}
         parts = {n: p for n, p in parts.items() if n not in named_only} or parts
         clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
         whole = self._followed(parts, clusters, last)
         line = _line(whole, last)
         return Frame(goal, dish_type, video, line) if line.stages else None
-
-    def _is_only_named(self, name: int, part: Part, parts: dict[int, Part]) -> bool:
-        """Whether a food is only named, in the ``{}`` of a thing that was there before: nobody saw it join."""
-        place = self.places[part.taken].get(name) if part.untold and part.taken >= 0 else None
-        if place is None:
-            return False
-        there = self.places[part.taken]
-        return any(
-            not other.untold and other.taken < part.taken and n in there and there[n].key == place.key
-            for n, other in parts.items()
-        )
 
     def _parts_of(self, lump: Lump, last: int) -> list[Part]:
         there = self.places[last]
@@ -349,6 +337,9 @@ def _place(lump: Lump, below: dict[int, Lump]) -> _Place:
 
 def _appliance(happening: Happening, place: _Place | None, known: Tables) -> tuple[str, str]:
     found: list[Vessel] = [vessel for vessel in happening.vessels if vessel.is_appliance]
+    held = next((one for one in found if one.row.source == "power" and not one.row.holds), None)
+    if held is not None and "heat" not in happening.motion.does:
+        return held.label, held.row.source  # whatever the vessel stands on, a hand mixer does it
     for vessel in happening.vessels:
         below = vessel.where
         while below is not None:

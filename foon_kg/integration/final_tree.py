@@ -18,6 +18,9 @@ MOST_ALTERNATIVES = 3
 _READ = 1.0
 """How sure it is what a crude word of a recipe means."""
 
+_SWITCHED = 0.9
+"""How sure it is that what can be turned on can be turned off, though no video shows it."""
+
 
 @dataclass(frozen=True)
 class FinalTree:
@@ -37,7 +40,7 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
         bench.mention(dish).node,
         units,
         tuple(_leaves(units)),
-        (*_objects(bench), *_states(bench, cooking, wants)),
+        (*_objects(bench), *_motions(bench), *_states(bench, cooking, wants)),
         tuple(_assumptions(bench, cooking)),
     )
 
@@ -84,6 +87,12 @@ def _objects(bench: Bench) -> Iterator[Substitution]:
 def _others(likes: Likes, food: str, chosen: str) -> tuple[Alternative, ...]:
     others = [(name, sure) for name, sure in likes(food) if name != chosen]
     return tuple(Alternative(name, round(sure, 4)) for name, sure in others[:MOST_ALTERNATIVES])
+
+
+def _motions(bench: Bench) -> Iterator[Substitution]:
+    """Yield how appliances are turned on and off that no video turns so."""
+    for (device, required), equivalent in sorted(bench.other_motions.items()):
+        yield Substitution("motion", device, required, equivalent, _SWITCHED, ())
 
 
 def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[Substitution]:

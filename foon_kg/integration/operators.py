@@ -97,7 +97,7 @@ class Operators:
         unit, seen = known_unit.unit, known_unit.seen_in[:MOST_SIGHTINGS]
         inputs = [self._reader.read(node) for node in unit.input_nodes]
         outputs = [self._reader.read(node) for node in unit.output_nodes]
-        tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"}
+        tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS
         way = (unit.motion, tuple(sorted(tools)))
         self._attest(self.evidence[way], _foods(inputs) | _foods(outputs), seen)
         for said in (*inputs, *outputs):
@@ -250,6 +250,7 @@ class Operators:
 
 
 _MASH = 5
+_HANDS = word_list("bare hands")
 
 
 def form_of(known: Tables, label: str, states: Iterable[str]) -> str:

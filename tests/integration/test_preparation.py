@@ -103,7 +103,6 @@ def test_what_the_foon_shows_is_done_as_it_is_asked(food, state, motions):
     assert treatments(life_of(food, planned(food, state))) == motions
 
 
-@pytest.mark.xfail(reason="it is mashed raw, and the mash is boiled and drained")
 def test_a_potato_is_boiled_before_it_is_mashed():
     motions = [motion for motion, _ in life_of("potato", planned("potato", "mashed"))]
     assert motions.index("boil") < motions.index("mash")

@@ -30,11 +30,9 @@ def test_what_another_video_turns_on_and_off_is_turned_on_and_off():
     assert motions.index("turn on") < motions.index("boil") < motions.index("turn off")
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove off", strict=True)
 def test_what_a_video_leaves_on_is_turned_off():
     assert planned(SOUP)[-1] == "turn off"
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove on", strict=True)
 def test_what_nobody_ever_turned_on_is_turned_on_and_said():
     assert "turn on" in planned(NEVER_ON)

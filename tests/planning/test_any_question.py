@@ -137,7 +137,6 @@ def test_what_surely_has_a_tree_has_one(recipe):
     assert result.units
 
 
-@pytest.mark.xfail(strict=True, reason="no video of the demo turns a stove off, so nothing hot has a tree")
 def test_the_demo_makes_a_soup_by_itself():
     assert Planner(Snapshot.of(DEMO, KITCHEN), SETTINGS).plan(SURE[2]).units
 
@@ -219,7 +218,6 @@ def full(result):
     return [node for node in vessels if node.ingredients or "hot" in node.states]
 
 
-@pytest.mark.xfail(strict=True, reason="a pot that cooled by itself is taken for another one, from the kitchen")
 def test_no_vessel_of_the_kitchen_is_filled():
     assert full(PLANNER.plan(TEA)) == []
 
