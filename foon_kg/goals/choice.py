@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.operators import Likes
+from foon_kg.integration.outlines import Outlines, Sought
 from foon_kg.integration.places import Join, Layout, Matcher, Spot
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
@@ -20,6 +23,9 @@ _WORKED_IN = word_list("is worked in")
 
 _CHANGES = frozenset({"blend", "knead", "shape"})
 """Work after which a food is no longer what it was."""
+
+_BY_TITLE, _BY_TYPE = 1.0, 0.6
+"""How much a goal is called like the dish that is asked: by its title, and by its type alone."""
 
 _MOST = 0.6
 _CALLED_SO = 0.6
@@ -69,78 +75,42 @@ MOST_FITTED = 16
 """How many frames are looked at closely."""
 
 
-@dataclass(frozen=True)
-class Outline:
-    """What of a frame is needed to tell whether it is worth a closer look. Names and kinds are those of its slots.
-
-    ``ends`` is how its dish is heated last (:func:`closing_heat`).
-    """
-
-    key: str
-    dish_type: str
-    label: str
-    foods: frozenset[str]
-    kinds: frozenset[str]
-    ends: tuple[str, str]
-
-    @classmethod
-    def of(cls, layout: Layout, known: Tables) -> Outline:
-        """Return the outline of a frame."""
-        frame = layout.frame
-        slots = list(frame.line.all_slots())
-        return cls(
-            frame.key,
-            frame.dish_type,
-            frame.goal.label,
-            frozenset(slot.food for slot in slots),
-            frozenset(slot.kind for slot in slots) - {"unknown"},
-            closing_heat(layout, known),
-        )
-
-
 def shortlisted(
-    outlines: Iterable[Outline], wants: Sequence[Want], dish_type: str, title: str, *, known: Tables, likes: Likes
+    outlines: Outlines,
+    wants: Sequence[Want],
+    dish_type: str,
+    title: str,
+    *,
+    known: Tables,
+    likes: Likes,
+    allowed: Callable[[str], bool] | None = None,
 ) -> list[str]:
     """Return the keys of the frames that are worth a closer look, the best first, at most ``MOST_FITTED``.
 
     They are those of the asked dish type, and of others those whose dish is heated last as some dish of that type is;
-    those first that have a place for most of what the recipe is built on.
+    those first that have a place for most of what the recipe is built on. ``allowed`` says which goals, by their names,
+    may be taken.
     """
-    outlines = list(outlines)
-    ends = {outline.ends for outline in outlines if outline.dish_type == dish_type}
-    if any(dish.baked for dish in known.dishes_named(dish_type, title)):
-        ends = {("bake", "")}
-    asked = []
+    baked = any(dish.baked for dish in known.dishes_named(dish_type, title))
+    sought = []
     for want in wants:
         names = {singular(want.label), want.facts.taken_for, *(name for name, _ in likes(want.label))}
-        asked.append((weight(want, known), names, want.facts.kind))
-    total = sum(weight for weight, _, _ in asked) or 1.0
-    rows = []
-    for outline in outlines:
-        own = outline.dish_type == dish_type
-        if not own and ends and outline.ends not in ends:
-            continue
-        there = sum(w for w, names, kind in asked if kind in outline.kinds or not names.isdisjoint(outline.foods))
-        score = there / total + (0.5 if own else 0.0) + 0.5 * named_alike(outline.label, dish_type, title)
-        rows.append((-round(score, 6), outline.key))
-    return [key for _, key in sorted(rows)[:MOST_FITTED]]
+        sought.append(Sought(weight(want, known), names, want.facts.kind))
+    return outlines.best(
+        sought,
+        dish_type,
+        lambda there, own, named, headed: there + 0.5 * own + 0.5 * np.where(headed, _BY_TITLE, _BY_TYPE * named),
+        title=title,
+        ends={("bake", "")} if baked else None,
+        allowed=allowed,
+        most=MOST_FITTED,
+    )
 
 
 def fits(layouts: Iterable[Layout], wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> list[Fit]:
     """Return how well each frame suits, the best first."""
     found = (_fit(layout, wants, dish_type, title, matcher) for layout in layouts)
     return sorted(found, key=lambda fit: fit.order)
-
-
-def closing_heat(layout: Layout, known: Tables) -> tuple[str, str]:
-    """Return how a dish is heated last: what is done, and on what (``("", "")`` for a cold one)."""
-    heats = [spot for spot in layout.spots if "heat" in spot.stage.does and not spot.side]
-    if not heats:
-        return ("", "")
-    last = heats[-1]
-    dry = "dry" in last.stage.does or last.stage.appliance in {"oven", "microwave"}
-    row = known.utensil(last.stage.vessel)
-    return ("bake", "") if dry else ("heat", row.group if row is not None else "")
 
 
 def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
@@ -238,8 +208,8 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
     asked = set(words(title))
     head = words(label)[-1:]
     if head and head[0] in asked:
-        return 1.0
-    return 0.6 if own & set(words(dish_type)) else 0.0
+        return _BY_TITLE
+    return _BY_TYPE if own & set(words(dish_type)) else 0.0
 
 
 def is_truly(fit: Fit, known: Tables) -> bool:

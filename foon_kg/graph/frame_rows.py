@@ -8,9 +8,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any
 
+from foon_kg.food import tables
 from foon_kg.graph.lifting import KIND
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
-from foon_kg.integration.places import Post, spots_of
+from foon_kg.integration.outlines import Outline
+from foon_kg.integration.places import Layout, Post, spots_of
 from foon_kg.model import ObjectNode
 
 _KEPT = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}
@@ -51,7 +53,7 @@ def _value(plain: Any) -> Any:  # noqa: ANN401 - any value that JSON has, and an
 
 def frame_row(frame: Frame) -> dict[str, Any]:
     """Answer a frame as ``cypher/load_frames.cypher`` takes it: stages by number, and what hangs on which."""
-    slots = list(frame.line.all_slots())
+    outline = Outline.of(Layout.of(frame, tables()), tables())
     flat = _Flat()
     main = flat.add(frame.line)
     return {
@@ -61,8 +63,9 @@ def frame_row(frame: Frame) -> dict[str, Any]:
         "properties": {
             "dish_type": frame.dish_type,
             "label": frame.goal.label,
-            "foods": sorted({slot.food for slot in slots}),
-            "kinds": sorted({slot.kind for slot in slots}),
+            "foods": sorted(outline.foods),
+            "kinds": sorted(outline.kinds),
+            "ends": list(outline.ends),
             "weak": list(frame.weak),
             "text": text_of(frame),
         },

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import uuid
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -12,7 +13,7 @@ from foon_kg.graph.connection import Connection
 from foon_kg.graph.differences import unknown_videos
 from foon_kg.graph.lifting import methods_key
 from foon_kg.graph.schema import check_readable, kitchen_key, prepare_for_writing
-from foon_kg.graph.statements import VIDEO_CONTENTS, ask
+from foon_kg.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
 from foon_kg.graph.writing import Writer
 from foon_kg.kitchen import Kitchen
 from foon_kg.model import Subgraph
@@ -21,6 +22,11 @@ from foon_kg.snapshot import distinct_by_name
 
 UNITS_PER_TRANSACTION = 5_000
 """Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""
+
+
+VIDEOS_LEARNT_AT_ONCE = 200
+FORGOTTEN_AT_ONCE = 50_000
+"""Bound the memory of the database where operators and frames are learnt anew."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +104,7 @@ def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
     if state.words != word_lists_key():
         session.execute_write(_write_vectors, kitchen)
     if state.methods != methods_key():
-        session.execute_write(_learn_anew, kitchen)
+        _learn_anew(session, kitchen)
 
 
 def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
@@ -126,11 +132,11 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen
     writer.finish()
 
 
-def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> Writer:
-    """Open a writer; raises unless the graph still is as :func:`_begin` left it."""
+def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, learnt_by: str = "") -> Writer:
+    """Open a writer; raises unless the graph still is as this program left it."""
     writer = Writer(transaction, kitchen)
     check_readable(writer.state, kitchen)
-    if writer.state is not None and writer.state.methods != methods_key():
+    if writer.state is not None and writer.state.methods != (learnt_by or methods_key()):
         raise SchemaError(
             "another foon-kg learnt the operators and frames of the graph anew meanwhile",
             hint="Load again; and let all programs that write this graph be of one version.",
@@ -146,8 +152,36 @@ def _write_vectors(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> N
     Writer(transaction, kitchen).finish()
 
 
-def _learn_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
-    Writer(transaction, kitchen).learn_anew()
+def _learn_anew(session: neo4j.Session, kitchen: Kitchen) -> None:
+    """Learn operators and frames of the whole FOON again, as this program does, a part in each transaction.
+
+    Until all is learnt the record has a mark of ours in place of what they were learnt by: nobody reads them, whoever
+    writes is told, and where this program is killed the next load begins again.
+    """
+    mark = f"being learnt by {uuid.uuid4()}"
+    names = session.execute_write(_begin_learning, kitchen, mark)
+    while session.execute_write(_forget_some, kitchen, mark):
+        pass
+    for start in range(0, len(names), VIDEOS_LEARNT_AT_ONCE):
+        session.execute_write(_learn_some, kitchen, mark, names[start : start + VIDEOS_LEARNT_AT_ONCE])
+    session.execute_write(_end_learning, kitchen, mark)
+
+
+def _begin_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> list[str]:
+    Writer(transaction, kitchen).record(mark)
+    return [row.name for row in ask(transaction, VIDEO_NAMES)]
+
+
+def _forget_some(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> bool:
+    return _writer(transaction, kitchen, mark).forget_methods(FORGOTTEN_AT_ONCE)
+
+
+def _learn_some(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str, names: Sequence[str]) -> None:
+    _writer(transaction, kitchen, mark).learn(names)
+
+
+def _end_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> None:
+    _writer(transaction, kitchen, mark).record(methods_key())
 
 
 def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import cached_property
 
 from foon_kg.food import tables
@@ -14,8 +14,9 @@ from foon_kg.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCom
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.operators import Evidence, Operators, Way
+from foon_kg.integration.outlines import Outline, Outlines
 from foon_kg.integration.places import Layout, Post, Posts
-from foon_kg.model import Goal, ObjectNode, Sighting
+from foon_kg.model import Goal, Sighting
 
 
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
@@ -102,24 +103,50 @@ def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
 
 
 class LearntDishes:
-    """The frames of one edition, with the goals that they are of and their layouts."""
+    """The frames of one edition: their outlines, and each frame itself where somebody looks at it."""
 
     def __init__(self, row: FramesRow) -> None:
-        self.frames = frames_of(row.frames)
+        self._texts = {key: text for key, *_, text in row.frames}
+        self._layouts: dict[str, Layout] = {}
+        self._videos: defaultdict[tuple[str, str], list[str]] = defaultdict(list)
+        for _, dish_type, _, _, _, _, goal, video, _ in row.frames:
+            self._videos[goal, dish_type].append(video)
+        self.outlines = Outlines(
+            Outline(key, dish_type, label, frozenset(foods), frozenset(kinds), (ends[0], ends[1]))
+            for key, dish_type, label, foods, kinds, ends, *_ in sorted(row.frames)
+        )
 
-    @cached_property
-    def goals(self) -> tuple[Goal, ...]:
-        """Answer the goals that have a frame, sorted by node and type."""
-        videos: defaultdict[tuple[ObjectNode, str], list[str]] = defaultdict(list)
-        for frame in self.frames:
-            videos[frame.goal, frame.dish_type].append(frame.video)
-        found = (Goal(node, dish, node.ingredients, tuple(names)) for (node, dish), names in videos.items())
-        return tuple(sorted(found, key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+    def layout(self, key: str) -> Layout:
+        """Answer the places of a frame."""
+        if key not in self._layouts:
+            self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
+        return self._layouts[key]
 
-    @cached_property
-    def layouts(self) -> Mapping[str, Layout]:
-        """Answer the places of each frame, by its key."""
-        return {frame.key: Layout.of(frame, tables()) for frame in self.frames}
+    def goal_of(self, frame: Frame) -> Goal:
+        """Answer the goal that a frame is of, with the videos that show a way to it."""
+        videos = self._videos[frame.goal.key, frame.dish_type]
+        return Goal(frame.goal, frame.dish_type, frame.goal.ingredients, tuple(sorted(videos)))
+
+
+class MethodsInPart(Methods):
+    """The part of the methods that matters to one question; of the frames those are read that it looks at closely."""
+
+    def __init__(self, operators: Operators, posts: Posts, dishes: LearntDishes) -> None:
+        super().__init__(operators, (), ())
+        vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes)
+
+    def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
+        """Answer the places of the frames of some keys, in that order."""
+        return [self._dishes.layout(key) for key in keys]
+
+    def goal_of(self, frame: Frame) -> Goal:
+        """Answer the goal that a frame is of."""
+        return self._dishes.goal_of(frame)
+
+    @property
+    def _dishes(self) -> LearntDishes:
+        dishes: LearntDishes = vars(self)["_dishes"]
+        return dishes
 
 
 class CommonMethods:
@@ -177,6 +204,4 @@ class CommonMethods:
 
     def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes) -> Methods:
         """Answer the methods of a question."""
-        methods = Methods(self.operators_with(matters), dishes.frames, dishes.goals)
-        vars(methods).update(posts=self.posts, layouts=dishes.layouts)  # worked out once for all questions
-        return methods
+        return MethodsInPart(self.operators_with(matters), self.posts, dishes)

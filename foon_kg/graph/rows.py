@@ -43,6 +43,9 @@ change it, and the texts of the first sightings of either."""
 MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
 """``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
 
+FrameValue = tuple[str, str, str, list[str], list[str], list[str], str, str, str]
+"""``[key, dish_type, label, foods, kinds, ends, goal, video, text]`` of a frame; the goal by its key."""
+
 Counted = list[tuple[str, int]]
 """Names with their counts."""
 
@@ -247,6 +250,13 @@ class FirstSightingsRow:
 
 
 @dataclass(frozen=True)
+class GoneRow:
+    """How many nodes and edges went."""
+
+    gone: int
+
+
+@dataclass(frozen=True)
 class TextRow:
     """The text of one frame."""
 
@@ -290,9 +300,9 @@ class MethodsAskedRow:
 
 @dataclass(frozen=True)
 class FramesRow:
-    """The texts of all frames."""
+    """All frames, in no order."""
 
-    frames: list[str]
+    frames: list[FrameValue]
 
 
 @dataclass(frozen=True)

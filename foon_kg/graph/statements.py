@@ -81,7 +81,7 @@ SWEEP_OPERATORS = Statement("sweep_operators", rows.Nothing)
 LOAD_FRAMES = Statement("load_frames", rows.Nothing)
 FORGET_FRAMES = Statement("forget_frames", rows.TextRow)
 COUNT_JOINS = Statement("count_joins", rows.Nothing)
-FORGET_METHODS = Statement("forget_methods", rows.Nothing)
+FORGET_METHODS = Statement("forget_methods", rows.GoneRow)
 
 UNITS_SHOWN = Statement("units_shown", rows.ShownRow)
 LABELS_THERE = Statement("labels_there", rows.NameRow)

@@ -97,23 +97,27 @@ class Writer:
         self._ask(cypher.CLEAR)
         self.add(subgraphs)
         self.finish()
-        self._record()
+        self.record(methods_key())
 
-    def learn_anew(self) -> None:
-        """Learn operators and frames of the whole FOON again, as this program does."""
-        names = [row.name for row in self._ask(cypher.VIDEO_NAMES)]
+    def forget_methods(self, most: int) -> bool:
+        """Take away some of what was learnt; say whether there was any."""
+        return any(row.gone for row in self._ask(cypher.FORGET_METHODS, most=most))
+
+    def learn(self, names: Sequence[str]) -> None:
+        """Learn from videos that are there, and from their units, of which some may be learnt from already."""
         subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
         units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
-        self._ask(cypher.FORGET_METHODS)
-        self._learner.learn(units.values(), subgraphs)
+        rows = self._ask(cypher.ATTESTED, keys=sorted(units))
+        known = {unit for row in rows for unit, *_ in row.attested}
+        self._learner.learn((unit for key, unit in units.items() if key not in known), subgraphs)
         self._learner.unlearn((), ())
         self._learner.finish(())
         self._write_vectors()
-        self._record()
 
-    def _record(self) -> None:
+    def record(self, methods: str) -> None:
+        """Write down with which kitchen the graph is written, and by what its operators and frames were learnt."""
         kitchen = kitchen_key(self._kitchen)
-        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods_key())
+        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods)
 
     def _throw_out_trees(self, changed: Iterable[FunctionalUnit]) -> None:
         """Throw out the reference trees that the ``changed`` units, new or about to go, are behind the goals of."""

@@ -11,6 +11,7 @@ from foon_kg.food import Tables, tables
 from foon_kg.integration.derivation import frames_of
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.operators import Operators
+from foon_kg.integration.outlines import Outline, Outlines
 from foon_kg.integration.places import Layout, Posts
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit
 
@@ -39,6 +40,19 @@ class Methods:
     def layouts(self) -> Mapping[str, Layout]:
         """The places of each frame, by its key."""
         return {frame.key: Layout.of(frame, self.operators.known) for frame in self.frames}
+
+    @cached_property
+    def outlines(self) -> Outlines:
+        """What of each frame tells whether it is worth a closer look."""
+        return Outlines(Outline.of(layout, self.operators.known) for layout in self.layouts.values())
+
+    def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
+        """Return the places of the frames of some keys, in that order."""
+        return [self.layouts[key] for key in keys]
+
+    def goal_of(self, frame: Frame) -> Goal:
+        """Return the goal that a frame is of."""
+        return next(goal for goal in self.goals if goal.node == frame.goal and frame.video in goal.videos)
 
     @cached_property
     def cooked_by(self) -> Mapping[str, tuple[str, ...]]:

@@ -15,13 +15,12 @@ from functools import cached_property
 
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
-from foon_kg.food import Tables, singular, tables, words
-from foon_kg.goals.choice import Fit, Outline, fits, is_truly, missing_core, refusals, shortlisted
+from foon_kg.food import Tables, singular, tables
+from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
-from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import wants_of
@@ -35,6 +34,7 @@ from foon_kg.progress import lines_of_things
 from foon_kg.result import PassedOver, PlannedUnit, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
+from foon_kg.similarity import food_similarity
 from foon_kg.validation import Report, TaskTree, check
 from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
 from foon_kg.world import Mention, Step
@@ -69,16 +69,11 @@ class Attempt:
 
 
 class Teaching:
-    """What a FOON teaches, or the part of it that matters to a question, with what is worked out from it once."""
+    """What a FOON teaches, or the part of it that matters to a question, with how well its foods stand for others."""
 
     def __init__(self, methods: Methods, settings: PlanSettings) -> None:
         self.methods = methods
         self.likes = FoodLikes(settings.similarity, methods.operators.foods, settings.substitutes)
-
-    @cached_property
-    def outlines(self) -> tuple[Outline, ...]:
-        """What of each frame tells whether it is worth a closer look."""
-        return tuple(Outline.of(layout, self.methods.operators.known) for layout in self.methods.layouts.values())
 
 
 class Planner:
@@ -93,7 +88,7 @@ class Planner:
         self.settings = settings
         self.known: Tables = tables()
         self.references = References(view, settings, units)
-        self.in_parts = units is None
+        self.in_parts = units is None and settings.similarity is food_similarity()  # parts are found by the default
         self._latest: Teaching | None = None
         if settings.substitutes:
             _ = self.teaching_for((), "").likes  # a substitute that nobody knows is refused before anything is planned
@@ -107,7 +102,10 @@ class Planner:
         else:
             methods = self.view.methods() if self._latest is None else self._latest.methods
         if self._latest is None or self._latest.methods is not methods:
-            self._latest = Teaching(methods, self.settings)
+            try:
+                self._latest = Teaching(methods, self.settings)
+            except UsageError:  # the nearest to a substitute that nobody knows are sought among all
+                return Teaching(self.view.methods(), self.settings)
         return self._latest
 
     def kitchen_for(self, foods: Sequence[str]) -> Kitchen:
@@ -191,23 +189,29 @@ class _Question:
 
     @cached_property
     def _fits(self) -> list[Fit]:
-        frames = self.methods.frames
+        outlines = self.methods.outlines
         dish_type, title = self.recipe.dish_type, self.recipe.title or ""
-        if not any(_is_of(frame, dish_type) for frame in frames):
-            there = ", ".join(sorted({frame.dish_type for frame in frames})) or "none"
+        if not outlines.are_of(dish_type):
+            there = ", ".join(sorted(outlines.dish_types)) or "none"
             raise NoTreeError(
                 f"this FOON has no {dish_type or 'dish'}",
                 code="no-goal",
                 hint=f"It has goals of these dish types: {there}.",
             )
-        avoided = self.settings.avoided
-        methods = self.methods
-        outlines = [one for one in self.teaching.outlines if not avoided or why_avoided(one.label, avoided) is None]
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        keys = shortlisted(outlines, self.wants, dish_type, title, known=self.known, likes=self.likes)
-        return fits([methods.layouts[key] for key in keys], self.wants, dish_type, title, self.matcher)
+        avoided = self.settings.avoided
+        keys = shortlisted(
+            outlines,
+            self.wants,
+            dish_type,
+            title,
+            known=self.known,
+            likes=self.likes,
+            allowed=(lambda label: why_avoided(label, avoided) is None) if avoided else None,
+        )
+        return fits(self.methods.layouts_of(keys), self.wants, dish_type, title, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
         del lacks
@@ -234,7 +238,7 @@ class _Question:
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
-        goal = next(goal for goal in self.methods.goals if goal.node == frame.goal and frame.video in goal.videos)
+        goal = self.methods.goal_of(frame)
         summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
@@ -296,13 +300,6 @@ class _Question:
             code="no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
-
-
-def _is_of(frame: Frame, dish_type: str) -> bool:
-    """Whether a dish is of a type, as its annotator has it or as it is called: a blueberry muffin is a muffin."""
-    return (
-        not dish_type or frame.dish_type == dish_type or not set(words(dish_type)).isdisjoint(words(frame.goal.label))
-    )
 
 
 def _as_tree(result: PlanResult) -> TaskTree:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from foon_kg.knowledge import KnowledgeView
+from foon_kg.knowledge import KnowledgeView, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.recent import Recent
 from foon_kg.result import ReferenceSummary
@@ -12,6 +12,7 @@ from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, re
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
 from foon_kg.settings import PlanSettings
 
+_NONE = Vocabulary((), (), ())
 MOST_TREES = 4096
 """How many reference trees are kept."""
 
@@ -59,7 +60,7 @@ class References:
 
     def _numbered(self, units: Sequence[KnownUnit]) -> UnitIndex:
         kitchen = self.settings.kitchen.with_every_food()  # foods of a reference are exchanged: the final tree is asked
-        cost = gap_cost(kitchen, units, mixtures(kitchen, self.view.vocabulary(), units))
+        cost = gap_cost(kitchen, units, mixtures(kitchen, self.view.words_in(units, _NONE), units))
         return UnitIndex.of(
             units,
             at_hand=kitchen.has,

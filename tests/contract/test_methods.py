@@ -15,6 +15,8 @@ from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError, SchemaError
 from foon_kg.graph import load, loading, reading, remove
 from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.graph.lifting import methods_key
+from foon_kg.graph.writing import Writer
 from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.planning.likes import FoodLikes
@@ -139,6 +141,31 @@ def test_a_program_that_learns_otherwise_does_not_add_to_what_was_learnt(connect
     monkeypatch.setattr(loading, "_learn_anew", lambda *_: None)  # as if it had done so just before the other loaded
     with pytest.raises(SchemaError, match="meanwhile"):
         load(connection, videos)
+
+
+def test_learning_anew_that_was_interrupted_is_told_apart_and_begun_again(connection, graph, monkeypatch):
+    videos = videos_of_the_demo()[:6]
+    load(connection, videos)
+    ask_freely(connection, "MATCH (f:Foon) SET f.methods = 'others'", write=True)
+    monkeypatch.setattr(loading, "VIDEOS_LEARNT_AT_ONCE", 2)
+    monkeypatch.setattr(loading, "FORGOTTEN_AT_ONCE", 500)
+    learn = Writer.learn
+
+    def interrupted(writer, names):
+        if videos[3].name in names:
+            raise KeyboardInterrupt
+        learn(writer, names)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Writer, "learn", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            load(connection, [])
+    assert_equal_methods(graph, videos)
+    ((mark,),) = ask_freely(connection, "MATCH (f:Foon) RETURN f.methods").rows
+    assert mark.startswith("being learnt")
+    load(connection, [])
+    assert ask_freely(connection, "MATCH (f:Foon) RETURN f.methods").rows == ((methods_key(),),)
+    assert_equal_methods(graph, videos)
 
 
 def test_plans_from_neo4j_are_those_from_memory_byte_by_byte(connection, graph):

@@ -33,9 +33,7 @@ OTHERWISE = {"banana_smoothie", "fruit_punch", "mint_tea", "strawberry_milkshake
 otherwise = pytest.mark.xfail(reason="a food is handled like another one, though its own video shows how", strict=True)
 
 
-_recorded = [
-    pytest.param(one, marks=[otherwise] if one.name in OTHERWISE else [], id=one.name) for one in SUBGRAPHS
-]
+_recorded = [pytest.param(one, marks=[otherwise] if one.name in OTHERWISE else [], id=one.name) for one in SUBGRAPHS]
 every_recipe = pytest.mark.parametrize("recipe", RECIPES, ids=lambda recipe: recipe.id)
 every_dish = pytest.mark.parametrize("dish", _recorded)
 

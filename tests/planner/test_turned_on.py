@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from kitchen_stories import CHOP_ONION, subgraph, unit
 from planner.dishes import KITCHEN, SETTINGS
 from planner.judged import fatal
