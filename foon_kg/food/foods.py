@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from foon_kg.food.rows import Food, Kind, Level, Match
 from foon_kg.food.words import plain_words, singular, words
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
+_PACKED = "canned"
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,6 +52,9 @@ class FoodTable:
         return frozenset(found)
 
     def _food(self, name: str, states: tuple[str, ...]) -> Food:
+        main, _, packed = name.partition(" in ")
+        if packed and main in self.kind_of and name not in self.kind_of:
+            return replace(self._food(main, (*states, _PACKED)), name=name)  # tuna in water, peaches in syrup
         meant = next((o for state, o in self.homonyms.get(name, ()) if any(_is_state(state, s) for s in states)), name)
         kind, taken_for, match = self.find(meant)
         row = self.kinds.get(kind, UNKNOWN)
@@ -76,6 +80,8 @@ class FoodTable:
         own = name.split()
         if name in self.kind_of:
             return self.kind_of[name], name, Match.NAME
+        if "with" in own[1:]:
+            return self._find(" ".join(own[: own.index("with")]))  # tomatoes with green chilies are tomatoes
         for start in range(1, len(own)):
             phrase = " ".join(own[start:])
             if phrase in self.kind_of:

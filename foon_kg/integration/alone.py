@@ -74,7 +74,7 @@ class Alone:
         if not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
         told = join.slot.cooked if join.slot is not None else ()
-        if told or self.preparer.is_mashed_raw(want):
+        if told or want.then or self.preparer.is_mashed_raw(want):
             return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
         bath = [stage for stage in heats if "dry" not in stage.does]
@@ -190,15 +190,7 @@ class Alone:
 
         bench.emit(attested, [pot, (device, pot), *before], change, [pot, stuff])
         bench.switch(pot, device, on=False)
-        strainer = bench.vessel("strainer")
-        drained = bench.require([("drain", ()), ("pour", ())], want.names)
-
-        def drain() -> None:
-            pot.contents.clear()
-            strainer.contents.append(stuff)
-            stuff.at = strainer
-
-        bench.emit(drained, [pot, stuff, strainer], drain, [strainer, stuff, pot])
+        self.carry.drain(pot, bench.vessel("strainer"), [stuff])
 
     def _cooked_states(self, stuff: Stuff, want: Want, way: Way) -> tuple[str, ...]:
         kept = [s for s in stuff.states if not self.says_raw(s)]
@@ -218,6 +210,10 @@ class Alone:
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
+        fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
+        if fat is not None and fat is not want:
+            taken = Ready(fat, bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage))
+            self.carry.bring(taken, pan, None)  # nothing is fried dry where there is fat
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)
         ways = [way for motion in (*method, "cook") for way in bench.operators.ways_of(motion)]
@@ -229,5 +225,5 @@ class Alone:
             stuff.states = states
             pan.hot = True
 
-        bench.emit(attested, [pan, (device, pan), stuff], change, [pan, stuff])
+        bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)

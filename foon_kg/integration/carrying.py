@@ -32,8 +32,13 @@ class Carrier:
         ready.whole_shell = False
 
     def transfer(self, source: Vessel, target: Vessel, stage: Stage) -> None:
-        """Bring all that is in one vessel into another."""
+        """Bring all that is in one vessel into another; water runs off where that is a strainer."""
         stuffs = list(source.contents)
+        row = self.known.utensil(target.label)
+        water = [stuff for stuff in stuffs if not stuff.mixed and self.known.foods.food(stuff.label).is_a("water")]
+        if row is not None and "strain" in row.can and 0 < len(water) < len(stuffs):
+            self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
+            return
         foods = foods_of(source)
         runs = len(stuffs) > 1 or any(
             form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff)
@@ -43,15 +48,25 @@ class Carrier:
         form = "liquid" if runs else "whole" if one_piece else "pieces"
         usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
-        if (
-            stage.motion
-            and self._pure((stage.motion, stage.tools))
-            and (not runs or (stage.motion, ()) in usual or (stage.motion, stage.tools) in usual)
-        ):
-            ways.append((stage.motion, stage.tools))
+        tools = stage.tools if (stage.motion, stage.tools) in usual else ()
+        if stage.motion and self._pure((stage.motion, tools)) and (not runs or (stage.motion, tools) in usual):
+            ways.append((stage.motion, tools))
         ways += [way for way in usual if self._pure(way)]
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
+        """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone."""
+        foods = tuple(dict.fromkeys(food for stuff in stuffs for food in stuff.foods))
+        drained = self.bench.require([("drain", ()), ("pour", ())], foods)
+
+        def change() -> None:
+            pot.contents.clear()
+            for stuff in stuffs:
+                strainer.contents.append(stuff)
+                stuff.at = strainer
+
+        self.bench.emit(drained, [pot, *stuffs, strainer], change, [strainer, *stuffs, pot])
 
     def is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""

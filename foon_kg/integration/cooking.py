@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from foon_kg.food import Tables
 from foon_kg.integration.alone import Alone
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.frames import Line, Stage
@@ -130,6 +130,12 @@ class Cooking:
         label = self.utensils.vessel_label(stage, vessel, device)
         if vessel is not None and self.plan.tin and label != vessel.label:
             label = self._tin_for(label, vessel)
+        dressed = main and self._is_dressed(stage, joins, later)
+        warmed = dressed and self.course.is_hot(stage)
+        if warmed:
+            label = "pot"
+        elif dressed and is_flat(label):
+            label = "bowl"
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -140,11 +146,37 @@ class Cooking:
             self._heat_off(vessel)
         if heats and relation == "on" and (vessel.device is None or vessel.device.label != device):
             self.bench.place(vessel, device, relation)
-        self._add_all(stage, vessel, joins, lines, heats=heats, relation=relation, later=later, main=main)
+        tops = [join for join in joins if dressed and join.want.facts.is_a("topping", "herb")]
+        self._add_all(
+            stage, vessel, [join for join in joins if join not in tops], lines,
+            heats=heats, relation=relation, later=later, main=main and not dressed,
+        )  # fmt: skip
         if not vessel.contents:
             return None
+        if dressed:
+            self._dress(vessel, warmed=warmed)
+        for join in tops:
+            self.carry.bring(self.ready[join.want.number], vessel, join.slot)
+            self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
+
+    def _is_dressed(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
+        if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
+            return False
+        return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
+
+    def _dress(self, vessel: Vessel, *, warmed: bool) -> None:
+        """Mix what came to a dish that was done, over the heat where the dish is hot."""
+        foods = foods_of(vessel)
+        if not warmed:
+            self.bench.work(vessel, self.work.stirring(foods), self.plan.label, ("mixed",), with_device=False)
+            return
+        device = self.bench.place(vessel, "stove", "on")
+        self.bench.switch(vessel, device, on=True)
+        self.bench.work(vessel, self.work.stirring_hot(foods), self.plan.label, ("cooked", "mixed"))
+        self.bench.switch(vessel, device, on=False)
 
     def _tin_for(self, label: str, vessel: Vessel) -> str:
         """Return what batter or dough is baked in: the tin of such a dish in the place of another dish's."""
@@ -195,7 +227,9 @@ class Cooking:
             return vessel
         self._heat_off(vessel)
         fresh = self.bench.vessel(label)
-        grease = [join for join in joins if join.want.facts.is_a("fat")]
+        row = self.known.utensil(label)
+        bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
+        grease = [join for join in joins if bakes and join.want.facts.is_a("fat")]
         device, relation = self.utensils.device_for(stage)
         if device and relation == "on":
             self.bench.place(fresh, device, relation)
@@ -323,7 +357,7 @@ class Cooking:
             return
         finished = not any(not one.does.isdisjoint(HEATS) for one in later)
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
-        product = bool(label) or (mixes and not heats)
+        product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
         if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
             return
@@ -333,6 +367,12 @@ class Cooking:
             self.work.work_each(vessel, attested, states, with_device=bool(device))
         if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):
             self._heat_off(vessel)
+
+    def _is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""
+        row = self.known.utensil(later[0].vessel) if later and later[0].vessel else None
+        water = any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)
+        return water and row is not None and "strain" in row.can
 
     def _is_idle(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether a stage would change nothing: it is done again anyway, or there is only one food to be mixed."""

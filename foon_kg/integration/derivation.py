@@ -195,8 +195,9 @@ class _Derivation:
             lit = place.vessel in self.over_heat[step] and does <= {"mix", "move"}
             if lit or self._told_cooked(place, happening):
                 does |= {"heat"}  # what is stirred over a fire cooks, though nobody noted the cooking
+        bath = self._bath(cluster, happening) if "liquid" in does else []
         return Stage(
-            tuple(cluster.waiting),
+            (*bath, *cluster.waiting),
             motion,
             does,
             tools,
@@ -208,6 +209,16 @@ class _Derivation:
             place.states if place else (),
             step,
         )
+
+    def _bath(self, cluster: _Cluster, happening: Happening) -> list[Slot]:
+        """Return the water in which a dish is cooked that is not in it at the end: somebody poured it away."""
+        lumps = [*happening.inputs, *(lump for vessel in happening.vessels for lump in vessel.lumps)]
+        parts = {self._name(part): part for lump in lumps for part in lump.parts}
+        others = [part for name, part in sorted(parts.items()) if name not in cluster.parts]
+        water = next((part for part in others if part.food.is_a("water")), None)
+        if water is None:
+            return []
+        return [Slot(water.name, self.known.foods.food(water.name, water.states).kind, water.states)]
 
     def _over_heat(self) -> frozenset[str]:
         """Return the names of the vessels that stand over a fire that burns."""

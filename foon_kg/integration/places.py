@@ -28,6 +28,7 @@ _WORKS = (
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
+_BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
@@ -193,7 +194,7 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
+    ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
     """
 
     frame: Frame
@@ -201,6 +202,7 @@ class Layout:
     places: tuple[Place, ...]
     open: tuple[Spot, ...]
     drained: frozenset[int]
+    past: Spot | None
     heats: bool
     made: tuple[tuple[frozenset[str], bool, str, Spot], ...]
 
@@ -214,12 +216,14 @@ class Layout:
             for slot in spot.stage.slots:
                 food = known.foods.food(slot.food)
                 places.append(Place(slot, spot, frozenset(need for need in needs if _is(need, food))))
+        drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
         return cls(
             frame,
             spots,
             tuple(places),
             tuple(spot for spot in spots if _is_open(spot, known)),
-            frozenset(id(spot) for spot in spots if _is_drained(spot, known)),
+            drained,
+            _past(spots, drained),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
             tuple(_made(spots, known)),
         )
@@ -247,6 +251,13 @@ def _is_drained(spot: Spot, known: Tables) -> bool:
     """Whether what is liquid runs out later: the whole comes into a strainer."""
     rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
     return any(row is not None and "strain" in row.can for row in rows)
+
+
+def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
+    """Return the last stage of a dish that is only carried on once it is drained."""
+    after = [spot for spot in spots if not spot.side and id(spot) not in drained]
+    before = [spot for spot in spots if not spot.side and id(spot) in drained]
+    return after[-1] if before and after and all(_only_carries(spot.stage) for spot in after) else None
 
 
 def _is(need: str, food: Food) -> bool:
@@ -312,7 +323,10 @@ class Matcher:
         dish_type = layout.frame.dish_type
         posts = {place.spot.post for place in layout.places}
         usual = max((self.posts.likely(want, post, dish_type) for post in posts), default=0.0)
+        runs = want.facts.is_a("liquid", "water", "creamy", "frozen")
         for place in layout.places:
+            if not runs and place.slot.kind == "water":
+                continue  # no solid takes the place of the water in which a dish is cooked
             fit = self._fit(want, place.slot)
             if fit < _SAME_ROLE and needs and not needs.isdisjoint(place.needs):
                 fit = _SAME_ROLE
@@ -328,6 +342,8 @@ class Matcher:
         """Return the stage at which foods of its kind join, most likely one that still cooks what must be cooked."""
         must = bool({"cook", "boil"} & owed(want, self.known))
         late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
+        if layout.past is not None and not want.facts.is_a(*_BATHED) and "boil" not in want.facts.owes:
+            return Join(want, layout.past, NATURAL - 0.01)  # what is only boiled and drained is dressed afterwards
         found, most, best = layout.spots[0], 0.0, -1.0
         for spot in layout.open:
             if spot.post[0] == "top" and not tops:

@@ -6,10 +6,11 @@ taken from the operators of the FOON. What no operator does is assumed to have b
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
-from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.rows import State
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.operators import Attested, Operators, Way, form_of
@@ -40,7 +41,8 @@ class Want:
 
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
-    (``None``: it was taken at its word).
+    (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
+    ``then`` is what is made of it once it is cooked (mashed).
     """
 
     number: int
@@ -53,6 +55,8 @@ class Want:
     cooked: bool = False
     read_as: str | None = None
     squeezed: bool = False
+    bought_so: bool = False
+    then: str = ""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -72,10 +76,33 @@ class Ready:
     assumptions: list[str] = field(default_factory=list)
 
 
-def wants_of(ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators) -> tuple[Want, ...]:
+def wants_of(
+    ingredients: Iterable[RequiredIngredient], known: Tables, operators: Operators, title: str = ""
+) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood."""
     distinct = dict.fromkeys(one for one in ingredients if one.object)
-    return tuple(understood(number, one, known, operators) for number, one in enumerate(distinct, 1))
+    wants = (understood(number, one, known, operators) for number, one in enumerate(distinct, 1))
+    return tuple(_as_entitled(want, title, known, operators) for want in wants)
+
+
+def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
+    """Return a food as the title has it, where that says of it what the recipe left out: smoked salmon, mashed potato."""
+    told = words(title)
+    heads = words(want.label)[-1:]
+    for before, word in itertools.pairwise(told):
+        if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
+            continue
+        row = known.state(before)
+        if _is_bought_so(row, before, operators):
+            return replace(want, leaf=(before,), bought_so=True)
+        if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
+            return replace(want, then=before)
+    return want
+
+
+def _is_bought_so(row: State, state: str, operators: Operators) -> bool:
+    """Whether no kitchen of this FOON makes a food so, which is fit to be eaten then."""
+    return "cook" in row.earns and not row.needs_heat and not any(True for _ in operators.making(state))
 
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
@@ -98,6 +125,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
+    if _is_bought_so(row, one.state, operators):
+        return replace(want, leaf=(one.state,), bought_so=True)
     can = _can_be_made(want, form, row, operators)
     return replace(want, make=one.state) if can else replace(want, read_as=plain)
 
@@ -159,6 +188,8 @@ class Preparer:
         """
         ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
         due = self._due(want)
+        if want.bought_so:
+            ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
@@ -177,6 +208,7 @@ class Preparer:
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
+        ready.cut_later = want.then or ready.cut_later
         return ready
 
     def _due(self, want: Want) -> set[str]:
@@ -251,7 +283,8 @@ class Preparer:
         asked = self.known.state(want.make) if want.make else None
         if asked is not None and (asked.fine or 0) > 0:
             return want.make
-        if not divided or any((self.known.state(state).fine or 0) > 0 for state in want.leaf):
+        rows = [self.known.state(state) for state in want.leaf]
+        if not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""
         if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"} or want.facts.is_a("stock"):
             return ""

@@ -52,7 +52,8 @@ class Worker:
     def _whole(self, vessel: Vessel, label: str, states: tuple[str, ...]) -> Stuff:
         foods = tuple(sorted({food for stuff in vessel.contents for food in stuff.foods}))
         wants = frozenset().union(*(stuff.wants for stuff in vessel.contents))
-        return Stuff(label, self.bench.number(), states, foods, wants, vessel, mixed=True)
+        same = next((stuff.number for stuff in vessel.contents if stuff.mixed and stuff.label == label), None)
+        return Stuff(label, same or self.bench.number(), states, foods, wants, vessel, mixed=True)
 
     def lies_unmixed(self, vessel: Vessel) -> bool:
         """Whether something lies beside what was mixed before, uncooked, in a vessel in which it can be stirred."""
@@ -69,6 +70,8 @@ class Worker:
 
         def change() -> None:
             for stuff in stuffs:
+                if self.known.foods.food(stuff.label).is_a("water") and not stuff.mixed:
+                    continue  # however long it boils
                 kept = [s for s in stuff.states if not self.alone.says_raw(s)]
                 facts = self.known.foods.food(stuff.label)
                 melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
@@ -83,12 +86,7 @@ class Worker:
         if stage.motion in word_list("needs a closed vessel") and not self._is_closed(vessel):
             return self.stirring(foods)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
-            both = [
-                way
-                for way in self.bench.operators.ways.get("heat", ())
-                if self.known.motion(way[0]).does == {"heat", "mix"}
-            ]
-            return self.bench.require(both, foods)
+            return self.stirring_hot(foods)
         mixes_by_hand = (
             not stage.tools
             and vessel.device is None
@@ -125,6 +123,11 @@ class Worker:
         """Return the likeliest way to mix foods through with a tool, as they are."""
         ways = [way for way in self.bench.operators.ways.get("mix", ()) if way[1]]
         return self.bench.require([way for way in ways if self.known.motion(way[0]).does == {"mix"}], foods)
+
+    def stirring_hot(self, foods: Sequence[str]) -> Attested:
+        """Return the likeliest way to cook foods while they are mixed."""
+        ways = self.bench.operators.ways.get("heat", ())
+        return self.bench.require([way for way in ways if self.known.motion(way[0]).does == {"heat", "mix"}], foods)
 
     def label(self, stage: Stage, vessel: Vessel, *, last: bool = False, main: bool = False) -> str:
         """Return what the whole is called after a stage: as in the frame where that is true of what is in it."""

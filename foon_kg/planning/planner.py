@@ -156,7 +156,7 @@ class _Question:
         names += [self.known.foods.food(one.object, [one.state]).taken_for for one in asked]
         self.teaching = planner.teaching_for(dict.fromkeys(name for name in names if name), recipe.dish_type)
         self.methods = self.teaching.methods
-        self.wants = wants_of(asked, self.known, self.methods.operators)
+        self.wants = wants_of(asked, self.known, self.methods.operators, recipe.title or "")
         if not self.wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         foods = [want.label for want in self.wants]

@@ -116,7 +116,6 @@ def test_foods_that_the_video_does_not_have_are_declared_with_what_they_are_hand
     assert {pair for pair, sure in found.items() if sure > 0.5} >= set(told)
 
 
-@pytest.mark.xfail(strict=True, reason="the pot is empty: water that is drained is in no slot")
 def test_what_is_boiled_is_boiled_in_something(demo):
     _, result = planned(ASKED["quark_dumplings"], [*demo, NEW["quark_dumplings"]])
     assert "water" in {node.label for node in result.kitchen}
