@@ -260,6 +260,26 @@ def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
     return after[-1] if before and after and all(_only_carries(spot.stage) for spot in after) else None
 
 
+def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Let a food join the dish itself where it would be all that is left of a side line that is made without heat.
+
+    Nobody sets up a blender for some chives because a video made a pesto with it.
+    """
+    by_path = {spot.path: spot for spot in layout.spots}
+    found = list(joins)
+    for number, join in enumerate(joins):
+        path = join.spot.path
+        while len(path) > 2:  # noqa: PLR2004 - a stage of the dish itself has one number
+            line, path = path[:-1], path[:-2]
+            here = [other for other in joins if other.spot.path[: len(line)] == line]
+            spots = [spot for spot in layout.spots if spot.path[: len(line)] == line]
+            slots = sum(1 for spot in spots for _ in spot.stage.slots)
+            hot = any("heat" in spot.stage.does for spot in spots)
+            if here == [join] and slots > 1 and not hot:
+                found[number] = Join(join.want, by_path[path], min(join.fit, NATURAL - 0.01))
+    return tuple(found)
+
+
 def _is(need: str, food: Food) -> bool:
     """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
     scheme, _, name = need.rpartition(":")
@@ -288,7 +308,7 @@ class Matcher:
 
     def joins(self, layout: Layout, wants: Sequence[Want]) -> tuple[Join, ...]:
         """Return where each food joins."""
-        return tuple(self._join(layout, want) for want in wants)
+        return _without_lone(layout, [self._join(layout, want) for want in wants])
 
     def _join(self, layout: Layout, want: Want) -> Join:
         if layout.made and want.facts.is_a("made", "dough", "ready"):
