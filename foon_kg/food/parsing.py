@@ -125,6 +125,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         frozenset(row.get("soft", [])),
         row.get("baked", False),
         row.get("tin", ""),
+        row.get("stacked", False),
     )
 
 

@@ -139,6 +139,7 @@ class Dish:
 
     ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink). ``baked``: it
     comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
+    ``stacked``: it is put together on bread, and what needs no cooking only then.
     """
 
     name: str
@@ -148,3 +149,4 @@ class Dish:
     eases: frozenset[str] = frozenset()
     baked: bool = False
     tin: str = ""
+    stacked: bool = False

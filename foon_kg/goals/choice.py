@@ -68,6 +68,9 @@ def weight(want: Want, known: Tables) -> float:
 _AS_RECORDED, _VERY = 0.3, 0.99
 """What it counts that a recipe has the foods of the recorded dish, and how well a food fits its own slot."""
 
+_DAMAGED = 1.0
+"""What a frame is less worth in which something is never cooked that has to be."""
+
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
 
@@ -115,7 +118,8 @@ def fits(layouts: Iterable[Layout], wants: Sequence[Want], dish_type: str, title
 
 def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
     known, frame = matcher.known, layout.frame
-    joins = matcher.joins(layout, wants)
+    stacked = any(dish.stacked for dish in known.dishes_named(dish_type, title))
+    joins = matcher.joins(layout, wants, stacked=stacked)
     vetoes = tuple(_vetoes(layout, joins, dish_type, title, known))
     weights = [weight(want, known) for want in wants]
     natural = sum(w * join.fit for w, join in zip(weights, joins, strict=True)) / sum(weights)
@@ -131,6 +135,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
+    score -= _DAMAGED if layout.raw else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
@@ -250,7 +255,10 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
         if dish.baked and not bakes:
             yield f"{dish.name} is baked, and {frame.goal.label} is not"
         if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):
-            yield f"{dish.name} is hot, and {frame.goal.label} is not"
+            if dish.is_type or not any({"cook", "boil"} & owed(join.want, known) for join in joins):
+                yield f"{dish.name} is hot, and {frame.goal.label} is not"
+        elif dish.heated and _ends_raw(spots):
+            yield f"{dish.name} is hot, and {frame.goal.label} is not cooked once it is shaped"
     for spot in spots:
         if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
             continue
@@ -265,6 +273,13 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
             yield f"{join.want.label} would run off"
         if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
+
+
+def _ends_raw(spots: Sequence[Spot]) -> bool:
+    """Whether a dish is kneaded or shaped last, and never heated after that."""
+    main = [spot for spot in spots if not spot.side]
+    shaped = [number for number, spot in enumerate(main) if spot.post[0] in {"knead", "shape"}]
+    return bool(shaped) and not any("heat" in spot.stage.does for spot in main[shaped[-1] :])
 
 
 def _comes_through(joined: Spot, spot: Spot) -> bool:

@@ -13,6 +13,10 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
 
 
+_MUCH_ALIKE = 0.8
+_POWDER = 5
+
+
 class Alone:
     """Cooks single foods on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
 
@@ -73,7 +77,9 @@ class Alone:
             return self._warmed_first(join)
         if not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
-        told = join.slot.cooked if join.slot is not None else ()
+        told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
+        if self._is_cut_of_its_shell(want):
+            return ("boil",)
         if told or want.then or self.preparer.is_mashed_raw(want):
             return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
@@ -85,6 +91,15 @@ class Alone:
             return ("boil",)
         done_there = heats and self._cooks_there(join, due)
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
+
+    def _is_the_same(self, join: Join) -> bool:
+        """Whether a food is so much like that of its slot that it is cooked as that one is."""
+        return join.slot is not None and (join.slot.kind == join.want.facts.kind or join.fit >= _MUCH_ALIKE)
+
+    def _is_cut_of_its_shell(self, want: Want) -> bool:
+        """Whether a food that runs out of its shell is asked in pieces: it has to be boiled in its shell for that."""
+        fine = self.known.state(want.make).fine or 0 if want.make else 0
+        return 0 < fine < _POWDER and self._pours(want)
 
     def _asked_cooking(self, want: Want) -> tuple[str, ...]:
         """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""
@@ -210,10 +225,8 @@ class Alone:
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
-        fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
-        if fat is not None and fat is not want:
-            taken = Ready(fat, bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage))
-            self.carry.bring(taken, pan, None)  # nothing is fried dry where there is fat
+        if not want.facts.is_a("fat"):
+            self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)
         ways = [way for motion in (*method, "cook") for way in bench.operators.ways_of(motion)]

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
 from foon_kg.integration.preparation import Preparer, Ready, Want
@@ -40,8 +41,9 @@ class Carrier:
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
         foods = foods_of(source)
-        runs = len(stuffs) > 1 or any(
-            form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff)
+        shaped = not word_list("keeps its shape").isdisjoint({state for stuff in stuffs for state in stuff.states})
+        runs = (len(stuffs) > 1 and not shaped) or any(
+            not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs
         )
         one_piece = len(stuffs) == 1 and stuffs[0].mixed and not runs
@@ -54,6 +56,16 @@ class Carrier:
         ways += [way for way in usual if self._pure(way)]
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
+        """Bring some of the fat that was asked for into a pan, that nothing is fried dry; return whether there is any."""
+        fats = [j.want for j in plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")]
+        fats.sort(key=lambda want: not want.facts.is_a("liquid"))
+        if not fats:
+            return False
+        taken = self.bench.fetch(fats[0].label, fats[0].leaf, [fats[0].number], fats[0].storage)
+        self.bring(Ready(fats[0], taken), vessel, None)
+        return True
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone."""

@@ -21,6 +21,14 @@ from foon_kg.integration.utensils import Utensils
 from foon_kg.integration.working import Worker
 
 
+_BREADS = ("bread", "bun", "flatbread")
+_SMALL = 3
+"""How fine pieces are that are bound by something creamy (chopped, flaked)."""
+
+_DEEP = "baking dish"
+"""What is wet is baked in it."""
+
+
 class Cooking:
     """One dish in the making on a bench."""
 
@@ -126,12 +134,16 @@ class Cooking:
         lines = [subs[id(add)] for add in stage.adds if isinstance(add, Line) and id(add) in subs]
         if vessel is None and not joins and not lines:
             return None
+        if main and self.plan.stacked and self._is_put_together(stage, joins, later):
+            return self._stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
         label = self.utensils.vessel_label(stage, vessel, device)
-        if vessel is not None and self.plan.tin and label != vessel.label:
-            label = self._tin_for(label, vessel)
+        comes = vessel if vessel is not None else next(iter(lines), None)
+        if comes is not None and label != comes.label:
+            label = self._tin_for(label, comes)
         dressed = main and self._is_dressed(stage, joins, later)
-        warmed = dressed and self.course.is_hot(stage)
+        drained = self.known.utensil(vessel.label) if vessel is not None else None
+        warmed = dressed and drained is not None and "strain" in drained.can
         if warmed:
             label = "pot"
         elif dressed and is_flat(label):
@@ -167,6 +179,48 @@ class Cooking:
             return False
         return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
 
+    def _is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether this is where a stacked dish is put together, with foods that its video has not."""
+        works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
+        return not works and any(join.slot is None for join in joins)
+
+    def _stack(
+        self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]
+    ) -> Vessel:
+        """Put a dish together on a plate: bread, what was made, then the rest; what is spread with pieces is mixed before."""
+        plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
+        breads = [join for join in joins if join.want.facts.is_a(*_BREADS)]
+        rest = [join for join in joins if join not in breads]
+        filling = self._filling(rest)
+        bowl = self.bench.vessel("bowl")
+        for join in filling:
+            self.carry.bring(self.ready[join.want.number], bowl, None)
+        if filling:
+            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), "filling", ("mixed",), with_device=False)
+        for join in breads:
+            self.carry.bring(self.ready[join.want.number], plate, None)
+        made = [one for one in (*lines, vessel, bowl) if one is not None and one is not plate and one.contents]
+        for one in made:
+            self._heat_off(one)
+            self.carry.transfer(one, plate, stage)
+        for join in rest:
+            if join not in filling:
+                self.carry.bring(self.ready[join.want.number], plate, None)
+        self.work.name(plate, self.plan.label)
+        return plate
+
+    def _filling(self, joins: Sequence[Join]) -> list[Join]:
+        """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
+        stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
+        small = [
+            join for join in joins
+            if any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
+        ]  # fmt: skip
+        creamy = [join for join in joins if join.want.facts.is_a("creamy", "mayonnaise")]
+        seasons = [join for join in joins if join.want.facts.is_a("spice", "salty", "liquid") and join not in creamy]
+        pieces = [join for join in small if join not in seasons and join not in creamy]
+        return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
+
     def _dress(self, vessel: Vessel, *, warmed: bool) -> None:
         """Mix what came to a dish that was done, over the heat where the dish is hot."""
         foods = foods_of(vessel)
@@ -179,7 +233,7 @@ class Cooking:
         self.bench.switch(vessel, device, on=False)
 
     def _tin_for(self, label: str, vessel: Vessel) -> str:
-        """Return what batter or dough is baked in: the tin of such a dish in the place of another dish's."""
+        """Return in what is baked what comes out of ``vessel``: in the tin of such a dish, and nothing wet on a tray."""
         row = self.known.utensil(label)
         if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
             return label
@@ -187,7 +241,14 @@ class Cooking:
         batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
         in_portions = row.group == "tins"
         runs = any(self.carry.is_wet(stuff) for stuff in batter)
-        return self.plan.tin if batter and (in_portions or runs) else label
+        if self.plan.tin and batter and (in_portions or runs):
+            return self.plan.tin
+        wet = any(self.carry.is_wet(stuff) or form_of(self.known, stuff.label, stuff.states) == "liquid" for stuff in vessel.contents)
+        oils = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
+        return _DEEP if is_flat(label) and wet and not oils and not batter else label
+
+    def _liquids(self, vessel: Vessel) -> list[str]:
+        return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""
@@ -265,12 +326,15 @@ class Cooking:
         stuffs = self._comers(stage, joins, lines, heats=heats)
         if self._water(stage):
             self.carry.add_water(vessel)
+        fat_first = any(isinstance(one, Join) and one.want.facts.is_a("fat") for one in stuffs)
+        if on_stove and not vessel.contents and not fat_first and self._would_fry_dry(stage, stuffs):
+            fat_first = self.carry.add_fat(vessel, self.plan)
         for number, one in enumerate(stuffs):
             last = number == len(stuffs) - 1
             merge = self._merges(stage, later, main=main) and last
             fat = isinstance(one, Join) and one.want.facts.is_a("fat")
-            if on_stove and not fat and (vessel.contents or number > 0):
-                self._heat_on(vessel)
+            if on_stove and fat_first and not fat:
+                self._heat_on(vessel)  # in the fat, that is
             if isinstance(one, Vessel):
                 self._heat_off(one)
                 if not vessel.contents:
@@ -285,6 +349,14 @@ class Cooking:
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
         if on_stove:
             self._heat_on(vessel)
+
+    def _would_fry_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
+        """Whether solid food comes into a pan with nothing to cook in."""
+        if "dry" in stage.does:
+            return False
+        facts = [one.want.facts for one in stuffs if isinstance(one, Join)]
+        wet = any(one.is_a("liquid", "water", "creamy", "egg", "canned tomato") for one in facts)
+        return bool(facts) and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def _comers(
         self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel], *, heats: bool

@@ -19,7 +19,7 @@ class Plan:
 
     ``goal`` is what the recorded dish is called. ``cooked_by`` are the motions by which foods of a kind are cooked on
     their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
-    or dough of such a dish is baked in.
+    or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end.
     """
 
     label: str
@@ -28,6 +28,7 @@ class Plan:
     cooked_by: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     eased: frozenset[str] = frozenset()
     tin: str = ""
+    stacked: bool = False
 
 
 class Course:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from foon_kg.food import Food, Tables, singular, tables
+from foon_kg.food import Food, Level, Tables, singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
 from foon_kg.integration.preparation import Want, owed
@@ -28,6 +28,8 @@ _WORKS = (
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
+_STACKED = word_list("is stacked")
+_MAIN = word_list("is the main part")
 _BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
@@ -182,11 +184,12 @@ class Posts:
 
 @dataclass(frozen=True)
 class Place:
-    """A slot with its stage, what it is of all that dishes of its type need, and the stage's number."""
+    """A slot with its stage, what it is of all that dishes of its type need, and whether it is the main part."""
 
     slot: Slot
     spot: Spot
     needs: frozenset[str]
+    main: bool = False
 
 
 @dataclass(frozen=True)
@@ -194,7 +197,7 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
+    ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
     """
 
     frame: Frame
@@ -204,6 +207,7 @@ class Layout:
     drained: frozenset[int]
     past: Spot | None
     heats: bool
+    raw: bool
     made: tuple[tuple[frozenset[str], bool, str, Spot], ...]
 
     @classmethod
@@ -215,7 +219,8 @@ class Layout:
         for spot in spots:
             for slot in spot.stage.slots:
                 food = known.foods.food(slot.food)
-                places.append(Place(slot, spot, frozenset(need for need in needs if _is(need, food))))
+                met = frozenset(need for need in needs if _is(need, food))
+                places.append(Place(slot, spot, met, bool(met) and food.is_a(*_MAIN)))
         drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
         return cls(
             frame,
@@ -225,6 +230,7 @@ class Layout:
             drained,
             _past(spots, drained),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
+            any(_stays_raw(place, frame.dish_type, known) for place in places),
             tuple(_made(spots, known)),
         )
 
@@ -251,6 +257,16 @@ def _is_drained(spot: Spot, known: Tables) -> bool:
     """Whether what is liquid runs out later: the whole comes into a strainer."""
     rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
     return any(row is not None and "strain" in row.can for row in rows)
+
+
+def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
+    """Whether nobody ever cooks what has to be cooked: the video leaves it out, or it was not followed."""
+    slot, spot = place.slot, place.spot
+    facts = known.foods.food(slot.food, slot.states)
+    due = any(facts.owes.get(name) is Level.FATAL for name in ("cook", "boil"))
+    done = bool(slot.cooked) or any({"cook", "boil"} & known.state(state).earns for state in slot.states)
+    eased = any(not dish.eases.isdisjoint({facts.kind, *facts.kinds}) for dish in known.dishes_named(dish_type))
+    return due and not done and not eased and not spot.heats_later
 
 
 def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
@@ -306,16 +322,18 @@ class Matcher:
         self._fits: dict[tuple[int, str, str], float] = {}
         self._needs: dict[tuple[int, str], frozenset[str]] = {}
 
-    def joins(self, layout: Layout, wants: Sequence[Want]) -> tuple[Join, ...]:
-        """Return where each food joins."""
-        return _without_lone(layout, [self._join(layout, want) for want in wants])
+    def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
+        """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
+        return _without_lone(layout, [self._join(layout, want, stacked=stacked) for want in wants])
 
-    def _join(self, layout: Layout, want: Want) -> Join:
+    def _join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
         if layout.made and want.facts.is_a("made", "dough", "ready"):
             ready_made = self._in_place_of(layout, want)
             if ready_made is not None:
                 return ready_made
         best = self._natural(layout, want)
+        if stacked and (best is None or best.fit < _SURE) and self._is_stacked(layout, want):
+            return Join(want, layout.spots[-1], NATURAL - 0.01)
         fresh = self._at_the_end(layout, want, best)
         if fresh is not None:
             return fresh
@@ -324,6 +342,13 @@ class Matcher:
         if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         return self._usual(layout, want)
+
+    def _is_stacked(self, layout: Layout, want: Want) -> bool:
+        """Whether a food may come to a dish when it is put together on bread."""
+        if not layout.heats and _only_carries(layout.spots[-1].stage):
+            return True
+        uncooked = {"cook", "boil"}.isdisjoint(owed(want, self.known, Level.FATAL)) and not want.cooked
+        return uncooked and want.facts.is_a(*_STACKED) and _only_carries(layout.spots[-1].stage)
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
@@ -340,6 +365,7 @@ class Matcher:
         found: Place | None = None
         most = NATURAL - 1e-9
         needs = self._needs_of(want, layout.frame.dish_type)
+        main = want.facts.is_a(*_MAIN)
         dish_type = layout.frame.dish_type
         posts = {place.spot.post for place in layout.places}
         usual = max((self.posts.likely(want, post, dish_type) for post in posts), default=0.0)
@@ -348,7 +374,7 @@ class Matcher:
             if not runs and place.slot.kind == "water":
                 continue  # no solid takes the place of the water in which a dish is cooked
             fit = self._fit(want, place.slot)
-            if fit < _SAME_ROLE and needs and not needs.isdisjoint(place.needs):
+            if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (main and place.main)):
                 fit = _SAME_ROLE
             if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind:
                 # a like food may join elsewhere than foods of this one's kind do: chives late, onions early

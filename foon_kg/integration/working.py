@@ -47,7 +47,10 @@ class Worker:
         """Return the states that the one mixture in a vessel keeps when something joins it."""
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         states = mixed[0].states if len(mixed) == 1 else ()
-        return tuple(s for s in states if not self.known.state(s).half)
+        beside = [self.known.foods.food(stuff.label) for stuff in vessel.contents if stuff not in mixed]
+        stacked = self.plan.stacked and any(not facts.is_a("topping", "herb") for facts in beside)
+        dropped = {"blended", "mixed"} if stacked else set()  # what is laid on each other is no mixture
+        return tuple(s for s in states if not self.known.state(s).half and s not in dropped)
 
     def _whole(self, vessel: Vessel, label: str, states: tuple[str, ...]) -> Stuff:
         foods = tuple(sorted({food for stuff in vessel.contents for food in stuff.foods}))

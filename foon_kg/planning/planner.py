@@ -226,7 +226,9 @@ class _Question:
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
-        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tins[-1] if tins else "")
+        stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
+        tin = tins[-1] if tins else ""
+        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked)
         cooking = Cooking(bench, frame.line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
