@@ -68,7 +68,7 @@ def weight(want: Want, known: Tables) -> float:
 _AS_RECORDED, _VERY = 0.3, 0.99
 """What it counts that a recipe has the foods of the recorded dish, and how well a food fits its own slot."""
 
-_DAMAGED = 1.0
+_DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be."""
 
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
@@ -276,10 +276,9 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
 
 
 def _ends_raw(spots: Sequence[Spot]) -> bool:
-    """Whether a dish is kneaded or shaped last, and never heated after that."""
+    """Whether a dish is kneaded or shaped, and never heated as a whole."""
     main = [spot for spot in spots if not spot.side]
-    shaped = [number for number, spot in enumerate(main) if spot.post[0] in {"knead", "shape"}]
-    return bool(shaped) and not any("heat" in spot.stage.does for spot in main[shaped[-1] :])
+    return any(spot.post[0] in {"knead", "shape"} for spot in main) and not any("heat" in s.stage.does for s in main)
 
 
 def _comes_through(joined: Spot, spot: Spot) -> bool:

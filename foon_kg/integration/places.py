@@ -332,7 +332,7 @@ class Matcher:
             if ready_made is not None:
                 return ready_made
         best = self._natural(layout, want)
-        if stacked and (best is None or best.fit < _SURE) and self._is_stacked(layout, want):
+        if stacked and best is None and self._is_stacked(layout, want):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         fresh = self._at_the_end(layout, want, best)
         if fresh is not None:
@@ -345,10 +345,11 @@ class Matcher:
 
     def _is_stacked(self, layout: Layout, want: Want) -> bool:
         """Whether a food may come to a dish when it is put together on bread."""
-        if not layout.heats and _only_carries(layout.spots[-1].stage):
+        if not any("heat" in spot.stage.does for spot in layout.spots) and _only_carries(layout.spots[-1].stage):
             return True
         uncooked = {"cook", "boil"}.isdisjoint(owed(want, self.known, Level.FATAL)) and not want.cooked
-        return uncooked and want.facts.is_a(*_STACKED) and _only_carries(layout.spots[-1].stage)
+        binds = want.facts.is_a("crumb")
+        return uncooked and not binds and want.facts.is_a(*_STACKED) and _only_carries(layout.spots[-1].stage)
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
@@ -390,6 +391,8 @@ class Matcher:
         late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
         if layout.past is not None and not want.facts.is_a(*_BATHED) and "boil" not in want.facts.owes:
             return Join(want, layout.past, NATURAL - 0.01)  # what is only boiled and drained is dressed afterwards
+        slow = must and want.facts.is_a(*_MAIN) and want.facts.is_a("raw", "meat", "fish")
+        hot = max(1, *(sum("heat" in stage.does for stage in (spot.stage, *spot.after)) for spot in layout.spots))
         found, most, best = layout.spots[0], 0.0, -1.0
         for spot in layout.open:
             if spot.post[0] == "top" and not tops:
@@ -399,6 +402,8 @@ class Matcher:
             score = fit
             if not spot.heats_later:
                 score -= (0.3 if must else 0.0) + (0.3 if layout.heats and not late else 0.0)
+            if slow:
+                score += 0.3 * sum("heat" in stage.does for stage in (spot.stage, *spot.after)) / hot
             if id(spot) in layout.drained:
                 score -= 0.4
             if score > best:

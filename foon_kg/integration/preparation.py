@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
 from foon_kg.integration.operators import Attested, Operators, Way, form_of
@@ -25,6 +26,7 @@ _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
+_SOFT = word_list("can be mashed")
 LEAST_ALIKE = 0.2
 """A food is grated or mashed like another one only where that is not quite absurd."""
 
@@ -352,6 +354,8 @@ class Preparer:
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
         """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
         found = self.bench.far(ways, want.names, act=True)
+        if found is not None and want.facts.is_a(*_SOFT) and "mash" in self.known.motion(found.way[0]).does:
+            return found
         if found is not None and found.like is not None and found.like[2] >= LEAST_ALIKE:
             return found
         return self.bench.far([way for way in ways if "cut" in self.known.motion(way[0]).does], want.names, act=True)

@@ -154,7 +154,11 @@ class Worker:
             for w in label.split()
             if self.known.foods.is_listed(w) and not self.known.foods.food(w).is_a("made", "dough")
         ]
-        return label if all(w in names for w in named) else ""
+        if not all(w in names for w in named):
+            return ""
+        own = {*names, *self.plan.label.split()}
+        *before, last = label.split()
+        return " ".join([*(word for word in before if word in own), last])  # no biscuit dough where bread is made
 
     def _heated(self, way: Way, *, finished: bool) -> set[str]:
         motion = self.known.motion(way[0])
