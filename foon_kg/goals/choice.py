@@ -68,6 +68,9 @@ def weight(want: Want, known: Tables) -> float:
 _AS_RECORDED, _VERY = 0.3, 0.99
 """What it counts that a recipe has the foods of the recorded dish, and how well a food fits its own slot."""
 
+_STRANGE, _MOST_STRANGE = 0.12, 0.3
+"""What a word counts by which only the recorded dish is called (pesto, grilled), and all of them at most."""
+
 _DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be."""
 
@@ -94,7 +97,7 @@ def shortlisted(
     those first that have a place for most of what the recipe is built on. ``allowed`` says which goals, by their names,
     may be taken.
     """
-    baked = any(dish.baked for dish in known.dishes_named(dish_type, title))
+    baked = any(dish.baked for dish in known.dishes_named(dish_type, title)) and not is_unbaked(title)
     sought = []
     for want in wants:
         names = {singular(want.label), want.facts.taken_for, *(name for name, _ in likes(want.label))}
@@ -104,7 +107,7 @@ def shortlisted(
         dish_type,
         lambda there, own, named, headed: there + 0.5 * own + 0.5 * np.where(headed, _BY_TITLE, _BY_TYPE * named),
         title=title,
-        ends={("bake", "")} if baked else None,
+        ends={("bake", "")} if baked else {("", "")} if is_unbaked(title) else None,
         allowed=allowed,
         most=MOST_FITTED,
     )
@@ -135,6 +138,8 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
+    if title:
+        score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
     score -= _DAMAGED if layout.raw else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
@@ -176,6 +181,11 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
         means = frozenset().union(*(row.does for row in rows)) & _MEANS
         if means and means.isdisjoint(done):
             yield word
+
+
+def is_unbaked(title: str) -> bool:
+    """Whether a title says that the dish is made without an oven: a no-bake cheesecake."""
+    return "no bake" in title.lower().replace("-", " ")
 
 
 def _is_of_verb(word: str, verb: str) -> bool:
@@ -225,6 +235,14 @@ def is_truly(fit: Fit, known: Tables) -> bool:
     return plain or sum(id(slot) in taken for slot in slots) >= _MOST * len(slots)
 
 
+def unexplained(frame: Frame, wants: Sequence[Want], dish_type: str, title: str) -> tuple[str, ...]:
+    """Return the words of the goal's name that neither the title nor the type nor any food of the recipe explains."""
+    known = {*words(title), *words(dish_type), *words(frame.dish_type)}
+    for want in wants:
+        known |= {*want.facts.name.split(), *want.facts.taken_for.split(), want.facts.kind, *want.facts.kinds}
+    return tuple(word for word in words(frame.goal.label) if word not in known)
+
+
 def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[str, ...]:
     """Return what the goal's name promises and the recipe does not have."""
     found = []
@@ -251,7 +269,10 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
         for spot in spots
         if "heat" in spot.stage.does
     )
-    for dish in known.dishes_named(dish_type, title):
+    unbaked = is_unbaked(title)
+    if unbaked and bakes:
+        yield f"it is not to be baked, and {frame.goal.label} is"
+    for dish in known.dishes_named(dish_type, title) if not unbaked else ():
         if dish.baked and not bakes:
             yield f"{dish.name} is baked, and {frame.goal.label} is not"
         if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):

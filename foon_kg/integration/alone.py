@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, Course
@@ -84,7 +85,9 @@ class Alone:
             return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
         bath = [stage for stage in heats if "dry" not in stage.does]
-        if "boil" in due and bath and self.course.has_liquid(bath):
+        by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
+        drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
+        if "boil" in due and bath and self.course.has_liquid(bath) and (drained or not by_itself):
             return ()
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
-from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of
+from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
@@ -54,8 +54,18 @@ class Carrier:
         if stage.motion and self._pure((stage.motion, tools)) and (not runs or (stage.motion, tools) in usual):
             ways.append((stage.motion, tools))
         ways += [way for way in usual if self._pure(way)]
+        if self._is_portioned(stuffs, target):
+            spoons = (way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way))
+            ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
+        """Whether batter comes onto a tray: it is set on it spoon by spoon."""
+        row = self.known.utensil(target.label)
+        raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
+        flour = any(self.known.foods.food(food).is_a("flour", "dough") for stuff in stuffs for food in stuff.foods)
+        return raw and flour and stuffs[-1].mixed and row is not None and "bake" in row.can and is_flat(target.label)
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
         """Bring some of the fat that was asked for into a pan, that nothing is fried dry; return whether there is any."""
@@ -66,6 +76,16 @@ class Carrier:
         taken = self.bench.fetch(fats[0].label, fats[0].leaf, [fats[0].number], fats[0].storage)
         self.bring(Ready(fats[0], taken), vessel, None)
         return True
+
+    def grease(self, fat: Want, tin: Vessel) -> None:
+        """Spread some of a fat in a tin."""
+        stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage)
+        spreads = [way for motion in sorted(word_list("greases")) for way in self.bench.operators.ways_of(motion)]
+        attested = None if form_of(self.known, fat.label, fat.leaf) == "liquid" else self.bench.attest(spreads, fat.names)
+        if attested is None:
+            self.bring(Ready(fat, stuff), tin, None)
+        else:
+            self.bench.bring([stuff], tin, attested)
 
     def drain(self, pot: Vessel, strainer: Vessel, stuffs: Sequence[Stuff]) -> None:
         """Pour a pot into a strainer: ``stuffs`` stay there, the water is gone."""

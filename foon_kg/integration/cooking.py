@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
@@ -309,14 +310,15 @@ class Cooking:
         if row is None or "bake" not in row.can or row.can & {"heat"}:
             return
         soft = any(
-            stuff.mixed and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods)
+            stuff.mixed
+            and not any(self.known.state(state).needs_heat for state in stuff.states)
+            and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods)
             for stuff in vessel.contents
         )
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
         if not soft or fat is None:
             return
-        stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage)
-        self.carry.bring(Ready(fat, stuff), fresh, None)
+        self.carry.grease(fat, fresh)
 
     def _add_all(
         self, stage: Stage, vessel: Vessel, joins: Sequence[Join], lines: Sequence[Vessel], *,
@@ -356,7 +358,8 @@ class Cooking:
             return False
         facts = [one.want.facts for one in stuffs if isinstance(one, Join)]
         wet = any(one.is_a("liquid", "water", "creamy", "egg", "canned tomato") for one in facts)
-        return bool(facts) and not wet and not any(isinstance(one, Vessel) for one in stuffs)
+        solid = any(not one.is_a("spice", "salty", "sweet") for one in facts)
+        return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def _comers(
         self, stage: Stage, joins: Sequence[Join], lines: Sequence[Vessel], *, heats: bool
@@ -392,6 +395,9 @@ class Cooking:
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
+        apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)
+        if apart and not self.plan.one_pot and "liquid" not in stage.does:
+            return False  # that was the water to boil it in
         liquids = [join for join in self.plan.joins if join.want.facts.is_a("cooking liquid")]
         return not any(join.spot.stage is stage for join in liquids)
 
@@ -455,6 +461,9 @@ class Cooking:
             return True
         if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
             return True  # fat alone is only made hot
+        rises = stage.motion in word_list("needs yeast")
+        if rises and not any(self.known.foods.food(food).is_a("yeast") for food in foods_of(vessel)):
+            return True
         if single and mixes and not heats and stage.does <= {"mix"}:
             return True
         if mixes and stage.does <= {"mix", "blend", "move"} and self._is_mixed(stage, vessel):

@@ -30,6 +30,7 @@ _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
 _STACKED = word_list("is stacked")
 _MAIN = word_list("is the main part")
+_BOUND = word_list("binds")
 _BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
@@ -197,7 +198,7 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
+    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
     """
 
     frame: Frame
@@ -206,6 +207,7 @@ class Layout:
     open: tuple[Spot, ...]
     drained: frozenset[int]
     past: Spot | None
+    bound: Spot | None
     heats: bool
     raw: bool
     made: tuple[tuple[frozenset[str], bool, str, Spot], ...]
@@ -229,6 +231,7 @@ class Layout:
             tuple(spot for spot in spots if _is_open(spot, known)),
             drained,
             _past(spots, drained),
+            _bound(spots),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
             any(_stays_raw(place, frame.dish_type, known) for place in places),
             tuple(_made(spots, known)),
@@ -257,6 +260,15 @@ def _is_drained(spot: Spot, known: Tables) -> bool:
     """Whether what is liquid runs out later: the whole comes into a strainer."""
     rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
     return any(row is not None and "strain" in row.can for row in rows)
+
+
+def _bound(spots: Sequence[Spot]) -> Spot | None:
+    """Return the stage at which the mass of patties is mixed, in a dish that is made of such."""
+    for number, spot in enumerate(spots):
+        if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
+            before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
+            return before[-1] if before else None
+    return None
 
 
 def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
@@ -335,10 +347,12 @@ class Matcher:
         if stacked and best is None and self._is_stacked(layout, want):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         fresh = self._at_the_end(layout, want, best)
-        if fresh is not None:
+        if fresh is not None and layout.bound is None:
             return fresh
         if best is not None:
             return best
+        if layout.bound is not None and want.facts.is_a(*_BOUND) and not want.facts.is_a("fat"):
+            return Join(want, layout.bound, NATURAL - 0.01)
         if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         return self._usual(layout, want)
@@ -353,7 +367,7 @@ class Matcher:
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
-        fresh = want.facts.sold_as != "dried" and not want.cooked and f"kind:{want.facts.kind}" in _FRESH
+        fresh = want.facts.sold_as != "dried" and not want.cooked and not _FRESH.isdisjoint({f"kind:{want.facts.kind}", want.facts.taken_for})
         worked = best is not None and best.spot.post[0] in {"shape", "knead"}
         done = [spot for spot in layout.spots if spot.post[1] == "before" and not spot.side]
         if not fresh or worked or not done or (best is not None and best.spot.post[1] in {"before", "never"}):

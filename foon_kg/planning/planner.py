@@ -15,8 +15,9 @@ from functools import cached_property
 
 from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.errors import NoTreeError, UsageError
-from foon_kg.food import Tables, singular, tables
-from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted
+from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
@@ -222,13 +223,15 @@ class _Question:
         dish_type = self.recipe.dish_type or frame.dish_type
         own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
         own = own and is_truly(fit, self.known)
+        own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
         stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
         tin = tins[-1] if tins else ""
-        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked)
+        one_pot = not word_list("boils in the dish").isdisjoint(words(f"{dish_type} {self.recipe.title or ''}"))
+        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot)
         cooking = Cooking(bench, frame.line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
