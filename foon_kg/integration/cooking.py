@@ -142,7 +142,7 @@ class Cooking:
         comes = vessel if vessel is not None else next(iter(lines), None)
         if comes is not None and label != comes.label:
             label = self._tin_for(label, comes)
-        dressed = main and self._is_dressed(stage, joins, later)
+        dressed = main and self._is_dressed(stage, vessel, joins, later)
         drained = self.known.utensil(vessel.label) if vessel is not None else None
         warmed = dressed and drained is not None and "strain" in drained.can
         if warmed:
@@ -174,10 +174,12 @@ class Cooking:
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
 
-    def _is_dressed(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+    def _is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
         """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
         if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
             return False
+        if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
+            return False  # on what comes out of the oven in one piece it only lies
         return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
 
     def _is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
@@ -395,6 +397,8 @@ class Cooking:
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
+        if "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins):
+            return False  # bought dough has its water
         apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)
         if apart and not self.plan.one_pot and "liquid" not in stage.does:
             return False  # that was the water to boil it in
@@ -459,8 +463,8 @@ class Cooking:
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
         if later and self._goes_on(stage, later[0]):
             return True
-        if all(self.known.foods.food(food).is_a("fat") for food in foods_of(vessel)) and later:
-            return True  # fat alone is only made hot
+        if all(self.known.foods.food(food).is_a("fat", "spice", "salty") for food in foods_of(vessel)) and later:
+            return True  # fat alone is only made hot, and salt not even that
         rises = stage.motion in word_list("needs yeast")
         if rises and not any(self.known.foods.food(food).is_a("yeast") for food in foods_of(vessel)):
             return True

@@ -31,6 +31,8 @@ _FRESH = word_list("joins at the end")
 _STACKED = word_list("is stacked")
 _MAIN = word_list("is the main part")
 _BOUND = word_list("binds")
+_WORKED_IN = word_list("is worked in")
+_SHAPED = word_list("dough that is shaped")
 _BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
@@ -198,7 +200,8 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough, and the stage that takes it.
+    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough that is shaped, before
+    it is baked. ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the stage that takes it.
     """
 
     frame: Frame
@@ -208,9 +211,10 @@ class Layout:
     drained: frozenset[int]
     past: Spot | None
     bound: Spot | None
+    laid: Spot | None
     heats: bool
     raw: bool
-    made: tuple[tuple[frozenset[str], bool, str, Spot], ...]
+    made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
 
     @classmethod
     def of(cls, frame: Frame, known: Tables) -> Layout:
@@ -232,6 +236,7 @@ class Layout:
             drained,
             _past(spots, drained),
             _bound(spots),
+            _laid(spots, known),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
             any(_stays_raw(place, frame.dish_type, known) for place in places),
             tuple(_made(spots, known)),
@@ -247,13 +252,14 @@ def _is_open(spot: Spot, known: Tables) -> bool:
     return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
 
 
-def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, str, Spot]]:
+def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
     for spot in spots:
         label = singular(spot.stage.label)
         facts = known.foods.food(label)
         if label and spot.after and facts.is_a("made", "dough"):
             following = next(other for other in spots if other.stage is spot.after[0])
-            yield frozenset(label.split()), facts.is_a("dough"), spot.stage.label, following
+            shaped = spot.post[0] == "shape"
+            yield frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following
 
 
 def _is_drained(spot: Spot, known: Tables) -> bool:
@@ -271,6 +277,19 @@ def _bound(spots: Sequence[Spot]) -> Spot | None:
     return None
 
 
+def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
+    """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
+    found, dough, shaped = None, False, False
+    for spot in (one for one in spots if not one.side):
+        slots = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        if spot.post[0] == "shape" and dough and spot.heats_later and not slots:
+            shaped, found = True, None
+        elif shaped and slots and spot.heats_later and any(not food.is_a("fat", "flour") for food in slots):
+            found = spot
+        dough = dough or any(food.is_a("flour", "dough") for food in slots)
+    return found
+
+
 def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
     """Whether nobody ever cooks what has to be cooked: the video leaves it out, or it was not followed."""
     slot, spot = place.slot, place.spot
@@ -286,6 +305,15 @@ def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
     after = [spot for spot in spots if not spot.side and id(spot) not in drained]
     before = [spot for spot in spots if not spot.side and id(spot) in drained]
     return after[-1] if before and after and all(_only_carries(spot.stage) for spot in after) else None
+
+
+def _on_ready_dough(layout: Layout, joins: Sequence[Join]) -> list[Join]:
+    """Let what a video works into its dough come onto it where the dough was bought."""
+    ready = next((join for join in joins if join.fit == _IN_PLACE and join.want.facts.is_a("dough")), None)
+    if ready is None or layout.laid is None:
+        return list(joins)
+    before = [join for join in joins if any(stage is ready.spot.stage for stage in join.spot.after)]
+    return [Join(one.want, layout.laid, NATURAL - 0.01) if one in before else one for one in joins]
 
 
 def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
@@ -336,7 +364,8 @@ class Matcher:
 
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
-        return _without_lone(layout, [self._join(layout, want, stacked=stacked) for want in wants])
+        found = [self._join(layout, want, stacked=stacked) for want in wants]
+        return _without_lone(layout, _on_ready_dough(layout, found))
 
     def _join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
         if layout.made and want.facts.is_a("made", "dough", "ready"):
@@ -351,6 +380,9 @@ class Matcher:
             return fresh
         if best is not None:
             return best
+        worked = want.facts.is_a(*_WORKED_IN) and not want.facts.is_a("herb")
+        if layout.laid is not None and not worked:
+            return Join(want, layout.laid, NATURAL - 0.01)
         if layout.bound is not None and want.facts.is_a(*_BOUND) and not want.facts.is_a("fat"):
             return Join(want, layout.bound, NATURAL - 0.01)
         if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
@@ -428,10 +460,13 @@ class Matcher:
         """Return where a food joins that is bought instead of being made on the way: dough, a dressing."""
         own = frozenset(want.facts.name.split())
         dough = want.facts.is_a("dough")
-        for words, is_dough, label, following in layout.made:
+        found = None
+        ready = not _SHAPED.isdisjoint(own)
+        for words, is_dough, shaped, label, following in layout.made:
             if words <= own or (dough and is_dough):
-                return Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
-        return None
+                if found is None or (is_dough and (ready or not shaped) and "heat" not in following.stage.does):
+                    found = Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
+        return found
 
     def _needs_of(self, want: Want, dish_type: str) -> frozenset[str]:
         """Return what of the needs of a dish type a food is: it can take the place of another one that is the same."""

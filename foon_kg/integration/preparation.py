@@ -221,7 +221,9 @@ class Preparer:
         return owed(want, self.known) | (earns & set(_BY_HAND))
 
     def is_mashed_raw(self, want: Want) -> bool:
-        """Whether a food is asked mashed that is still too hard for it: it has to be cooked before."""
+        """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""
+        if want.make in word_list("only what is cooked is so") and want.facts.is_a("meat", "fish"):
+            return {"cook"} <= want.facts.owes.keys()
         ways = self.operators.giving.get(want.make, ()) if want.make else ()
         mashed = (self.known.state(want.make).fine or 0) >= _POWDER and any(
             "mash" in self.known.motion(way[0]).does for way in ways
