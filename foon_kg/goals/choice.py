@@ -10,9 +10,10 @@ import numpy as np
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame
+from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.outlines import Outlines, Sought
-from foon_kg.integration.places import Join, Layout, Matcher, Spot
+from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
@@ -261,9 +262,28 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
     return tuple(found)
 
 
-def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterable[str]:
+def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:
+    yield from _against_heat(layout, joins, dish_type, title, known)
+    spots = layout.spots
+    for spot in spots:
+        if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
+            continue
+        inside = [join for join in joins if _comes_through(join.spot, spot)]
+        carried = [join for join in inside if join.want.facts.is_a(*_CARRIES)]
+        if not any(join.slot is not None for join in carried) and (carried or inside):
+            yield f"nothing of it is to be {spot.stage.motion}ed"
+            break
+    for join in joins:
+        runs = join.want.facts.is_a("liquid", "creamy", "egg") and not join.want.facts.is_a("water", "fat")
+        if id(join.spot) in layout.drained and runs and join.slot is None:
+            yield f"{join.want.label} would run off"
+        if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
+            yield f"{join.want.label} would be worked into it"
+
+
+def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:
     frame, spots = layout.frame, layout.spots
-    heats = any("heat" in spot.stage.does for spot in spots)
+    heats = any(not spot.stage.does.isdisjoint({"heat", "warm"}) for spot in spots)
     bakes = any(
         "dry" in spot.stage.does or spot.stage.appliance in {"oven", "microwave"}
         for spot in spots
@@ -280,20 +300,6 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
                 yield f"{dish.name} is hot, and {frame.goal.label} is not"
         elif dish.heated and _ends_raw(spots):
             yield f"{dish.name} is hot, and {frame.goal.label} is not cooked once it is shaped"
-    for spot in spots:
-        if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
-            continue
-        inside = [join for join in joins if _comes_through(join.spot, spot)]
-        carried = [join for join in inside if join.want.facts.is_a(*_CARRIES)]
-        if not any(join.slot is not None for join in carried) and (carried or inside):
-            yield f"nothing of it is to be {spot.stage.motion}ed"
-            break
-    for join in joins:
-        runs = join.want.facts.is_a("liquid", "creamy", "egg") and not join.want.facts.is_a("water", "fat")
-        if id(join.spot) in layout.drained and runs and join.slot is None:
-            yield f"{join.want.label} would run off"
-        if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
-            yield f"{join.want.label} would be worked into it"
 
 
 def _ends_raw(spots: Sequence[Spot]) -> bool:

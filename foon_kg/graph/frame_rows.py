@@ -11,8 +11,8 @@ from typing import Any
 from foon_kg.food import tables
 from foon_kg.graph.lifting import KIND
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
+from foon_kg.integration.layouts import Layout, Post, spots_of
 from foon_kg.integration.outlines import Outline
-from foon_kg.integration.places import Layout, Post, spots_of
 from foon_kg.model import ObjectNode
 
 _KEPT = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}

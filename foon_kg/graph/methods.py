@@ -12,10 +12,11 @@ from foon_kg.graph.frame_rows import frame_of
 from foon_kg.graph.lifting import ANYTHING, KIND
 from foon_kg.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCommonRow, MethodsRow
 from foon_kg.integration.frames import Frame
+from foon_kg.integration.layouts import Layout, Post
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.operators import Evidence, Operators, Way
 from foon_kg.integration.outlines import Outline, Outlines
-from foon_kg.integration.places import Layout, Post, Posts
+from foon_kg.integration.places import Posts
 from foon_kg.model import Goal, Sighting
 
 

@@ -9,10 +9,10 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, Course
+from foon_kg.integration.frames import Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
-
 
 _MUCH_ALIKE = 0.8
 _POWDER = 5
@@ -80,20 +80,27 @@ class Alone:
             return ()
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
         if self._is_cut_of_its_shell(want):
-            return ("boil",)
+            told = ("boil",)
         if told or want.then or self.preparer.is_mashed_raw(want):
             return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
-        bath = [stage for stage in heats if "dry" not in stage.does]
-        by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
-        drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
-        if "boil" in due and bath and self.course.has_liquid(bath) and (drained or not by_itself):
+        if self._is_boiled_there(join, heats, due):
             return ()
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:
             return ("boil",)
         done_there = heats and self._cooks_there(join, due)
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
+
+    def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
+        """Whether a food gets done in the liquid of the dish, or sets in it while the rest is stirred over the heat."""
+        want = join.want
+        if self._pours(want) and self._is_warmed(join):
+            return True
+        bath = [stage for stage in heats if "dry" not in stage.does]
+        by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
+        drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
+        return "boil" in due and bool(bath) and self.course.has_liquid(bath) and (drained or not by_itself)
 
     def _is_the_same(self, join: Join) -> bool:
         """Whether a food is so much like that of its slot that it is cooked as that one is."""
@@ -129,7 +136,19 @@ class Alone:
                 return self.plan.cooked_by[name]
         if form_of(self.known, want.label, want.leaf) == "liquid":
             return ()  # it would be poured away with the water
-        return ("boil",)
+        fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
+        soft = (
+            not want.facts.is_a("starchy root", "hard squash", "dry pulse", "corn cob")
+            and "shell" not in want.facts.owes
+        )
+        return ("cook",) if fat and soft else ("boil",)
+
+    def _is_warmed(self, join: Join) -> bool:
+        """Whether a food joins what was drained before it is stirred over the heat."""
+        stages = self.course.line.stages
+        place = next((number for number, stage in enumerate(stages) if stage is join.spot.stage), 0)
+        row = self.known.utensil(stages[place - 1].vessel) if place else None
+        return join.slot is None and not self.plan.cold and row is not None and "strain" in row.can
 
     def _is_boiled(self, state: str) -> bool:
         """Whether a state is one that only cooking in water gives."""
@@ -228,7 +247,7 @@ class Alone:
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
-        if not want.facts.is_a("fat"):
+        if not want.facts.is_a("fat") and word_list("is done dry").isdisjoint(method):
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)

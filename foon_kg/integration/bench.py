@@ -430,6 +430,16 @@ class Bench:
             for number in sorted(device.running):
                 self.switch(self.standing.get(number), device, on=False)
 
+    def heat_off(self, vessel: Vessel) -> None:
+        """Turn off the appliance of a vessel, and take the vessel out of it or off it, unless it stands on a stove."""
+        device = vessel.device
+        if device is None:
+            return
+        self.switch(vessel, device, on=False)
+        if vessel.relation != "on":
+            self.take_off(vessel)
+            self.uncover(vessel)
+
     def cover(self, vessel: Vessel, lid: str) -> None:
         """Put a lid on a vessel."""
         attested = self.first([("cover", ()), ("close", ())], foods_of(vessel))

@@ -12,6 +12,9 @@ from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
 from foon_kg.integration.preparation import Preparer, Ready, Want
 
+_DEEP = "baking dish"
+"""What is wet is baked in it."""
+
 _MOVES = frozenset({"move", "scatter", "fetch"})
 
 
@@ -68,7 +71,7 @@ class Carrier:
         return raw and flour and stuffs[-1].mixed and row is not None and "bake" in row.can and is_flat(target.label)
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
-        """Bring some of the fat that was asked for into a pan, that nothing is fried dry; return whether there is any."""
+        """Bring some of the fat that was asked for into a pan; return whether there is any."""
         fats = [j.want for j in plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")]
         fats.sort(key=lambda want: not want.facts.is_a("liquid"))
         if not fats:
@@ -81,7 +84,9 @@ class Carrier:
         """Spread some of a fat in a tin."""
         stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage)
         spreads = [way for motion in sorted(word_list("greases")) for way in self.bench.operators.ways_of(motion)]
-        attested = None if form_of(self.known, fat.label, fat.leaf) == "liquid" else self.bench.attest(spreads, fat.names)
+        attested = (
+            None if form_of(self.known, fat.label, fat.leaf) == "liquid" else self.bench.attest(spreads, fat.names)
+        )
         if attested is None:
             self.bring(Ready(fat, stuff), tin, None)
         else:
@@ -113,6 +118,27 @@ class Carrier:
     def _pure(self, way: Way) -> bool:
         does = self.known.motion(way[0]).does
         return bool(does) and does <= _MOVES and way[0] not in {"throw away", "remove", "measure", "scoop"}
+
+    def tin_for(self, label: str, vessel: Vessel, tin: str) -> str:
+        """Return in what is baked what comes out of ``vessel``: in the dish's ``tin``, and nothing wet on a tray."""
+        row = self.known.utensil(label)
+        if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
+            return label
+        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
+        in_portions = row.group == "tins"
+        runs = any(self.is_wet(stuff) for stuff in batter)
+        if tin and batter and (in_portions or runs):
+            return tin
+        wet = any(
+            self.is_wet(stuff) or form_of(self.known, stuff.label, stuff.states) == "liquid"
+            for stuff in vessel.contents
+        )
+        oils = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
+        return _DEEP if is_flat(label) and wet and not oils and not batter else label
+
+    def _liquids(self, vessel: Vessel) -> list[str]:
+        return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]
 
     def add_water(self, vessel: Vessel) -> None:
         """Pour water from the tap into a vessel."""

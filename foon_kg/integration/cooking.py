@@ -18,16 +18,9 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.operators import form_of
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready
+from foon_kg.integration.serving import Serving
 from foon_kg.integration.utensils import Utensils
 from foon_kg.integration.working import Worker
-
-
-_BREADS = ("bread", "bun", "flatbread")
-_SMALL = 3
-"""How fine pieces are that are bound by something creamy (chopped, flaked)."""
-
-_DEEP = "baking dish"
-"""What is wet is baked in it."""
 
 
 class Cooking:
@@ -44,6 +37,7 @@ class Cooking:
         self.carry = Carrier(bench, self.preparer)
         self.alone = Alone(bench, self.course, self.preparer, self.carry, self.ready)
         self.work = Worker(bench, plan, self.alone)
+        self.serving = Serving(bench, plan, self.carry, self.work, self.ready)
         self.utensils = Utensils(bench)
 
     # --- the whole ---
@@ -121,7 +115,7 @@ class Cooking:
                 oven = ""
             vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
-            self._heat_off(vessel)
+            self.bench.heat_off(vessel)
         return vessel
 
     def _preheats(self, label: str) -> bool:
@@ -135,20 +129,12 @@ class Cooking:
         lines = [subs[id(add)] for add in stage.adds if isinstance(add, Line) and id(add) in subs]
         if vessel is None and not joins and not lines:
             return None
-        if main and self.plan.stacked and self._is_put_together(stage, joins, later):
-            return self._stack(stage, vessel, joins, lines)
+        if main and self.plan.stacked and self.serving.is_put_together(stage, joins, later):
+            return self.serving.stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
-        label = self.utensils.vessel_label(stage, vessel, device)
-        comes = vessel if vessel is not None else next(iter(lines), None)
-        if comes is not None and label != comes.label:
-            label = self._tin_for(label, comes)
-        dressed = main and self._is_dressed(stage, vessel, joins, later)
-        drained = self.known.utensil(vessel.label) if vessel is not None else None
-        warmed = dressed and drained is not None and "strain" in drained.can
-        if warmed:
-            label = "pot"
-        elif dressed and is_flat(label):
-            label = "bowl"
+        dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
+        warmed = dressed and self.serving.is_warmed(vessel)
+        label = self._label_for(stage, vessel, lines, dressed=dressed, warmed=warmed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -156,7 +142,7 @@ class Cooking:
             and (not heats or vessel.device.label != device)
             and not self._heats_on(stage, later, vessel)
         ):
-            self._heat_off(vessel)
+            self.bench.heat_off(vessel)
         if heats and relation == "on" and (vessel.device is None or vessel.device.label != device):
             self.bench.place(vessel, device, relation)
         tops = [join for join in joins if dressed and join.want.facts.is_a("topping", "herb")]
@@ -167,91 +153,24 @@ class Cooking:
         if not vessel.contents:
             return None
         if dressed:
-            self._dress(vessel, warmed=warmed)
+            self.serving.dress(vessel, warmed=warmed)
         for join in tops:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
 
-    def _is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
-        if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
-            return False
-        if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
-            return False  # on what comes out of the oven in one piece it only lies
-        return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
-
-    def _is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether this is where a stacked dish is put together, with foods that its video has not."""
-        works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
-        return not works and any(join.slot is None for join in joins)
-
-    def _stack(
-        self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]
-    ) -> Vessel:
-        """Put a dish together on a plate: bread, what was made, then the rest; what is spread with pieces is mixed before."""
-        plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
-        breads = [join for join in joins if join.want.facts.is_a(*_BREADS)]
-        rest = [join for join in joins if join not in breads]
-        filling = self._filling(rest)
-        bowl = self.bench.vessel("bowl")
-        for join in filling:
-            self.carry.bring(self.ready[join.want.number], bowl, None)
-        if filling:
-            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), "filling", ("mixed",), with_device=False)
-        for join in breads:
-            self.carry.bring(self.ready[join.want.number], plate, None)
-        made = [one for one in (*lines, vessel, bowl) if one is not None and one is not plate and one.contents]
-        for one in made:
-            self._heat_off(one)
-            self.carry.transfer(one, plate, stage)
-        for join in rest:
-            if join not in filling:
-                self.carry.bring(self.ready[join.want.number], plate, None)
-        self.work.name(plate, self.plan.label)
-        return plate
-
-    def _filling(self, joins: Sequence[Join]) -> list[Join]:
-        """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
-        stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
-        small = [
-            join for join in joins
-            if any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
-        ]  # fmt: skip
-        creamy = [join for join in joins if join.want.facts.is_a("creamy", "mayonnaise")]
-        seasons = [join for join in joins if join.want.facts.is_a("spice", "salty", "liquid") and join not in creamy]
-        pieces = [join for join in small if join not in seasons and join not in creamy]
-        return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
-
-    def _dress(self, vessel: Vessel, *, warmed: bool) -> None:
-        """Mix what came to a dish that was done, over the heat where the dish is hot."""
-        foods = foods_of(vessel)
-        if not warmed:
-            self.bench.work(vessel, self.work.stirring(foods), self.plan.label, ("mixed",), with_device=False)
-            return
-        device = self.bench.place(vessel, "stove", "on")
-        self.bench.switch(vessel, device, on=True)
-        self.bench.work(vessel, self.work.stirring_hot(foods), self.plan.label, ("cooked", "mixed"))
-        self.bench.switch(vessel, device, on=False)
-
-    def _tin_for(self, label: str, vessel: Vessel) -> str:
-        """Return in what is baked what comes out of ``vessel``: in the tin of such a dish, and nothing wet on a tray."""
-        row = self.known.utensil(label)
-        if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
-            return label
-        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
-        batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
-        in_portions = row.group == "tins"
-        runs = any(self.carry.is_wet(stuff) for stuff in batter)
-        if self.plan.tin and batter and (in_portions or runs):
-            return self.plan.tin
-        wet = any(self.carry.is_wet(stuff) or form_of(self.known, stuff.label, stuff.states) == "liquid" for stuff in vessel.contents)
-        oils = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
-        return _DEEP if is_flat(label) and wet and not oils and not batter else label
-
-    def _liquids(self, vessel: Vessel) -> list[str]:
-        return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]
+    def _label_for(
+        self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], *, dressed: bool, warmed: bool
+    ) -> str:
+        """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
+        label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
+        comes = vessel if vessel is not None else next(iter(lines), None)
+        if comes is not None and label != comes.label:
+            label = self.carry.tin_for(label, comes, self.plan.tin)
+        if warmed:
+            return "pot"
+        return "bowl" if dressed and is_flat(label) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""
@@ -289,7 +208,7 @@ class Cooking:
             return self.bench.vessel(label)
         if vessel.label == label:
             return vessel
-        self._heat_off(vessel)
+        self.bench.heat_off(vessel)
         fresh = self.bench.vessel(label)
         row = self.known.utensil(label)
         bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
@@ -340,7 +259,7 @@ class Cooking:
             if on_stove and fat_first and not fat:
                 self._heat_on(vessel)  # in the fat, that is
             if isinstance(one, Vessel):
-                self._heat_off(one)
+                self.bench.heat_off(one)
                 if not vessel.contents:
                     self._grease(vessel, one)
                 self.carry.transfer(one, vessel, stage)
@@ -351,8 +270,6 @@ class Cooking:
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
-        if on_stove:
-            self._heat_on(vessel)
 
     def _would_fry_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Whether solid food comes into a pan with nothing to cook in."""
@@ -411,15 +328,6 @@ class Cooking:
         if vessel.device is not None:
             self.bench.switch(vessel, vessel.device, on=True)
 
-    def _heat_off(self, vessel: Vessel) -> None:
-        device = vessel.device
-        if device is None:
-            return
-        self.bench.switch(vessel, device, on=False)
-        if vessel.relation != "on":
-            self.bench.take_off(vessel)
-            self.bench.uncover(vessel)
-
     def _do(
         self, stage: Stage, vessel: Vessel, device: str, relation: str, later: Sequence[Stage], *, main: bool
     ) -> None:
@@ -448,7 +356,7 @@ class Cooking:
         else:
             self.work.work_each(vessel, attested, states, with_device=bool(device))
         if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):
-            self._heat_off(vessel)
+            self.bench.heat_off(vessel)
 
     def _is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""
@@ -518,7 +426,7 @@ class Cooking:
 
     def _finish(self, vessel: Vessel) -> Vessel:
         """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then."""
-        self._heat_off(vessel)
+        self.bench.heat_off(vessel)
         self.bench.all_off()
         row = self.known.utensil(vessel.label)
         if row is None or row.can.isdisjoint({"heat", "cook", "bake"}):

@@ -10,9 +10,10 @@ from functools import cached_property
 from foon_kg.food import Tables, tables
 from foon_kg.integration.derivation import frames_of
 from foon_kg.integration.frames import Frame
+from foon_kg.integration.layouts import Layout
 from foon_kg.integration.operators import Operators
 from foon_kg.integration.outlines import Outline, Outlines
-from foon_kg.integration.places import Layout, Posts
+from foon_kg.integration.places import Posts
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from foon_kg.food import Tables, words
-from foon_kg.integration.places import Layout
+from foon_kg.integration.layouts import Layout
 
 _SLACK = 1e-5
 """More than scores differ by that are equal once they are rounded."""

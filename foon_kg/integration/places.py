@@ -1,35 +1,25 @@
 """Where each asked food joins a dish: at a slot that such a food has there, else at the stage where its kind joins.
 
-Stages of different dishes are compared by their *post*: what is done to the whole there, whether it is heated then or
-later, and whether they are the dish's own line or one that joins it. How often foods of each kind join at each post
-is counted over all frames, by dish type.
+How often foods of each kind join at each post (:mod:`foon_kg.integration.layouts`) is counted over all frames, by dish
+type. Some dishes are made in a way that says where foods without a slot go: what is drained is dressed, what is
+rolled out is laid on, patties are mixed before they are shaped, sandwiches are put together at the end.
 """
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
-from foon_kg.food import Food, Level, Tables, singular, tables
+from foon_kg.food import Level, Tables, singular, tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.frames import Frame, Line, Slot, Stage
+from foon_kg.integration.frames import Frame, Slot
+from foon_kg.integration.layouts import MAIN, Layout, Place, Post, Spot, is_need, only_carries, spots_of
 from foon_kg.integration.preparation import Want, owed
-
-Post = tuple[str, str, bool]
-"""What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
-heated (``now``, ``later``, ``before``, ``never``), and whether the line joins another one."""
-
-_WORKS = (
-    ("blend", {"blend"}), ("knead", {"knead"}), ("bake", {"dry"}), ("boil", {"liquid"}), ("heat", {"heat", "warm"}),
-    ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),
-)  # fmt: skip
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
 _STACKED = word_list("is stacked")
-_MAIN = word_list("is the main part")
 _BOUND = word_list("binds")
 _WORKED_IN = word_list("is worked in")
 _SHAPED = word_list("dough that is shaped")
@@ -50,27 +40,6 @@ NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
 
 
-@dataclass(frozen=True, eq=False)
-class Spot:
-    """One stage of a frame with its line, and what comes after it. ``path`` are places in nested lines."""
-
-    path: tuple[int, ...]
-    stage: Stage
-    post: Post
-    side: bool
-    after: tuple[Stage, ...]
-
-    @cached_property
-    def heats_later(self) -> bool:
-        """Whether the whole is heated here or later."""
-        return any("heat" in stage.does for stage in (self.stage, *self.after))
-
-    @cached_property
-    def kinds(self) -> tuple[str, ...]:
-        """The kinds of the foods that join here."""
-        return tuple(slot.kind for slot in self.stage.slots)
-
-
 @dataclass(frozen=True)
 class Join:
     """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural."""
@@ -79,30 +48,6 @@ class Join:
     spot: Spot
     fit: float
     slot: Slot | None = None
-
-
-def spots_of(
-    line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()
-) -> Iterator[Spot]:
-    """Yield every stage of a line and of those that join it, in the order of execution."""
-    for place, stage in enumerate(line.stages):
-        later = (*line.stages[place + 1 :], *after)
-        for number, add in enumerate(stage.adds):
-            if isinstance(add, Line):
-                yield from spots_of(add, side=True, after=(stage, *later), path=(*path, place, number))
-        before = any("heat" in one.does for one in line.stages[:place])
-        yield Spot((*path, place), stage, _post(stage, later, before=before, side=side), side, later)
-
-
-def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> Post:
-    work = next((name for name, does in _WORKS if not stage.does.isdisjoint(does)), "top")
-    if "heat" in stage.does:
-        when = "now"
-    elif any("heat" in one.does for one in later):
-        when = "later"
-    else:
-        when = "before" if before else "never"
-    return work, when, side
 
 
 _FACTORS = 3
@@ -185,128 +130,6 @@ class Posts:
         return found
 
 
-@dataclass(frozen=True)
-class Place:
-    """A slot with its stage, what it is of all that dishes of its type need, and whether it is the main part."""
-
-    slot: Slot
-    spot: Spot
-    needs: frozenset[str]
-    main: bool = False
-
-
-@dataclass(frozen=True)
-class Layout:
-    """A frame as places: worked out once, whatever is asked.
-
-    ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough that is shaped, before
-    it is baked. ``raw``: something in it is never cooked that has to be. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the stage that takes it.
-    """
-
-    frame: Frame
-    spots: tuple[Spot, ...]
-    places: tuple[Place, ...]
-    open: tuple[Spot, ...]
-    drained: frozenset[int]
-    past: Spot | None
-    bound: Spot | None
-    laid: Spot | None
-    heats: bool
-    raw: bool
-    made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
-
-    @classmethod
-    def of(cls, frame: Frame, known: Tables) -> Layout:
-        """Return the layout of a frame."""
-        spots = tuple(spots_of(frame.line))
-        needs = {need for dish in known.dishes_named(frame.dish_type) for needs in dish.needs for need in needs}
-        places = []
-        for spot in spots:
-            for slot in spot.stage.slots:
-                food = known.foods.food(slot.food)
-                met = frozenset(need for need in needs if _is(need, food))
-                places.append(Place(slot, spot, met, bool(met) and food.is_a(*_MAIN)))
-        drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
-        return cls(
-            frame,
-            spots,
-            tuple(places),
-            tuple(spot for spot in spots if _is_open(spot, known)),
-            drained,
-            _past(spots, drained),
-            _bound(spots),
-            _laid(spots, known),
-            any("heat" in spot.stage.does for spot in spots if not spot.side),
-            any(_stays_raw(place, frame.dish_type, known) for place in places),
-            tuple(_made(spots, known)),
-        )
-
-
-def _is_open(spot: Spot, known: Tables) -> bool:
-    """Whether foods without a slot may join at a stage: not where a batter or dough is only baked in its tin."""
-    if not spot.stage.adds:
-        return False
-    if spot.post[0] != "bake":
-        return True
-    return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
-
-
-def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
-    for spot in spots:
-        label = singular(spot.stage.label)
-        facts = known.foods.food(label)
-        if label and spot.after and facts.is_a("made", "dough"):
-            following = next(other for other in spots if other.stage is spot.after[0])
-            shaped = spot.post[0] == "shape"
-            yield frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following
-
-
-def _is_drained(spot: Spot, known: Tables) -> bool:
-    """Whether what is liquid runs out later: the whole comes into a strainer."""
-    rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
-    return any(row is not None and "strain" in row.can for row in rows)
-
-
-def _bound(spots: Sequence[Spot]) -> Spot | None:
-    """Return the stage at which the mass of patties is mixed, in a dish that is made of such."""
-    for number, spot in enumerate(spots):
-        if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
-            before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
-            return before[-1] if before else None
-    return None
-
-
-def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
-    """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
-    found, dough, shaped = None, False, False
-    for spot in (one for one in spots if not one.side):
-        slots = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
-        if spot.post[0] == "shape" and dough and spot.heats_later and not slots:
-            shaped, found = True, None
-        elif shaped and slots and spot.heats_later and any(not food.is_a("fat", "flour") for food in slots):
-            found = spot
-        dough = dough or any(food.is_a("flour", "dough") for food in slots)
-    return found
-
-
-def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
-    """Whether nobody ever cooks what has to be cooked: the video leaves it out, or it was not followed."""
-    slot, spot = place.slot, place.spot
-    facts = known.foods.food(slot.food, slot.states)
-    due = any(facts.owes.get(name) is Level.FATAL for name in ("cook", "boil"))
-    done = bool(slot.cooked) or any({"cook", "boil"} & known.state(state).earns for state in slot.states)
-    eased = any(not dish.eases.isdisjoint({facts.kind, *facts.kinds}) for dish in known.dishes_named(dish_type))
-    return due and not done and not eased and not spot.heats_later
-
-
-def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
-    """Return the last stage of a dish that is only carried on once it is drained."""
-    after = [spot for spot in spots if not spot.side and id(spot) not in drained]
-    before = [spot for spot in spots if not spot.side and id(spot) in drained]
-    return after[-1] if before and after and all(_only_carries(spot.stage) for spot in after) else None
-
-
 def _on_ready_dough(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     """Let what a video works into its dough come onto it where the dough was bought."""
     ready = next((join for join in joins if join.fit == _IN_PLACE and join.want.facts.is_a("dough")), None)
@@ -336,19 +159,6 @@ def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
     return tuple(found)
 
 
-def _is(need: str, food: Food) -> bool:
-    """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
-    scheme, _, name = need.rpartition(":")
-    if scheme == "trait":
-        return name in food.traits
-    return name in food.kinds if scheme == "kind" else food.name == name
-
-
-def _only_carries(stage: Stage) -> bool:
-    """Whether a stage brings the dish to where it is served, or only adds to it."""
-    return all(stage.does.isdisjoint(does) for _, does in _WORKS)
-
-
 class Matcher:
     """Finds where the foods of one recipe join.
 
@@ -368,38 +178,42 @@ class Matcher:
         return _without_lone(layout, _on_ready_dough(layout, found))
 
     def _join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
-        if layout.made and want.facts.is_a("made", "dough", "ready"):
-            ready_made = self._in_place_of(layout, want)
-            if ready_made is not None:
-                return ready_made
+        ready_made = self._in_place_of(layout, want) if want.facts.is_a("made", "dough", "ready") else None
+        if ready_made is not None:
+            return ready_made
         best = self._natural(layout, want)
         if stacked and best is None and self._is_stacked(layout, want):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
-        fresh = self._at_the_end(layout, want, best)
-        if fresh is not None and layout.bound is None:
-            return fresh
-        if best is not None:
-            return best
+        fresh = self._at_the_end(layout, want, best) if layout.bound is None else None
+        spot = self._by_the_dish(layout, want)
+        if fresh is not None or best is not None or spot is None:
+            return fresh or best or self._usual(layout, want)
+        return Join(want, spot, NATURAL - 0.01)
+
+    def _by_the_dish(self, layout: Layout, want: Want) -> Spot | None:
+        """Return where the way in which a dish is made says that a food joins for which it has no slot."""
         worked = want.facts.is_a(*_WORKED_IN) and not want.facts.is_a("herb")
         if layout.laid is not None and not worked:
-            return Join(want, layout.laid, NATURAL - 0.01)
+            return layout.laid
         if layout.bound is not None and want.facts.is_a(*_BOUND) and not want.facts.is_a("fat"):
-            return Join(want, layout.bound, NATURAL - 0.01)
-        if want.facts.is_a("topping") and _only_carries(layout.spots[-1].stage):
-            return Join(want, layout.spots[-1], NATURAL - 0.01)
-        return self._usual(layout, want)
+            return layout.bound
+        return layout.spots[-1] if want.facts.is_a("topping") and only_carries(layout.spots[-1].stage) else None
 
     def _is_stacked(self, layout: Layout, want: Want) -> bool:
         """Whether a food may come to a dish when it is put together on bread."""
-        if not any("heat" in spot.stage.does for spot in layout.spots) and _only_carries(layout.spots[-1].stage):
+        if not any("heat" in spot.stage.does for spot in layout.spots) and only_carries(layout.spots[-1].stage):
             return True
         uncooked = {"cook", "boil"}.isdisjoint(owed(want, self.known, Level.FATAL)) and not want.cooked
         binds = want.facts.is_a("crumb")
-        return uncooked and not binds and want.facts.is_a(*_STACKED) and _only_carries(layout.spots[-1].stage)
+        return uncooked and not binds and want.facts.is_a(*_STACKED) and only_carries(layout.spots[-1].stage)
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
-        fresh = want.facts.sold_as != "dried" and not want.cooked and not _FRESH.isdisjoint({f"kind:{want.facts.kind}", want.facts.taken_for})
+        fresh = (
+            want.facts.sold_as != "dried"
+            and not want.cooked
+            and not _FRESH.isdisjoint({f"kind:{want.facts.kind}", want.facts.taken_for})
+        )
         worked = best is not None and best.spot.post[0] in {"shape", "knead"}
         done = [spot for spot in layout.spots if spot.post[1] == "before" and not spot.side]
         if not fresh or worked or not done or (best is not None and best.spot.post[1] in {"before", "never"}):
@@ -412,7 +226,7 @@ class Matcher:
         found: Place | None = None
         most = NATURAL - 1e-9
         needs = self._needs_of(want, layout.frame.dish_type)
-        main = want.facts.is_a(*_MAIN)
+        main = want.facts.is_a(*MAIN)
         dish_type = layout.frame.dish_type
         posts = {place.spot.post for place in layout.places}
         usual = max((self.posts.likely(want, post, dish_type) for post in posts), default=0.0)
@@ -437,7 +251,7 @@ class Matcher:
         late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
         if layout.past is not None and not want.facts.is_a(*_BATHED) and "boil" not in want.facts.owes:
             return Join(want, layout.past, NATURAL - 0.01)  # what is only boiled and drained is dressed afterwards
-        slow = must and want.facts.is_a(*_MAIN) and want.facts.is_a("raw", "meat", "fish")
+        slow = must and want.facts.is_a(*MAIN) and want.facts.is_a("raw", "meat", "fish")
         hot = max(1, *(sum("heat" in stage.does for stage in (spot.stage, *spot.after)) for spot in layout.spots))
         found, most, best = layout.spots[0], 0.0, -1.0
         for spot in layout.open:
@@ -463,9 +277,9 @@ class Matcher:
         found = None
         ready = not _SHAPED.isdisjoint(own)
         for words, is_dough, shaped, label, following in layout.made:
-            if words <= own or (dough and is_dough):
-                if found is None or (is_dough and (ready or not shaped) and "heat" not in following.stage.does):
-                    found = Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
+            later = is_dough and (ready or not shaped) and "heat" not in following.stage.does
+            if (words <= own or (dough and is_dough)) and (found is None or later):
+                found = Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
         return found
 
     def _needs_of(self, want: Want, dish_type: str) -> frozenset[str]:
@@ -474,7 +288,7 @@ class Matcher:
         found = self._needs.get(key)
         if found is None:
             needs = {need for dish in self.known.dishes_named(dish_type) for needs in dish.needs for need in needs}
-            found = self._needs[key] = frozenset(need for need in needs if _is(need, want.facts))
+            found = self._needs[key] = frozenset(need for need in needs if is_need(need, want.facts))
         return found
 
     def _fit(self, want: Want, slot: Slot) -> float:

@@ -88,7 +88,7 @@ def wants_of(
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
-    """Return a food as the title has it, where that says of it what the recipe left out: smoked salmon, mashed potato."""
+    """Return a food as the title has it, which says what the recipe left out: smoked salmon, mashed potato."""
     told = words(title)
     heads = words(want.label)[-1:]
     for before, word in itertools.pairwise(told):

@@ -230,8 +230,10 @@ class _Question:
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
         stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
         tin = tins[-1] if tins else ""
-        one_pot = not word_list("boils in the dish").isdisjoint(words(f"{dish_type} {self.recipe.title or ''}"))
-        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot)
+        told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
+        cold = not word_list("is served cold").isdisjoint(told)
+        one_pot = not word_list("boils in the dish").isdisjoint(told)
+        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold)
         cooking = Cooking(bench, frame.line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)

@@ -1,0 +1,209 @@
+"""Frames as places: what joins where, worked out once for every question.
+
+Stages of different dishes are compared by their *post*: what is done to the whole there, whether it is heated then or
+later, and whether they are the dish's own line or one that joins it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.food import Food, Level, Tables, singular
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Frame, Line, Slot, Stage
+
+MAIN = word_list("is the main part")
+
+
+Post = tuple[str, str, bool]
+"""What is done (``blend``, ``knead``, ``mix``, ``heat``, ``bake``, ``boil``, ``shape``, ``rest``, ``top``), when it is
+heated (``now``, ``later``, ``before``, ``never``), and whether the line joins another one."""
+
+_WORKS = (
+    ("blend", {"blend"}), ("knead", {"knead"}), ("bake", {"dry"}), ("boil", {"liquid"}), ("heat", {"heat", "warm"}),
+    ("shape", {"shape"}), ("mix", {"mix", "whip", "mash"}), ("rest", {"wait"}),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Spot:
+    """One stage of a frame with its line, and what comes after it. ``path`` are places in nested lines."""
+
+    path: tuple[int, ...]
+    stage: Stage
+    post: Post
+    side: bool
+    after: tuple[Stage, ...]
+
+    @cached_property
+    def heats_later(self) -> bool:
+        """Whether the whole is heated here or later."""
+        return any("heat" in stage.does for stage in (self.stage, *self.after))
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of the foods that join here."""
+        return tuple(slot.kind for slot in self.stage.slots)
+
+
+def spots_of(
+    line: Line, *, side: bool = False, after: tuple[Stage, ...] = (), path: tuple[int, ...] = ()
+) -> Iterator[Spot]:
+    """Yield every stage of a line and of those that join it, in the order of execution."""
+    for place, stage in enumerate(line.stages):
+        later = (*line.stages[place + 1 :], *after)
+        for number, add in enumerate(stage.adds):
+            if isinstance(add, Line):
+                yield from spots_of(add, side=True, after=(stage, *later), path=(*path, place, number))
+        before = any("heat" in one.does for one in line.stages[:place])
+        yield Spot((*path, place), stage, _post(stage, later, before=before, side=side), side, later)
+
+
+def _post(stage: Stage, later: Sequence[Stage], *, before: bool, side: bool) -> Post:
+    work = next((name for name, does in _WORKS if not stage.does.isdisjoint(does)), "top")
+    if "heat" in stage.does:
+        when = "now"
+    elif any("heat" in one.does for one in later):
+        when = "later"
+    else:
+        when = "before" if before else "never"
+    return work, when, side
+
+
+@dataclass(frozen=True)
+class Place:
+    """A slot with its stage, what it is of all that dishes of its type need, and whether it is the main part."""
+
+    slot: Slot
+    spot: Spot
+    needs: frozenset[str]
+    main: bool = False
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A frame as places: worked out once, whatever is asked.
+
+    ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
+    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough
+    that is rolled out, before it is baked. ``past`` is where other foods join a dish that is boiled and drained, and no
+    more. ``raw``: something in it is never cooked that has to be. ``made`` has what the dish makes on its way, by its
+    words, whether that is a dough and is shaped, and the stage that takes it.
+    """
+
+    frame: Frame
+    spots: tuple[Spot, ...]
+    places: tuple[Place, ...]
+    open: tuple[Spot, ...]
+    drained: frozenset[int]
+    past: Spot | None
+    bound: Spot | None
+    laid: Spot | None
+    heats: bool
+    raw: bool
+    made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
+
+    @classmethod
+    def of(cls, frame: Frame, known: Tables) -> Layout:
+        """Return the layout of a frame."""
+        spots = tuple(spots_of(frame.line))
+        needs = {need for dish in known.dishes_named(frame.dish_type) for needs in dish.needs for need in needs}
+        places = []
+        for spot in spots:
+            for slot in spot.stage.slots:
+                food = known.foods.food(slot.food)
+                met = frozenset(need for need in needs if is_need(need, food))
+                places.append(Place(slot, spot, met, bool(met) and food.is_a(*MAIN)))
+        drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
+        return cls(
+            frame,
+            spots,
+            tuple(places),
+            tuple(spot for spot in spots if _is_open(spot, known)),
+            drained,
+            _past(spots, drained),
+            _bound(spots),
+            _laid(spots, known),
+            any("heat" in spot.stage.does for spot in spots if not spot.side),
+            any(_stays_raw(place, frame.dish_type, known) for place in places),
+            tuple(_made(spots, known)),
+        )
+
+
+def _is_open(spot: Spot, known: Tables) -> bool:
+    """Whether foods without a slot may join at a stage: not where a batter or dough is only baked in its tin."""
+    if not spot.stage.adds:
+        return False
+    if spot.post[0] != "bake":
+        return True
+    return any(not known.foods.food(slot.food, slot.states).is_a("fat", "flour") for slot in spot.stage.slots)
+
+
+def _made(spots: Sequence[Spot], known: Tables) -> Iterator[tuple[frozenset[str], bool, bool, str, Spot]]:
+    for spot in spots:
+        label = singular(spot.stage.label)
+        facts = known.foods.food(label)
+        if label and spot.after and facts.is_a("made", "dough"):
+            following = next(other for other in spots if other.stage is spot.after[0])
+            shaped = spot.post[0] == "shape"
+            yield frozenset(label.split()), facts.is_a("dough"), shaped, spot.stage.label, following
+
+
+def _is_drained(spot: Spot, known: Tables) -> bool:
+    """Whether what is liquid runs out later: the whole comes into a strainer."""
+    rows = (known.utensil(stage.vessel) for stage in spot.after if stage.vessel)
+    return any(row is not None and "strain" in row.can for row in rows)
+
+
+def _bound(spots: Sequence[Spot]) -> Spot | None:
+    """Return the stage at which the mass of patties is mixed, in a dish that is made of such."""
+    for number, spot in enumerate(spots):
+        if spot.post[0] == "shape" and spot.heats_later and "heat" not in spot.stage.does:
+            before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
+            return before[-1] if before else None
+    return None
+
+
+def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:
+    """Return the last stage at which something comes onto dough that is rolled out, before it is done."""
+    found, dough, shaped = None, False, False
+    for spot in (one for one in spots if not one.side):
+        slots = [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots]
+        if spot.post[0] == "shape" and dough and spot.heats_later and not slots:
+            shaped, found = True, None
+        elif shaped and slots and spot.heats_later and any(not food.is_a("fat", "flour") for food in slots):
+            found = spot
+        dough = dough or any(food.is_a("flour", "dough") for food in slots)
+    return found
+
+
+def _stays_raw(place: Place, dish_type: str, known: Tables) -> bool:
+    """Whether nobody ever cooks what has to be cooked: the video leaves it out, or it was not followed."""
+    slot, spot = place.slot, place.spot
+    facts = known.foods.food(slot.food, slot.states)
+    due = any(facts.owes.get(name) is Level.FATAL for name in ("cook", "boil"))
+    done = bool(slot.cooked) or any({"cook", "boil"} & known.state(state).earns for state in slot.states)
+    eased = any(not dish.eases.isdisjoint({facts.kind, *facts.kinds}) for dish in known.dishes_named(dish_type))
+    return due and not done and not eased and not spot.heats_later
+
+
+def _past(spots: Sequence[Spot], drained: frozenset[int]) -> Spot | None:
+    """Return the last stage of a dish that is only carried on once it is drained."""
+    after = [spot for spot in spots if not spot.side and id(spot) not in drained]
+    before = [spot for spot in spots if not spot.side and id(spot) in drained]
+    return after[-1] if before and after and all(only_carries(spot.stage) for spot in after) else None
+
+
+def is_need(need: str, food: Food) -> bool:
+    """Whether a food is of the very kind or trait that a dish needs; a word in its name does not count."""
+    scheme, _, name = need.rpartition(":")
+    if scheme == "trait":
+        return name in food.traits
+    return name in food.kinds if scheme == "kind" else food.name == name
+
+
+def only_carries(stage: Stage) -> bool:
+    """Whether a stage brings the dish to where it is served, or only adds to it."""
+    return all(stage.does.isdisjoint(does) for _, does in _WORKS)

@@ -1,0 +1,95 @@
+"""How a dish is finished that its video leaves open: dressed once it is drained, or put together on bread."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from foon_kg.food import Tables
+from foon_kg.integration.bench import Bench, Vessel, foods_of, is_flat
+from foon_kg.integration.carrying import Carrier
+from foon_kg.integration.course import WORKS, Plan
+from foon_kg.integration.frames import Stage
+from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import Ready
+from foon_kg.integration.working import Worker
+
+_BREADS = ("bread", "bun", "flatbread")
+_SMALL = 3
+"""How fine pieces are that are bound by something creamy (chopped, flaked)."""
+
+
+class Serving:
+    """Finishes one dish on a bench. ``ready`` are the prepared foods by the numbers of what was asked."""
+
+    def __init__(self, bench: Bench, plan: Plan, carry: Carrier, work: Worker, ready: Mapping[int, Ready]) -> None:
+        self.bench = bench
+        self.known: Tables = bench.known
+        self.plan = plan
+        self.carry = carry
+        self.work = work
+        self.ready = ready
+
+    def is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether this is where a stacked dish is put together, with foods that its video has not."""
+        works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
+        return not works and any(join.slot is None for join in joins)
+
+    def stack(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
+        """Put a dish together on a plate: bread, what was made, then the rest; a spread with pieces is mixed before."""
+        plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
+        breads = [join for join in joins if join.want.facts.is_a(*_BREADS)]
+        rest = [join for join in joins if join not in breads]
+        filling = self._filling(rest)
+        bowl = self.bench.vessel("bowl")
+        for join in filling:
+            self.carry.bring(self.ready[join.want.number], bowl, None)
+        if filling:
+            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), "filling", ("mixed",), with_device=False)
+        for join in breads:
+            self.carry.bring(self.ready[join.want.number], plate, None)
+        made = [one for one in (*lines, vessel, bowl) if one is not None and one is not plate and one.contents]
+        for one in made:
+            self.bench.heat_off(one)
+            self.carry.transfer(one, plate, stage)
+        for join in rest:
+            if join not in filling:
+                self.carry.bring(self.ready[join.want.number], plate, None)
+        self.work.name(plate, self.plan.label)
+        return plate
+
+    def _filling(self, joins: Sequence[Join]) -> list[Join]:
+        """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
+        stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
+        small = [
+            join for join in joins
+            if any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
+        ]  # fmt: skip
+        creamy = [join for join in joins if join.want.facts.is_a("creamy", "mayonnaise")]
+        seasons = [join for join in joins if join.want.facts.is_a("spice", "salt", "liquid") and join not in creamy]
+        leaves = ("lettuce head", "salad leaf", "bacon")
+        pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*leaves)]
+        return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
+
+    def is_warmed(self, vessel: Vessel | None) -> bool:
+        """Whether a dish is dressed over the heat: it was drained hot, and is not served cold."""
+        row = self.known.utensil(vessel.label) if vessel is not None else None
+        return row is not None and "strain" in row.can and not self.plan.cold
+
+    def dress(self, vessel: Vessel, *, warmed: bool) -> None:
+        """Mix what came to a dish that was done, over the heat where the dish is hot."""
+        foods = foods_of(vessel)
+        if not warmed:
+            self.bench.work(vessel, self.work.stirring(foods), self.plan.label, ("mixed",), with_device=False)
+            return
+        device = self.bench.place(vessel, "stove", "on")
+        self.bench.switch(vessel, device, on=True)
+        self.bench.work(vessel, self.work.stirring_hot(foods), self.plan.label, ("cooked", "mixed"))
+        self.bench.switch(vessel, device, on=False)
+
+    def is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
+        """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
+        if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
+            return False
+        if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
+            return False  # on what comes out of the oven in one piece it only lies
+        return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
