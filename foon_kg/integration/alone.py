@@ -137,10 +137,7 @@ class Alone:
         if form_of(self.known, want.label, want.leaf) == "liquid":
             return ()  # it would be poured away with the water
         fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
-        soft = (
-            not want.facts.is_a("starchy root", "hard squash", "dry pulse", "corn cob")
-            and "shell" not in want.facts.owes
-        )
+        soft = not want.facts.is_a(*word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
         return ("cook",) if fat and soft else ("boil",)
 
     def _is_warmed(self, join: Join) -> bool:

@@ -83,9 +83,9 @@ class Carrier:
     def grease(self, fat: Want, tin: Vessel) -> None:
         """Spread some of a fat in a tin."""
         stuff = self.bench.fetch(fat.label, fat.leaf, [fat.number], fat.storage)
-        spreads = [way for motion in sorted(word_list("greases")) for way in self.bench.operators.ways_of(motion)]
+        by_hand = [way for motion in sorted(word_list("greases")) for way in self.bench.operators.ways_of(motion)]
         attested = (
-            None if form_of(self.known, fat.label, fat.leaf) == "liquid" else self.bench.attest(spreads, fat.names)
+            None if form_of(self.known, fat.label, fat.leaf) == "liquid" else self.bench.attest(by_hand, fat.names)
         )
         if attested is None:
             self.bring(Ready(fat, stuff), tin, None)
@@ -134,8 +134,8 @@ class Carrier:
             self.is_wet(stuff) or form_of(self.known, stuff.label, stuff.states) == "liquid"
             for stuff in vessel.contents
         )
-        oils = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
-        return _DEEP if is_flat(label) and wet and not oils and not batter else label
+        plain = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
+        return _DEEP if is_flat(label) and wet and not plain and not batter else label
 
     def _liquids(self, vessel: Vessel) -> list[str]:
         return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]

@@ -250,7 +250,7 @@ class Cooking:
         if self._water(stage):
             self.carry.add_water(vessel)
         fat_first = any(isinstance(one, Join) and one.want.facts.is_a("fat") for one in stuffs)
-        if on_stove and not vessel.contents and not fat_first and self._would_fry_dry(stage, stuffs):
+        if on_stove and not vessel.contents and not fat_first and self._would_be_dry(stage, stuffs):
             fat_first = self.carry.add_fat(vessel, self.plan)
         for number, one in enumerate(stuffs):
             last = number == len(stuffs) - 1
@@ -271,13 +271,13 @@ class Cooking:
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
 
-    def _would_fry_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
+    def _would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Whether solid food comes into a pan with nothing to cook in."""
         if "dry" in stage.does:
             return False
         facts = [one.want.facts for one in stuffs if isinstance(one, Join)]
-        wet = any(one.is_a("liquid", "water", "creamy", "egg", "canned tomato") for one in facts)
-        solid = any(not one.is_a("spice", "salty", "sweet") for one in facts)
+        wet = any(one.is_a(*word_list("wets the pan")) for one in facts)
+        solid = any(not one.is_a(*word_list("only flavours")) for one in facts)
         return solid and not wet and not any(isinstance(one, Vessel) for one in stuffs)
 
     def _comers(
@@ -371,10 +371,11 @@ class Cooking:
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
         if later and self._goes_on(stage, later[0]):
             return True
-        if all(self.known.foods.food(food).is_a("fat", "spice", "salty") for food in foods_of(vessel)) and later:
-            return True  # fat alone is only made hot, and salt not even that
-        rises = stage.motion in word_list("needs yeast")
-        if rises and not any(self.known.foods.food(food).is_a("yeast") for food in foods_of(vessel)):
+        foods = [self.known.foods.food(food) for food in foods_of(vessel)]
+        if later and all(food.is_a(*word_list("is only made hot")) for food in foods):
+            return True
+        rises = stage.motion in word_list("rises")
+        if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
             return True
         if single and mixes and not heats and stage.does <= {"mix"}:
             return True

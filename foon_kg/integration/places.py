@@ -23,6 +23,8 @@ _STACKED = word_list("is stacked")
 _BOUND = word_list("binds")
 _WORKED_IN = word_list("is worked in")
 _SHAPED = word_list("dough that is shaped")
+_CHANGES = frozenset({"blend", "knead", "mash", "shape"})
+_FLESH = word_list("is flesh")
 _BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
@@ -154,7 +156,8 @@ def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
             spots = [spot for spot in layout.spots if spot.path[: len(line)] == line]
             slots = sum(1 for spot in spots for _ in spot.stage.slots)
             hot = any("heat" in spot.stage.does for spot in spots)
-            if here == [join] and slots > 1 and not hot:
+            own = join.slot is not None and all(spot.stage.does.isdisjoint(_CHANGES) for spot in spots)
+            if here == [join] and slots > 1 and not hot and not own:
                 found[number] = Join(join.want, by_path[path], min(join.fit, NATURAL - 0.01))
     return tuple(found)
 
@@ -204,7 +207,7 @@ class Matcher:
         if not any("heat" in spot.stage.does for spot in layout.spots) and only_carries(layout.spots[-1].stage):
             return True
         uncooked = {"cook", "boil"}.isdisjoint(owed(want, self.known, Level.FATAL)) and not want.cooked
-        binds = want.facts.is_a("crumb")
+        binds = want.facts.is_a(*word_list("binds patties"))
         return uncooked and not binds and want.facts.is_a(*_STACKED) and only_carries(layout.spots[-1].stage)
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
@@ -251,7 +254,7 @@ class Matcher:
         late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
         if layout.past is not None and not want.facts.is_a(*_BATHED) and "boil" not in want.facts.owes:
             return Join(want, layout.past, NATURAL - 0.01)  # what is only boiled and drained is dressed afterwards
-        slow = must and want.facts.is_a(*MAIN) and want.facts.is_a("raw", "meat", "fish")
+        slow = must and want.facts.is_a(*MAIN) and want.facts.is_a(*_FLESH)
         hot = max(1, *(sum("heat" in stage.does for stage in (spot.stage, *spot.after)) for spot in layout.spots))
         found, most, best = layout.spots[0], 0.0, -1.0
         for spot in layout.open:

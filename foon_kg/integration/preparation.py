@@ -222,7 +222,7 @@ class Preparer:
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""
-        if want.make in word_list("only what is cooked is so") and want.facts.is_a("meat", "fish"):
+        if want.make in word_list("only what is cooked is so") and want.facts.is_a(*word_list("is flesh")):
             return {"cook"} <= want.facts.owes.keys()
         ways = self.operators.giving.get(want.make, ()) if want.make else ()
         mashed = (self.known.state(want.make).fine or 0) >= _POWDER and any(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import WORKS, Plan
@@ -13,7 +14,11 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Ready
 from foon_kg.integration.working import Worker
 
-_BREADS = ("bread", "bun", "flatbread")
+_SLICES = word_list("carries what is stacked")
+_CREAMY = word_list("binds pieces")
+_SEASONS = word_list("seasons pieces")
+_LAYERS = word_list("is a layer")
+_MIXED = "mixture"
 _SMALL = 3
 """How fine pieces are that are bound by something creamy (chopped, flaked)."""
 
@@ -37,37 +42,36 @@ class Serving:
     def stack(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
         """Put a dish together on a plate: bread, what was made, then the rest; a spread with pieces is mixed before."""
         plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
-        breads = [join for join in joins if join.want.facts.is_a(*_BREADS)]
-        rest = [join for join in joins if join not in breads]
-        filling = self._filling(rest)
+        slices = [join for join in joins if join.want.facts.is_a(*_SLICES)]
+        rest = [join for join in joins if join not in slices]
+        mixed = self._bound(rest)
         bowl = self.bench.vessel("bowl")
-        for join in filling:
+        for join in mixed:
             self.carry.bring(self.ready[join.want.number], bowl, None)
-        if filling:
-            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), "filling", ("mixed",), with_device=False)
-        for join in breads:
+        if mixed:
+            self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
+        for join in slices:
             self.carry.bring(self.ready[join.want.number], plate, None)
         made = [one for one in (*lines, vessel, bowl) if one is not None and one is not plate and one.contents]
         for one in made:
             self.bench.heat_off(one)
             self.carry.transfer(one, plate, stage)
         for join in rest:
-            if join not in filling:
+            if join not in mixed:
                 self.carry.bring(self.ready[join.want.number], plate, None)
         self.work.name(plate, self.plan.label)
         return plate
 
-    def _filling(self, joins: Sequence[Join]) -> list[Join]:
+    def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
         stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
         small = [
             join for join in joins
             if any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
         ]  # fmt: skip
-        creamy = [join for join in joins if join.want.facts.is_a("creamy", "mayonnaise")]
-        seasons = [join for join in joins if join.want.facts.is_a("spice", "salt", "liquid") and join not in creamy]
-        leaves = ("lettuce head", "salad leaf", "bacon")
-        pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*leaves)]
+        creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
+        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and join not in creamy]
+        pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*_LAYERS)]
         return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
 
     def is_warmed(self, vessel: Vessel | None) -> bool:

@@ -73,7 +73,6 @@ def test_an_unknown_word_is_said_with_its_line_and_a_file_that_cannot_be_read_is
         assert f"error: {broken}:1: not JSON" in refused.stderr
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove off", strict=True)
 def test_without_a_dish_type_the_answer_names_the_one_that_was_taken():
     answer = foon("plan", "beaten egg", "grated cheddar", "--json")
     assert PlanResult.from_json(json.loads(answer.stdout)).recipe.dish_type == "omelette"
@@ -135,7 +134,6 @@ def test_suggest_in_json_is_one_value_with_the_best_first(kitchen):
     assert (value["considered"], len(shares)) == (23, 5)
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove off", strict=True)
 def test_what_is_suggested_as_complete_can_be_planned_from_the_same_kitchen(kitchen):
     file = kitchen("egg\nmilk\nbutter\nsalt\ncheddar\n")
     first = json.loads(foon("suggest", "--kitchen", file, "--json").stdout)["suggestions"][0]

@@ -163,7 +163,6 @@ def test_files_without_a_subgraph_are_an_error_that_names_them(tmp_path, folder,
     assert str(tmp_path / folder) in answer.stderr.splitlines()[0]
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove off", strict=True)
 def test_every_recipe_of_the_demo_has_a_tree(foon):
     answer = foon(*demo_recipes(), "--json")
     assert answer.exit_code == 0, answer.stderr

@@ -14,8 +14,6 @@ from integration.told import Likes, snapshot_of
 from foon_kg.food import tables
 from foon_kg.goals.choice import (
     MOST_FITTED,
-    Outline,
-    closing_heat,
     fits,
     missing_core,
     named_alike,
@@ -23,6 +21,7 @@ from foon_kg.goals.choice import (
     shortlisted,
     weight,
 )
+from foon_kg.integration.outlines import Outline, Outlines, closing_heat
 from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import wants_of
 from foon_kg.model import RequiredIngredient
@@ -150,7 +149,7 @@ def test_what_a_dish_is_built_on_weighs_most_and_what_seasons_least():
 
 
 def test_the_shortlist_has_the_type_first_and_no_dish_that_ends_otherwise():
-    keys = shortlisted(OUTLINES, SOUP, "soup", "", known=KNOWN, likes=LIKES)
+    keys = shortlisted(Outlines(OUTLINES), SOUP, "soup", "", known=KNOWN, likes=LIKES)
     found = [next(one for one in OUTLINES if one.key == key) for key in keys]
     assert found[0].dish_type == "soup"
     ends = next(one.ends for one in OUTLINES if one.dish_type == "soup")
@@ -170,7 +169,7 @@ def test_the_order_of_frames_does_not_matter(chance: random.Random, dish_type):
     shuffled = chance.sample(LAYOUTS, len(LAYOUTS))
     for asked in (SOUP, CAKE):
         assert chosen(asked, dish_type, "", shuffled) == chosen(asked, dish_type)
-        outlines = chance.sample(OUTLINES, len(OUTLINES))
+        outlines = Outlines(chance.sample(OUTLINES, len(OUTLINES)))
         assert shortlisted(outlines, asked, dish_type, "", known=KNOWN, likes=LIKES) == shortlisted(
-            OUTLINES, asked, dish_type, "", known=KNOWN, likes=LIKES
+            Outlines(OUTLINES), asked, dish_type, "", known=KNOWN, likes=LIKES
         )

@@ -212,7 +212,6 @@ def test_an_ingredient_is_removed_and_the_focus_stays_near(page):
     assert text_of(page, "#status") == "egg is removed."
 
 
-@pytest.mark.xfail(reason="there is no tree where no video turns the stove off", strict=True)
 def test_what_could_be_made_leads_to_a_plan(page):
     page.find_element("id", "ingredient").send_keys("egg", ENTER, "chopped onion", ENTER)
     page.find_element("id", "suggest").send_keys(ENTER)
