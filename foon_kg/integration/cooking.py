@@ -44,8 +44,9 @@ class Cooking:
 
     def make(self) -> Stuff:
         """Make the dish and return it; raises :class:`RefusedError` where a step cannot be done."""
-        for join in self.course.in_order():
-            self._prepare(join)
+        flesh = word_list("is flesh")
+        for join in sorted(self.course.in_order(), key=lambda one: one.want.facts.is_a(*flesh)):
+            self._prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
             method = self.alone.cooked_first(join)
@@ -353,6 +354,8 @@ class Cooking:
             return
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
+            if mixes and not heats:
+                self.work.let_rise(vessel, [stage, *later])
         else:
             self.work.work_each(vessel, attested, states, with_device=bool(device))
         if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):

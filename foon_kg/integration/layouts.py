@@ -89,7 +89,8 @@ class Layout:
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
     ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough
     that is rolled out, before it is baked. ``past`` is where other foods join a dish that is boiled and drained, and no
-    more. ``raw``: something in it is never cooked that has to be. ``made`` has what the dish makes on its way, by its
+    more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing
+    like a soup in it. ``made`` has what the dish makes on its way, by its
     words, whether that is a dough and is shaped, and the stage that takes it.
     """
 
@@ -102,6 +103,7 @@ class Layout:
     bound: Spot | None
     laid: Spot | None
     heats: bool
+    dry: bool
     raw: bool
     made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
 
@@ -127,6 +129,7 @@ class Layout:
             _bound(spots),
             _laid(spots, known),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
+            not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in spots),
             any(_stays_raw(place, frame.dish_type, known) for place in places),
             tuple(_made(spots, known)),
         )

@@ -200,7 +200,8 @@ class Matcher:
             return layout.laid
         if layout.bound is not None and want.facts.is_a(*_BOUND) and not want.facts.is_a("fat"):
             return layout.bound
-        return layout.spots[-1] if want.facts.is_a("topping") and only_carries(layout.spots[-1].stage) else None
+        late = want.facts.is_a("topping") or (want.facts.is_a(*word_list("floats on top")) and not layout.dry)
+        return layout.spots[-1] if late and only_carries(layout.spots[-1].stage) else None
 
     def _is_stacked(self, layout: Layout, want: Want) -> bool:
         """Whether a food may come to a dish when it is put together on bread."""

@@ -127,10 +127,18 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
-    if _is_bought_so(row, one.state, operators):
-        return replace(want, leaf=(one.state,), bought_so=True)
+    by_others = _done_by_others(want, row, operators)
+    if by_others is not None:
+        return by_others
     can = _can_be_made(want, form, row, operators)
     return replace(want, make=one.state) if can else replace(want, read_as=plain)
+
+
+def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
+    """Return a food whose asked state nobody gives it by itself: it is drained once it is boiled, or bought smoked."""
+    if row.earns and row.earns <= ADVISED and "boil" in want.facts.owes:
+        return replace(want, cooked=True)
+    return replace(want, leaf=(want.asked,), bought_so=True) if _is_bought_so(row, want.asked, operators) else None
 
 
 def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operators) -> bool:
@@ -294,7 +302,7 @@ class Preparer:
             return ""
         if "cut" in want.facts.owes and want.facts.is_a("raw") and not want.facts.is_a("herb", "berry"):
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
-        for state in form:
+        for state in form if not want.cooked else ():
             if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
                 return state
         if "cut" in due:

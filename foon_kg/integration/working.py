@@ -70,6 +70,7 @@ class Worker:
         """Work on all foods of a vessel, each of which stays what it is."""
         stuffs = list(vessel.contents)
         device = vessel.device if with_device else None
+        heats = not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
 
         def change() -> None:
             for stuff in stuffs:
@@ -79,9 +80,31 @@ class Worker:
                 facts = self.known.foods.food(stuff.label)
                 melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
                 stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
-            vessel.hot = vessel.hot or device is not None
+            vessel.hot = vessel.hot or (device is not None and heats)
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
+
+    def let_rise(self, vessel: Vessel, stages: Sequence[Stage]) -> None:
+        """Knead a dough that needs it and let it rise, where the video has no such stage: its dough was another one."""
+        foods = foods_of(vessel)
+        facts = [self.known.foods.food(food) for food in foods]
+        dough = any(one.is_a("flour", "dough") for one in facts)
+        if not dough or not any(one.is_a(*word_list("makes dough rise")) for one in facts):
+            return
+        rises = sorted(word_list("rises"))
+        if any(stage.motion in rises for stage in stages) or any("rested" in stuff.states for stuff in vessel.contents):
+            return
+        kneads = any("knead" in stage.does for stage in stages)
+        works = (
+            [] if kneads else [([way for way in self.bench.operators.ways.get("knead", ()) if not way[1]], "kneaded")]
+        )
+        works.append(([way for motion in rises for way in self.bench.operators.ways_of(motion)], "rested"))
+        for ways, state in works:
+            attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
+            whole = vessel.contents[0]
+            if attested is not None:
+                states = tuple(sorted({*whole.states, state}))
+                self.bench.work(vessel, attested, whole.label, states, with_device=False)
 
     def way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         """Return how a stage is done to what is in the vessel, nearest to what the FOON attests, or ``None``."""

@@ -30,7 +30,7 @@ PREPARED = [
     ("potato", "diced", "peel, dice, boil, drain", ""),
     ("potato", "whole", "peel, chop, boil, drain", ""),
     ("sweet potato", "boiled", "peel, chop, boil, drain", ""),
-    ("pumpkin", "diced", "peel, dice, boil, drain", ""),
+    ("pumpkin", "diced", "peel, core, dice, boil, drain", ""),
     ("onion", "diced", "peel, dice", ""),
     ("onion", "whole", "peel, dice", ""),
     ("shallot", "diced", "peel, dice", ""),
