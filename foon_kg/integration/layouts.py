@@ -107,6 +107,11 @@ class Layout:
     raw: bool
     made: tuple[tuple[frozenset[str], bool, bool, str, Spot], ...]
 
+    @cached_property
+    def posts(self) -> tuple[Post, ...]:
+        """The posts of its places, each once."""
+        return tuple(dict.fromkeys(place.spot.post for place in self.places))
+
     @classmethod
     def of(cls, frame: Frame, known: Tables) -> Layout:
         """Return the layout of a frame."""

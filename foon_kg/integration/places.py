@@ -70,6 +70,7 @@ class Posts:
         self.beside: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self.cooked: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self._kept: dict[tuple[str, frozenset[str], Post, str], float] = {}
+        self._totals: dict[tuple[str, str, int], int] = {}
         self._together: dict[tuple[str, tuple[str, ...]], float] = {}
         for frame in frames:
             for spot in spots_of(frame.line):
@@ -109,13 +110,21 @@ class Posts:
         traits = sorted(f"trait:{trait}" for trait in want.facts.traits)
         for names in (("",), traits, (want.facts.kind,)):  # from what all foods do to what its kind does
             for dish in ("", dish_type):
-                counts: Counter[object] = Counter()
+                total = times = 0
                 for name in names:
-                    counts += self.counts[name, dish][factor] if (name, dish) in self.counts else Counter()
-                total = sum(counts.values())
+                    counts = self.counts.get((name, dish))
+                    if counts is not None:
+                        total += self._total(name, dish, factor)
+                        times += counts[factor][value]
                 trust = total / (total + 3.0)
-                share = trust * (counts[value] / total if total else 0.0) + (1 - trust) * share
+                share = trust * (times / total if total else 0.0) + (1 - trust) * share
         return max(share, _SMOOTH)
+
+    def _total(self, name: str, dish: str, factor: int) -> int:
+        found = self._totals.get((name, dish, factor))
+        if found is None:
+            found = self._totals[name, dish, factor] = self.counts[name, dish][factor].total()
+        return found
 
     def never(self, want: Want, work: str) -> bool:
         """Whether no food of that kind was ever seen where such work is done."""
@@ -232,8 +241,7 @@ class Matcher:
         needs = self._needs_of(want, layout.frame.dish_type)
         main = want.facts.is_a(*MAIN)
         dish_type = layout.frame.dish_type
-        posts = {place.spot.post for place in layout.places}
-        usual = max((self.posts.likely(want, post, dish_type) for post in posts), default=0.0)
+        usual: float | None = None
         runs = want.facts.is_a("liquid", "water", "creamy", "frozen")
         for place in layout.places:
             if not runs and place.slot.kind == "water":
@@ -243,6 +251,8 @@ class Matcher:
                 fit = _SAME_ROLE
             if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind:
                 # a like food may join elsewhere than foods of this one's kind do: chives late, onions early
+                if usual is None:
+                    usual = max(self.posts.likely(want, post, dish_type) for post in layout.posts)
                 ratio = self.posts.likely(want, place.spot.post, dish_type) / usual if usual else 1.0
                 fit = fit * (0.6 + 0.4 * ratio) if ratio >= _AS_USUAL else 0.0
             if fit > most:
