@@ -320,7 +320,11 @@ lettuce (whole) + bowl (empty) → SOAK → lettuce (soaked; in bowl)
 bean (dry) + strainer (empty) → STRAIN → bean (drained; in strainer)
 raspberry (frozen) + bowl (empty) → THAW → raspberry (thawed; in bowl)
 """,
-        ["lettuce: soak 0", "bean: drain 1", "raspberry: soak 2 thaw 2 heated 2"],
+        [
+            "lettuce: soak 0",
+            "bean: drain 1",
+            "raspberry: core -1 cut -1 husk -1 peel -1 shell -1 soak 2 stone -1 thaw 2 heated 2",
+        ],
     ),
     story(
         "thawed is what was frozen",
@@ -330,7 +334,7 @@ salmon (frozen) + bowl (empty) → DEFROST → salmon (defrosted; in bowl)
 """,
         [
             "raspberry: soak 0 thaw 0 heated 0",
-            "salmon: soak 1 thaw 1 heated 1",
+            "salmon: core -1 cut -1 husk -1 peel -1 shell -1 soak 1 stone -1 thaw 1 heated 1",
             "K7 (minor) step 1 raspberry (thawed; in bowl): it is thawed, and it was never frozen",
         ],
     ),
