@@ -155,6 +155,7 @@ class Carrier:
         source = stuff.at
         if source is vessel:
             return
+        fats = self._pan_fat(stuff, source)
         role = "" if source is None else ("storage" if source.storage else "vessel")
         usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
         groups: list[list[Way]] = [self._as_shown(slot, want, stuff), self._by_store(usual, stuff, source)]
@@ -174,7 +175,14 @@ class Carrier:
                 break
         if attested is None:
             attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
-        self.bench.bring([stuff], vessel, attested)
+        self.bench.bring([stuff, *fats], vessel, attested)
+
+    def _pan_fat(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
+        """Return the fat in which a food was fried: it comes along."""
+        if source is None or source.storage:
+            return []
+        others = [one for one in source.contents if one is not stuff]
+        return others if all(self.known.foods.food(one.label).is_a("fat") for one in others) else []
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
         """Return how the video brings this very food in such a form."""

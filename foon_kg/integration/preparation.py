@@ -14,7 +14,7 @@ from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import State
 from foon_kg.integration.bench import Bench, RefusedError, Stuff
-from foon_kg.integration.operators import Attested, Operators, Way, form_of
+from foon_kg.integration.operators import Attested, Nearness, Operators, Way, form_of
 from foon_kg.model import RequiredIngredient
 from foon_kg.world.treatment import ADVISED
 
@@ -32,6 +32,9 @@ LEAST_ALIKE = 0.2
 
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
+
+_RARE = 0.2
+"""So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
 
 _POWDER = 5
 """How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
@@ -97,6 +100,8 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         row = known.state(before)
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
+        if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in want.facts.owes:
+            return replace(want, cooked=True)
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want
@@ -208,7 +213,8 @@ class Preparer:
         for name in _BY_HAND:
             if name in due and not (name == "stone" and "core" in due):
                 self._treat(ready, name)
-        if want.squeezed:
+        juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
+        if want.squeezed or (juicy and self.operators.giving.get(_JUICE)):
             self._squeeze(ready)
             return ready
         if "drain" in want.facts.owes and "canned" in want.leaf:
@@ -232,6 +238,8 @@ class Preparer:
         """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""
         if want.make in word_list("only what is cooked is so") and want.facts.is_a(*word_list("is flesh")):
             return {"cook"} <= want.facts.owes.keys()
+        if want.make in word_list("only what is soft is so") and want.facts.is_a(*word_list("is hard")):
+            return True
         ways = self.operators.giving.get(want.make, ()) if want.make else ()
         mashed = (self.known.state(want.make).fine or 0) >= _POWDER and any(
             "mash" in self.known.motion(way[0]).does for way in ways
@@ -399,10 +407,21 @@ class Preparer:
             places = self.operators.onto[("chop", ("knife",))]
         return min(places, key=lambda place: (-places[place], place)) if places else "cutting board"
 
+    def _usual_ways(self, ways: Sequence[Way], state: str) -> list[Way]:
+        """Return the ways by which the FOON usually gives a state: a grater grates, though a knife might do."""
+        given = self.operators.giving.get(state, {})
+        most = max((given[way] for way in ways if way in given), default=0)
+        return [way for way in ways if given.get(way, 0) > _RARE * most]
+
     def _cut(self, ready: Ready, state: str) -> None:
         want = ready.want
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
-        attested = self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+        usual = self._usual_ways(ways, state)
+        tools = {way[1] for way in usual}
+        attested = self.bench.attest([way for way in ways if way[1] in tools], want.names, act=True)
+        if attested is None or attested.nearness > Nearness.FOOD:
+            attested = self.bench.attest(usual, want.names, act=True) or (self._far(usual, want) if usual else None)
+        attested = attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
         if attested is None:
             self._assume(ready, state)
             return

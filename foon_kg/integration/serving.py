@@ -56,8 +56,9 @@ class Serving:
         for one in made:
             self.bench.heat_off(one)
             self.carry.transfer(one, plate, stage)
+        there = frozenset().union(*(stuff.wants for stuff in plate.contents))
         for join in rest:
-            if join not in mixed:
+            if join not in mixed and not (join.want.facts.is_a("fat") and join.want.number in there):
                 self.carry.bring(self.ready[join.want.number], plate, None)
         self.work.name(plate, self.plan.label)
         return plate
