@@ -134,8 +134,9 @@ class Cooking:
             return self.serving.stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
-        warmed = dressed and self.serving.is_warmed(vessel)
-        label = self._label_for(stage, vessel, lines, dressed=dressed, warmed=warmed)
+        if vessel is not None and dressed and self.serving.is_warmed(vessel):
+            return self.serving.warm(stage, vessel, joins)
+        label = self._label_for(stage, vessel, lines, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -154,23 +155,19 @@ class Cooking:
         if not vessel.contents:
             return None
         if dressed:
-            self.serving.dress(vessel, warmed=warmed)
+            self.serving.dress(vessel)
         for join in tops:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
 
-    def _label_for(
-        self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], *, dressed: bool, warmed: bool
-    ) -> str:
+    def _label_for(self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], *, dressed: bool) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
         label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
         comes = vessel if vessel is not None else next(iter(lines), None)
         if comes is not None and label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin)
-        if warmed:
-            return "pot"
         return "bowl" if dressed and is_flat(label) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:

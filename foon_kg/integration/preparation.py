@@ -30,6 +30,10 @@ _SOFT = word_list("can be mashed")
 LEAST_ALIKE = 0.2
 """A food is grated or mashed like another one only where that is not quite absurd."""
 
+_CANNED = "canned"
+_FROM_A_CAN = frozenset({"drain"})
+"""What is done to what comes out of a can."""
+
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
 
@@ -140,7 +144,10 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
 
 
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
-    """Return a food whose asked state nobody gives it by itself: it is drained once it is boiled, or bought smoked."""
+    """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
+    canned = operators.known.foods.food(want.label, [_CANNED])
+    if row.earns & _FROM_A_CAN and canned.kind != want.facts.kind and canned.sold_as == _CANNED:
+        return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
     if row.earns and row.earns <= ADVISED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
     return replace(want, leaf=(want.asked,), bought_so=True) if _is_bought_so(row, want.asked, operators) else None

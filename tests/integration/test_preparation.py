@@ -40,10 +40,10 @@ PREPARED = [
     # --- fruit ---
     ("avocado", "whole", "peel, pit, cut", ""),
     ("avocado", "sliced", "peel, pit, cut", ""),
-    ("mango", "sliced", "peel, pit, cut", ""),
+    ("mango", "sliced", "peel, pit, slice", ""),
     ("apple", "chopped", "core, chop", ""),
     ("pear", "chopped", "core, chop", ""),
-    ("banana", "sliced", "peel, cut", ""),
+    ("banana", "sliced", "peel, slice", ""),
     ("lemon", "juiced", "cut, squeeze", "juice"),
     ("strawberry", "whole", "", ""),
     # --- from cans, boxes and bags ---
@@ -92,8 +92,8 @@ def test_a_food_is_prepared_as_it_is_asked_and_as_it_needs(food, state, motions,
 @pytest.mark.parametrize(
     ("food", "state", "motions"),
     [
-        pytest.param("carrot", "sliced", "peel, slice", marks=pytest.mark.xfail(reason="it is sliced by grating")),
-        pytest.param("celery", "rib", "slice", marks=pytest.mark.xfail(reason="it is sliced by grating")),
+        ("carrot", "sliced", "peel, slice"),
+        ("celery", "rib", "slice"),
         ("chicken", "fried", "fry"),
         pytest.param("bacon", "fried", "fry", marks=pytest.mark.xfail(reason="boiled")),
         pytest.param("lemon", "squeezed", "cut, squeeze", marks=pytest.mark.xfail(reason="taken squeezed: no tree")),
