@@ -69,6 +69,8 @@ class Cooking:
             not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does
         )
         form = join.slot.states if join.slot is not None else ()
+        if self.plan.stacked and want.facts.is_a(*word_list("is split")):
+            form = (*form, "halved")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
