@@ -15,6 +15,7 @@ from foon_kg.integration.preparation import Preparer, Ready, Want
 _DEEP = "baking dish"
 """What is wet is baked in it."""
 
+_POUR = frozenset({"pour", "drip"})
 _MOVES = frozenset({"move", "scatter", "fetch"})
 
 
@@ -171,7 +172,7 @@ class Carrier:
         groups.append([way for way in usual if self._pure(way)])
         attested: Attested | None = None
         for group in groups:
-            found = self.bench.attest(group, stuff.foods)
+            found = self.bench.attest(self._fitting(group, stuff, source), stuff.foods)
             if found is not None and (attested is None or found.nearness < attested.nearness):
                 attested = found
             if attested is not None:
@@ -194,6 +195,17 @@ class Carrier:
         known = self.bench.known
         alike = form_of(known, slot.food, slot.states) == form_of(known, want.label, stuff.states)
         return [(slot.motion, slot.tools)] if alike else []
+
+    def _fitting(self, ways: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
+        """Return the ways that suit a thing: nothing in one piece is poured, and only what is in a can is sprayed."""
+        row = self.known.utensil(source.label) if source is not None else None
+        poured = word_list("lies in one piece").isdisjoint(stuff.states)
+        sprayed = row is not None and source is not None and source.label in word_list("sprays")
+        return [
+            way
+            for way in ways
+            if (poured or not _POUR & set(way[0].split())) and (sprayed or way[0] not in word_list("is sprayed by"))
+        ]
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""
