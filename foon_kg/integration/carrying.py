@@ -111,8 +111,8 @@ class Carrier:
         if not stuff.mixed:
             return False
         foods = [self.known.foods.food(food) for food in stuff.foods]
-        soups = word_list("stays liquid")
-        if "baked" not in stuff.states and any(f"kind:{food.kind}" in soups for food in foods):
+        liquids = word_list("stays liquid")
+        if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
             return True
         if any(self.known.state(state).needs_heat for state in stuff.states):
             sets = any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
