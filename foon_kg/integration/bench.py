@@ -7,7 +7,7 @@ nothing attests, or that cannot happen (food into a covered vessel, an appliance
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.food import Tables
@@ -80,10 +80,18 @@ Thing = Device | Vessel | Stuff | str
 class Bench:
     """A kitchen during the making of one dish. ``likes`` names the known foods that can stand for one."""
 
-    def __init__(self, operators: Operators, likes: Likes, alike: Alike, kitchen: Kitchen | None = None) -> None:
+    def __init__(
+        self,
+        operators: Operators,
+        likes: Likes,
+        alike: Alike,
+        kitchen: Kitchen | None = None,
+        instead: Collection[str] = (),
+    ) -> None:
         self.operators = operators
         self.kitchen = kitchen or Kitchen.default()
         self.alike = alike
+        self.instead = instead
         self.known: Tables = operators.known
         self.likes = likes
         self.done: list[Done] = []
@@ -186,7 +194,7 @@ class Bench:
         """Return the nearest evidence among ``ways``; of equally near ones the first way's."""
         best: Attested | None = None
         for way in ways:
-            found = self.operators.attested(way, foods, self.likes, act=act)
+            found = self.operators.attested(way, foods, self.likes, act=act, instead=self.instead)
             if found is not None and (best is None or found.nearness < best.nearness):
                 best = found
                 if best.nearness is Nearness.FOOD:

@@ -7,7 +7,7 @@ that no unit has, by those that do it to a like food, or to one of its kind.
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
@@ -147,19 +147,25 @@ class Operators:
         return changed
 
     def attested(
-        self, way: Way, foods: Sequence[str], likes: Likes | None = None, *, act: bool = False
+        self,
+        way: Way,
+        foods: Sequence[str],
+        likes: Likes | None = None,
+        *,
+        act: bool = False,
+        instead: Collection[str] = (),
     ) -> Attested | None:
         """Return the nearest evidence that ``way`` is done to one of ``foods`` (singular names, the main one first).
 
         ``act``: to one that it changes. ``None`` where no unit of the motion has one of them, a like one or one of
-        their kind.
+        their kind. Of the foods in ``instead`` a person wishes that they be handled like another one.
         """
         evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None:
             return None
         if not foods:
             return Attested(way, Nearness.MOTION, _few(evidence.all))
-        own = next((food for food in foods if food in evidence.foods), None)
+        own = next((food for food in foods if food in evidence.foods and food not in instead), None)
         if own is not None:
             return Attested(way, Nearness.FOOD, _few(evidence.foods[own]))
         pairs = ((food, *like) for food in foods for like in (likes(food) if likes is not None else ()))

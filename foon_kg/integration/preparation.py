@@ -7,7 +7,7 @@ taken from the operators of the FOON. What no operator does is assumed to have b
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular, words
@@ -51,7 +51,7 @@ class Want:
     ``leaf`` are the states in which the kitchen has it, in ``storage`` (``""``: free). ``make`` is the asked state that
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
-    ``then`` is what is made of it once it is cooked (mashed).
+    ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
     """
 
     number: int
@@ -66,6 +66,7 @@ class Want:
     squeezed: bool = False
     bought_so: bool = False
     then: str = ""
+    at_hand: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -114,6 +115,13 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
 def _is_bought_so(row: State, state: str, operators: Operators) -> bool:
     """Whether no kitchen of this FOON makes a food so, which is fit to be eaten then."""
     return "cook" in row.earns and not row.needs_heat and not any(True for _ in operators.making(state))
+
+
+def as_there(want: Want, stands_ready: Callable[[str, str], bool]) -> Want:
+    """Return a food as a named kitchen has it: in the asked state, where a person said so."""
+    if want.make and stands_ready(want.label, want.make):
+        return replace(want, leaf=(want.make,), storage="", make="", cooked=False, squeezed=False, at_hand=True)
+    return want
 
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
@@ -236,7 +244,7 @@ class Preparer:
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
-        if want.squeezed:
+        if want.squeezed or want.at_hand:
             return set()
         earns = self.known.state(want.make).earns if want.make else frozenset()
         return owed(want, self.known) | (earns & set(_BY_HAND))

@@ -61,7 +61,7 @@ class FoodLikes:
             found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
             like = self.chosen.get(canonical(food))
             if like is not None:
-                found = ((like, 1.0), *(pair for pair in found if pair[0] != like))
+                found = ((like, row.get(like, 0.0)), *(pair for pair in found if pair[0] != like))
             self._likes[food] = found
         return found
 
@@ -83,7 +83,7 @@ class FoodLikes:
 
 
 class RecipeLikes:
-    """The likes for the foods of one recipe."""
+    """The likes for the foods of one recipe. ``instead`` are those for which a person chose another one."""
 
     def __init__(self, likes: FoodLikes, wants: Sequence[Want]) -> None:
         self._likes = likes
@@ -94,6 +94,8 @@ class RecipeLikes:
             if meant and meant != name and meant in known:
                 self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
         likes.learn(singular(want.label) for want in wants)
+        names = (singular(want.label) for want in wants)
+        self.instead = frozenset(name for name in names if canonical(name) in likes.chosen)
 
     def __call__(self, food: str) -> Sequence[tuple[str, float]]:
         """Return the known foods that can stand for a food, best first, each with its confidence."""

@@ -24,7 +24,7 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.places import Matcher
-from foon_kg.integration.preparation import wants_of
+from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -36,7 +36,7 @@ from foon_kg.result import PassedOver, PlannedUnit, PlanResult
 from foon_kg.settings import PlanSettings
 from foon_kg.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Report, TaskTree, check
+from foon_kg.validation import Finding, Report, TaskTree, check
 from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
 from foon_kg.world import Mention, Step
 
@@ -162,6 +162,7 @@ class _Question:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         foods = [want.label for want in self.wants]
         self.kitchen = planner.kitchen_for(foods)
+        self.wants = tuple(as_there(want, self.kitchen.stands_ready) for want in self.wants)
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
         self.matcher = Matcher(self.methods.posts, self.likes.alike)
 
@@ -176,7 +177,7 @@ class _Question:
             except RefusedError as error:
                 troubles.append(f"{fit.frame.goal.label}: {error}")
                 continue
-            faults = [finding for finding in attempt.report.findings if not finding.minor]
+            faults = [one for one in attempt.report.findings if not one.minor and not self._is_at_hand_so(one)]
             if faults:
                 troubles.append(f"{fit.frame.goal.label}: {faults[0]}")
             elif attempt.missing:
@@ -227,7 +228,7 @@ class _Question:
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
         label = frame.goal.label if own else dish_type
-        bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen)
+        bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
         tin = tins[-1] if tins else ""
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
@@ -285,6 +286,11 @@ class _Question:
                     found.setdefault(name, number)
         return found
 
+    def _is_at_hand_so(self, finding: Finding) -> bool:
+        """Whether a food is found to be taken in a state in which a person said that it is there."""
+        ready = self.kitchen.stands_ready
+        return finding.rule == "C6" and any(ready(node.label, s) for node in finding.nodes for s in node.states)
+
     def _missing(self, result: PlanResult) -> tuple[ObjectNode, ...]:
         """Return the leaves that are not in the kitchen that a person named, nearest to the goal first."""
         lacking = [node for node in result.kitchen if self.kitchen.lacks(node)]
@@ -299,12 +305,17 @@ class _Question:
         if node is not None:
             raise RefusedError(f"it names {node.label}, which is to be avoided")
 
+    def _is_all_avoided(self) -> bool:
+        """Whether every dish of the asked type is called like something that is to be avoided."""
+        own = [one.label for one in self.methods.outlines.all if one.dish_type == self.recipe.dish_type]
+        return bool(own) and all(why_avoided(label, self.settings.avoided) is not None for label in own)
+
     def _no_way(self, troubles: Sequence[str]) -> NoTreeError:
         dish = f"this {self.recipe.dish_type}" if self.recipe.dish_type else "any dish of these"
         near = f" The nearest: {troubles[0]}." if troubles else ""
         return NoTreeError(
             f"this FOON knows no way to make {dish}.{near}",
-            code="no-way",
+            code="avoided" if self._is_all_avoided() else "no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
 

@@ -55,7 +55,6 @@ def test_naming_all_that_a_dish_takes_changes_nothing():
     assert planned(*FOODS, *UTENSILS).to_json() == plan(SNAPSHOT, WANTED, SETTINGS).to_json()
 
 
-@pytest.mark.xfail(reason="a food that is at hand chopped is taken whole all the same", strict=True)
 def test_what_is_at_hand_chopped_is_not_chopped_again():
     result = planned("onion(chopped)", "tomato", "salt")
     assert "chop" in motions(planned("onion", "tomato", "salt"))
@@ -64,7 +63,6 @@ def test_what_is_at_hand_chopped_is_not_chopped_again():
     assert result.assumptions == ()
 
 
-@pytest.mark.xfail(reason="a food that is at hand chopped is taken whole all the same", strict=True)
 def test_what_is_at_hand_whole_as_well_as_chopped_is_taken_chopped():
     assert "chop" not in motions(planned("onion", "onion(chopped)", "tomato", "salt"))
 

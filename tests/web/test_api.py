@@ -87,7 +87,6 @@ def test_what_is_at_hand_is_all_there_is(client):
     assert set(foods) <= {"kohlrabi", "onion", "olive oil", "water"}
 
 
-@pytest.mark.xfail(reason="a food that is at hand chopped is taken whole all the same", strict=True)
 def test_what_is_at_hand_chopped_is_not_chopped_again(client):
     answer = client.post("/api/plan", json=SALAD | {"kitchen": ["chopped onion", "olive oil", "kohlrabi"]})
     onions = [node for node in answer.json()["kitchen"] if node["label"] == "onion"]
