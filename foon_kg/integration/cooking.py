@@ -136,7 +136,7 @@ class Cooking:
             return self.serving.stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
-        if vessel is not None and dressed and self.serving.is_warmed(vessel):
+        if vessel is not None and dressed and not lines and self.serving.is_warmed(vessel):
             return self.serving.warm(stage, vessel, joins)
         label = self._label_for(stage, vessel, lines, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)

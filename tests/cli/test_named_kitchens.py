@@ -30,7 +30,6 @@ def kitchen(tmp_path):
     return write
 
 
-@pytest.mark.xfail(reason="a food that is at hand chopped is taken whole all the same", strict=True)
 def test_a_plan_takes_what_the_kitchen_has_and_check_agrees(kitchen):
     file = kitchen(UTENSILS + FOODS)
     answer = foon("plan", *SALAD, "--kitchen", file, "--json")

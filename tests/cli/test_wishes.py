@@ -23,10 +23,6 @@ def result_of(answer):
     return PlanResult.from_json(json.loads(answer.stdout))
 
 
-@pytest.mark.xfail(
-    reason="a chosen substitute is told as entirely sure, and only where the FOON lacks the food's own unit",
-    strict=True,
-)
 def test_a_substitute_is_taken_and_its_low_confidence_is_told():
     result = result_of(plan(*SALAD, "--substitute", "kohlrabi = onions", "--json"))
     (chosen,) = [s for s in result.substitutions if s.kind == "object"]
