@@ -6,10 +6,10 @@ So the lines of a dish are found backwards from its goal, where all is in one pl
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Collection, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
-from foon_kg.food import Tables, singular, tables
+from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
 from foon_kg.model import FunctionalUnit, ObjectNode
@@ -73,6 +73,7 @@ class _Derivation:
         self.heated: list[frozenset[int]] = []
         self.over_heat: list[frozenset[str]] = []
         self.names: dict[Part, int] = {}
+        self.fetched = self._fetched()
         for unit in units:
             number = self.world.play(Step.of(unit.input_nodes, unit.motion, unit.output_nodes)).number
             self.places.append(self._places())
@@ -94,13 +95,24 @@ class _Derivation:
         if not parts:
             return None
         clusters = self._refined(parts, last)
-        called = {"".join(singular(goal.label).split()), "".join(singular(lump.label).split())}
-        named_only = {n for n, p in parts.items() if p.untold and "".join(p.name.split()) in called}
+        called = {_compact(goal.label), _compact(lump.label)}
+        called -= self.fetched
+        named_only = {n for n, p in parts.items() if p.untold and _compact(p.name) in called}
         parts = {n: p for n, p in parts.items() if n not in named_only} or parts
         clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
         whole = self._followed(parts, clusters, last)
         line = _line(whole, last)
-        return Frame(goal, dish_type, video, line) if line.stages else None
+        return Frame(goal, dish_type, video, line, _lost(goal, line, self.known)) if line.stages else None
+
+    def _fetched(self) -> frozenset[str]:
+        """Return the names of foods that go into a unit before any unit gives them: they come from the kitchen."""
+        found: set[str] = set()
+        given: set[str] = set()
+        for unit in self.units:
+            names = [_names_in(nodes, self.known) for nodes in (unit.input_nodes, unit.output_nodes)]
+            found |= names[0] - given
+            given |= names[1]
+        return frozenset(found)
 
     def _parts_of(self, lump: Lump, last: int) -> list[Part]:
         there = self.places[last]
@@ -168,7 +180,7 @@ class _Derivation:
             for cluster in group:
                 if cluster is not first:
                     adds += _joined(cluster, parts, self.known, told, step)
-            first.waiting = _distinct([*first.waiting, *adds], first.stages, self.known)
+            first.waiting = _distinct([*first.waiting, *adds], first.stages, self.fetched, self.known)
         single = len({parts[name].name for name in members}) == 1
         was = first.place
         first.parts, first.place = members, place or first.place
@@ -262,6 +274,29 @@ class _Derivation:
         return max(group, key=order)
 
 
+def _names_in(nodes: Iterable[ObjectNode], known: Tables) -> set[str]:
+    """Return the names of all foods in ``nodes``, whether they stand there by themselves or in a vessel."""
+    names = {singular(name) for node in nodes for name in (node.label, *node.ingredients)}
+    return {_compact(name) for name in names if known.utensil(name) is None}
+
+
+def _compact(name: str) -> str:
+    """Return a name without its spaces: annotators write "hash brown" and "hashbrown" in one video."""
+    return "".join(singular(name).split())
+
+
+def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
+    """Return the foods that are in the goal, as its annotator says, and that were not followed."""
+    foods = [known.foods.food(slot.food, slot.states) for slot in line.all_slots()]
+    there = {word for food in foods for word in (*words(food.name), food.taken_for, food.kind, *food.kinds)}
+    told = (known.foods.food(name) for name in goal.ingredients if known.utensil(singular(name)) is None)
+    return tuple(
+        food.name
+        for food in told
+        if there.isdisjoint({*words(food.name), food.kind}) and not food.is_a("made", "dough")
+    )
+
+
 def _joined(
     cluster: _Cluster, parts: dict[int, Part], known: Tables, told: tuple[str, tuple[str, ...]], step: int
 ) -> list[Slot | Line]:
@@ -281,8 +316,13 @@ def _slot(cluster: _Cluster, parts: dict[int, Part], known: Tables, brought: tup
     return Slot(part.name, kind, states, tuple(dict.fromkeys(cluster.cooked)), *brought)
 
 
-def _distinct(adds: Sequence[Slot | Line], stages: Sequence[Stage], known: Tables) -> list[Slot | Line]:
-    """Leave out foods that are only the name of what is made here, and portions of one food that come together."""
+def _distinct(
+    adds: Sequence[Slot | Line], stages: Sequence[Stage], fetched: Collection[str], known: Tables
+) -> list[Slot | Line]:
+    """Leave out foods that are only the name of what is made here, and portions of one food that come together.
+
+    A dish may be called like a food of it (black beans): that of the names of ``fetched`` foods is no mere name.
+    """
     kept: list[Slot | Line] = []
     inside = {slot.food for stage in stages for slot in stage.slots}
     made = {singular(stage.label) for stage in stages}
@@ -293,7 +333,8 @@ def _distinct(adds: Sequence[Slot | Line], stages: Sequence[Stage], known: Table
     for add in adds:
         if isinstance(add, Slot):
             facts = known.foods.food(add.food, add.states)
-            if add.food in inside or add.food in made or (facts.is_a("made") and facts.is_a("batter", "dough")):
+            named = add.food in made and (_compact(add.food) not in fetched or facts.is_a("made"))
+            if add.food in inside or named or (facts.is_a("made") and facts.is_a("batter", "dough")):
                 continue
             inside.add(add.food)
         kept.append(add)

@@ -292,3 +292,27 @@ def test_nearly_all_foods_of_the_public_goals_have_a_slot():
         asked += len(wanted)
     assert asked > 700
     assert found >= LEAST_RECALL * asked
+
+
+def public_frame(video):
+    """Return the one frame of a public video."""
+    (found,) = (one for one in public_snapshot().methods().frames if one.video == video)
+    return found
+
+
+@pytest.mark.shared_data
+def test_a_dish_that_is_called_like_its_main_food_has_a_slot_for_it():
+    slots = {slot.food for slot in public_frame("0060-spicy_black_beans").line.all_slots()}
+    assert {"black bean", "bay leaf", "jalapeno"} - slots == {"bay leaf"}  # bay leaves are taken out again
+    assert "salmon" in {slot.food for slot in public_frame("EPIC-P20_04-cooked_salmon-XXX").line.all_slots()}
+
+
+@pytest.mark.shared_data
+def test_a_dish_is_no_food_of_itself_however_its_name_is_written():
+    assert "hash brown" not in {slot.food for slot in public_frame("0039-crispy_hash_browns").line.all_slots()}
+
+
+@pytest.mark.shared_data
+def test_a_frame_tells_which_foods_of_its_goal_were_lost():
+    assert public_frame("0054-quick_ramen_noodles").weak == ("noodle",)
+    assert public_frame("ACT-0003-blueberry_muffin").weak == ()
