@@ -73,7 +73,10 @@ _STRANGE, _MOST_STRANGE = 0.12, 0.3
 """What a word counts by which only the recorded dish is called (pesto, grilled), and all of them at most."""
 
 _DAMAGED = 0.5
-"""What a frame is less worth in which something is never cooked that has to be."""
+"""What a frame is less worth in which something is never cooked that has to be, or most of its foods are lost."""
+
+_UNTOLD_OVEN = 0.25
+"""What a frame is less worth that bakes a dish which nobody calls baked."""
 
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
@@ -141,7 +144,9 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
-    score -= _DAMAGED if layout.raw else 0.0
+    score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
+    if title and named < _BY_TITLE and _bakes(layout) and not _is_baked(dish_type, title, known):
+        score -= _UNTOLD_OVEN
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
@@ -185,8 +190,28 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
 
 
 def is_unbaked(title: str) -> bool:
-    """Whether a title says that the dish is made without an oven: a no-bake cheesecake."""
-    return "no bake" in title.lower().replace("-", " ")
+    """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
+    told = title.lower().replace("-", " ")
+    return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))
+
+
+def _is_baked(dish_type: str, title: str, known: Tables) -> bool:
+    """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin."""
+    if any(dish.baked for dish in known.dishes_named(dish_type, title)):
+        return True
+    if not word_list("comes out of an oven").isdisjoint(words(title)):
+        return True
+    rows = [row for word in words(title) for verb, row in known.motion_words.items() if _is_of_verb(word, verb)]
+    return any("dry" in row.does for row in rows)
+
+
+def _bakes(layout: Layout) -> bool:
+    return any(spot.stage.appliance == "oven" and "heat" in spot.stage.does for spot in layout.spots)
+
+
+def _is_damaged(frame: Frame) -> bool:
+    """Whether half of what is in the goal was lost when its video was followed."""
+    return 2 * len(frame.weak) >= len(frame.goal.ingredients) > 0
 
 
 def _is_of_verb(word: str, verb: str) -> bool:

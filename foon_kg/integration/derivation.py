@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, is_among, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
 from foon_kg.model import FunctionalUnit, ObjectNode
@@ -98,28 +98,49 @@ class _Derivation:
         called = {_compact(goal.label), _compact(lump.label)}
         called -= self.fetched
         named_only = {n for n, p in parts.items() if p.untold and _compact(p.name) in called}
+        named_only |= {n for n, p in parts.items() if p.untold and not self._goes_in(p)}
         parts = {n: p for n, p in parts.items() if n not in named_only} or parts
         clusters = [{n: c for n, c in step.items() if n in parts} for step in clusters]
         whole = self._followed(parts, clusters, last)
         line = _line(whole, last)
-        return Frame(goal, dish_type, video, line, _lost(goal, line, self.known)) if line.stages else None
+        mixed = {part.name for part in parts.values() if self._came_mixed(part)}
+        mixed -= {p.name for p in parts.values() if not self._came_mixed(p) or p.food.is_a("made", "dough")}
+        return (
+            Frame(goal, dish_type, video, line, (*_lost(goal, line, self.known), *sorted(mixed)))
+            if line.stages
+            else None
+        )
 
     def _fetched(self) -> frozenset[str]:
         """Return the names of foods that go into a unit before any unit gives them: they come from the kitchen."""
         found: set[str] = set()
         given: set[str] = set()
         for unit in self.units:
-            names = [_names_in(nodes, self.known) for nodes in (unit.input_nodes, unit.output_nodes)]
+            names = [
+                set(map(_compact, _names_in(nodes, self.known))) for nodes in (unit.input_nodes, unit.output_nodes)
+            ]
             found |= names[0] - given
             given |= names[1]
         return frozenset(found)
 
+    def _goes_in(self, part: Part) -> bool:
+        """Whether the unit that first tells of a part takes it in; else only a name in its product tells of it."""
+        return is_among(part.name, _names_in(self.units[part.taken].input_nodes, self.known))
+
+    def _came_mixed(self, part: Part) -> bool:
+        """Whether a part is only told as an ingredient of something that nobody made: it was lost before."""
+        if not part.untold:
+            return False
+        foods = [
+            node for node in self.units[part.taken].input_nodes if self.known.utensil(singular(node.label)) is None
+        ]
+        within = any(part.name in map(singular, node.ingredients) for node in foods)
+        return within and all(singular(node.label) != part.name for node in foods)
+
     def _parts_of(self, lump: Lump, last: int) -> list[Part]:
         there = self.places[last]
         key = next((place.key for place in there.values() if place.lump is lump), None)
-        found = [
-            part for part in self.world.supply.parts if (name := self._name(part)) in there and there[name].key == key
-        ]
+        found = [part for part, name in self.names.items() if name in there and there[name].key == key]
         return found or list(lump.parts)
 
     def _places(self) -> dict[int, _Place]:
@@ -130,7 +151,7 @@ class _Derivation:
             for rider in lump.riders:
                 if not rider.gone and rider is not lump:
                     below[id(rider)] = lump
-        for lump in lumps.values():
+        for lump in sorted(lumps.values(), key=_in_use):  # of a part that is in two places the latter counts
             place = _place(lump, below)
             for part in lump.parts:
                 found[self._name(part)] = place
@@ -139,14 +160,20 @@ class _Derivation:
     def _place_of(self, part: Part, step: int) -> _Place | None:
         """Return where a part was after a step: it, or what it is a portion of."""
         there = self.places[step]
-        portions = (self._name(p) for p in self.world.supply.parts if p.origin == part.origin)
-        return there.get(self._name(part)) or next((there[name] for name in portions if name in there), None)
+        found = there.get(self._name(part))
+        if found is not None:
+            return found
+        portions = (name for other, name in self.names.items() if other.origin == part.origin)
+        return max((there[name] for name in portions if name in there), key=lambda one: _in_use(one.lump), default=None)
 
     def _refined(self, parts: dict[int, Part], last: int) -> list[dict[int, int]]:
         """Return for each step the number of the cluster in which each part is."""
         steps: list[dict[int, int]] = []
         later = dict.fromkeys(parts, 0)
         for step in range(last, -1, -1):
+            if step == last:
+                steps.append(later)  # now it is one thing
+                continue
             numbers: dict[Hashable, int] = {}
             now: dict[int, int] = {}
             for name, part in parts.items():
@@ -277,7 +304,7 @@ class _Derivation:
 def _names_in(nodes: Iterable[ObjectNode], known: Tables) -> set[str]:
     """Return the names of all foods in ``nodes``, whether they stand there by themselves or in a vessel."""
     names = {singular(name) for node in nodes for name in (node.label, *node.ingredients)}
-    return {_compact(name) for name in names if known.utensil(name) is None}
+    return {name for name in names if known.utensil(name) is None}
 
 
 def _compact(name: str) -> str:
@@ -288,6 +315,7 @@ def _compact(name: str) -> str:
 def _lost(goal: ObjectNode, line: Line, known: Tables) -> tuple[str, ...]:
     """Return the foods that are in the goal, as its annotator says, and that were not followed."""
     foods = [known.foods.food(slot.food, slot.states) for slot in line.all_slots()]
+    foods += [known.foods.food(stage.label) for stage in line.all_stages()]
     there = {word for food in foods for word in (*words(food.name), food.taken_for, food.kind, *food.kinds)}
     told = (known.foods.food(name) for name in goal.ingredients if known.utensil(singular(name)) is None)
     return tuple(
@@ -369,6 +397,11 @@ def _without_detours(stages: Sequence[Stage]) -> list[Stage]:
 
 def _only_moves(stage: Stage) -> bool:
     return stage.does.isdisjoint(_WORK)
+
+
+def _in_use(lump: Lump) -> tuple[bool, int, int]:
+    """Return a key by which those come last that are in use: not rests in packets, touched of late, of many foods."""
+    return (lump.where is None or not lump.where.row.keeps_food, lump.last, len(lump.parts))
 
 
 def _place(lump: Lump, below: dict[int, Lump]) -> _Place:

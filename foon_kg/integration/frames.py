@@ -61,6 +61,14 @@ class Line:
 
     stages: tuple[Stage, ...]
 
+    def all_stages(self) -> Iterator[Stage]:
+        """Yield every stage of this line and of the lines that join it."""
+        for stage in self.stages:
+            yield stage
+            for add in stage.adds:
+                if isinstance(add, Line):
+                    yield from add.all_stages()
+
     def all_slots(self) -> Iterator[Slot]:
         """Yield every slot of this line and of the lines that join it."""
         for stage in self.stages:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -111,6 +112,21 @@ def test_a_dish_that_is_called_as_the_title_says_scores_higher():
     assert named_alike("tomato soup", "soup", "a hot soup of tomatoes") == 1.0
     assert named_alike("tomato soup", "soup", "supper") == 0.6
     assert named_alike("fruit punch", "soup", "supper") == 0.0
+
+
+def test_a_dish_is_baked_only_where_it_is_called_so():
+    cake = [layout("plain_cake")]
+    asked = wants(egg="whole", butter="stick")
+    plain, oven = (chosen(asked, "soup", title, cake)[0].score for title in ("a thick supper", "a thick casserole"))
+    assert oven > plain
+    assert any("not to be baked" in why for why in chosen(asked, "soup", "stovetop supper", cake)[0].vetoes)
+
+
+def test_a_frame_that_lost_half_of_its_goal_scores_lower():
+    sound = layout("mixed_salad")
+    damaged = replace(sound, frame=replace(sound.frame, weak=sound.frame.goal.ingredients))
+    asked = wants(tomato="diced", cucumber="sliced")
+    assert chosen(asked, "salad", "", [sound])[0].score - 0.5 > chosen(asked, "salad", "", [damaged])[0].score
 
 
 def test_what_defines_a_dish_is_asked_of_type_and_title():

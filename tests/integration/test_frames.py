@@ -314,5 +314,14 @@ def test_a_dish_is_no_food_of_itself_however_its_name_is_written():
 
 @pytest.mark.shared_data
 def test_a_frame_tells_which_foods_of_its_goal_were_lost():
-    assert public_frame("0054-quick_ramen_noodles").weak == ("noodle",)
+    assert public_frame("EPIC-P04_23-massaman_curry_paste-X").weak == ("onion",)  # it is nowhere but in the goal
     assert public_frame("ACT-0003-blueberry_muffin").weak == ()
+
+
+@pytest.mark.shared_data
+def test_what_comes_twice_out_of_its_vessel_or_from_nowhere_is_followed_as_far_as_the_video_goes():
+    slots = {slot.food for slot in public_frame("0058-chocolate_cake").line.all_slots()}
+    assert {"flour", "sugar", "cocoa powder", "baking powder", "salt", "milk", "frosting"} <= slots
+    baked = {slot.food for slot in public_frame("0055-southern-baked_macaroni_and_cheese").line.all_slots()}
+    assert "macaroni" in baked
+    assert "water" not in baked  # told in the goal alone; it was poured away
