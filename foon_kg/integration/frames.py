@@ -14,8 +14,7 @@ class Slot:
     """A food that joins a stage.
 
     ``states`` are those in which it joins, ``cooked`` the motions that cooked it by itself before. It is brought by
-    ``motion`` with ``tools`` out of ``source`` (a vessel's label, ``""`` for none). ``grease``: it is fat or flour that
-    somebody put on bakeware before anything else was there.
+    ``motion`` with ``tools`` out of ``source`` (a vessel's label, ``""`` for none).
     """
 
     food: str
@@ -25,7 +24,6 @@ class Slot:
     motion: str = ""
     tools: tuple[str, ...] = ()
     source: str = ""
-    grease: bool = False
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ taken from the operators of the FOON. What no operator does is assumed to have b
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular, words
@@ -424,7 +424,7 @@ class Preparer:
 
     def _usual_ways(self, ways: Sequence[Way], state: str) -> list[Way]:
         """Return the ways by which the FOON usually gives a state: a grater grates, though a knife might do."""
-        given = self.operators.giving.get(state, {})
+        given: Mapping[Way, int] = self.operators.giving.get(state, {})
         most = max((given[way] for way in ways if way in given), default=0)
         return [way for way in ways if given.get(way, 0) > _RARE * most]
 

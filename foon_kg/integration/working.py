@@ -180,8 +180,8 @@ class Worker:
         if not all(w in names for w in named):
             return ""
         own = {*names, *self.plan.label.split()}
-        *before, last = label.split()
-        return " ".join([*(word for word in before if word in own), last])  # no biscuit dough where bread is made
+        *first, head = label.split()
+        return " ".join([*(word for word in first if word in own), head])  # no biscuit dough where bread is made
 
     def _heated(self, way: Way, *, finished: bool) -> set[str]:
         motion = self.known.motion(way[0])
