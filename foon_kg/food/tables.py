@@ -111,15 +111,17 @@ class Tables:
 
     def state(self, name: str) -> State:
         """Return what a state says: as it is listed, else as its words are ("thinly sliced" is sliced)."""
-        if name not in self._states:
-            self._states[name] = self.states.get(name.lower()) or self._of_words(name)
-        return self._states[name]
+        found = self._states.get(name)
+        if found is None:
+            found = self._states[name] = self.states.get(name.lower()) or self._of_words(name)
+        return found
 
     def motion(self, name: str) -> Motion:
         """Return what a motion does: as the phrase is listed, else all that its words do."""
-        if name not in self._motions:
-            self._motions[name] = self.motions.get(name.lower()) or self._of_motion_words(name)
-        return self._motions[name]
+        found = self._motions.get(name)
+        if found is None:
+            found = self._motions[name] = self.motions.get(name.lower()) or self._of_motion_words(name)
+        return found
 
     def _of_words(self, name: str) -> State:
         listed = [self.states[word] for word in sorted(plain_words(name)) if word in self.states]

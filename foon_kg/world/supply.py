@@ -81,7 +81,7 @@ class Supply:
             happening.fault("W2", f"the {vessel.label} has become a {said.label}", said.node)
         elif said.names and not vessel.lumps:
             happening.fault("W1", f"the {said.label} is empty: its {_names(said.names)} went elsewhere", said.node)
-        elif said.names and (missing := [n for n in sorted(said.names) if not is_among(n, vessel.names)]):
+        elif said.names and (missing := _missing(said.names, vessel.names)):
             happening.fault("W1", f"the {said.label} does not hold {', '.join(missing)}", said.node)
         elif said.empty and vessel.lumps:
             happening.fault("W1", f"the {said.label} is not empty: it holds {_names(vessel.names)}", said.node)
@@ -325,6 +325,11 @@ class Supply:
 def _has_held(vessel: Vessel, names: frozenset[str]) -> bool:
     """Whether a vessel once held what a node says: a food by its name, or all the parts of something made."""
     return not names.isdisjoint(vessel.had) or (len(names) > 1 and names <= vessel.held)
+
+
+def _missing(said: frozenset[str], there: set[str]) -> list[str]:
+    """Return the names that are not among those that are there."""
+    return [name for name in sorted(said - there) if not is_among(name, there)]
 
 
 def _names(names: set[str] | frozenset[str]) -> str:
