@@ -9,6 +9,7 @@ import numpy as np
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import is_of_batter
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
@@ -141,6 +142,9 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
+    if is_of_batter(wants) and any(dish.tin for dish in known.dishes_named(dish_type)):
+        own = layout.batter is not None
+        score += _batter_score(layout, dish_type, title, known)
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
@@ -151,6 +155,16 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _batter_score(layout: Layout, dish_type: str, title: str, known: Tables) -> float:
+    """Return what speaks for a frame and against it where a batter is asked, or a dough that nobody kneads."""
+    rows = [known.utensil(spot.stage.vessel) for spot in layout.spots if "cut" in spot.stage.does and not spot.side]
+    cut = any(row is not None and "bake" in row.can for row in rows)
+    in_bowl = layout.batter is not None and layout.batter.fat.stage.vessel == "bowl"
+    told = {*words(dish_type), *words(title)}
+    is_to_be_cut = not told.isdisjoint(word_list("is cut when it is baked"))
+    return (0.0 if in_bowl else -0.2) + (0.0 if not cut else 0.4 if is_to_be_cut else -0.4)
 
 
 def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -> float:

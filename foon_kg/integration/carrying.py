@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
@@ -50,7 +51,7 @@ class Carrier:
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs
         )
-        one_piece = len(stuffs) == 1 and stuffs[0].mixed and not runs
+        one_piece = len(stuffs) == 1 and stuffs[0].mixed and not runs and not self._is_loose(stuffs[0])
         form = "liquid" if runs else "whole" if one_piece else "pieces"
         usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
@@ -64,11 +65,18 @@ class Carrier:
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
 
+    def _is_loose(self, stuff: Stuff) -> bool:
+        """Whether a mixture is only of dry foods, that nothing holds together."""
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        cooked = any(self.known.state(state).needs_heat for state in stuff.states)
+        dry = all(food.is_a("sugar", *word_list("is dry in a batter")) for food in foods)
+        return dry and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
+
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
         """Whether batter comes onto a tray: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
-        flour = any(self.known.foods.food(food).is_a("flour", "dough") for stuff in stuffs for food in stuff.foods)
+        flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
         return raw and flour and stuffs[-1].mixed and row is not None and "bake" in row.can and is_flat(target.label)
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
@@ -115,7 +123,8 @@ class Carrier:
         if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
             return True
         if any(self.known.state(state).needs_heat for state in stuff.states):
-            sets = any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
+            baked = "baked" in stuff.states and binds(stuff.foods, self.known)
+            sets = baked or any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
             return not sets and any(food.is_a("liquid", "creamy") for food in foods)
         return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
 
@@ -129,7 +138,7 @@ class Carrier:
         if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
             return label
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
-        batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
+        batter = [stuff for stuff in mixed if binds(stuff.foods, self.known)]
         in_portions = row.group == "tins"
         runs = any(self.is_wet(stuff) for stuff in batter)
         if tin and batter and (in_portions or runs):

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
+from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
@@ -233,7 +234,7 @@ class Cooking:
         soft = any(
             stuff.mixed
             and not any(self.known.state(state).needs_heat for state in stuff.states)
-            and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods)
+            and (binds(stuff.foods, self.known) or any(self.known.foods.food(f).is_a("egg") for f in stuff.foods))
             for stuff in vessel.contents
         )
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
