@@ -58,6 +58,11 @@ def batter_of(spots: Sequence[Spot], known: Tables) -> Batter | None:
     return Batter(dry, sweet, fat, wet, last, whole if whole in mixing else wet)
 
 
+def is_thin(batter: Batter) -> bool:
+    """Whether water joins what runs in a batter."""
+    return "water" in batter.wet.kinds
+
+
 def is_of_batter(wants: Iterable[Want]) -> bool:
     """Whether foods make a batter, or a dough that nobody kneads: meal or flour with no yeast, and nothing baked."""
     facts = [want.facts for want in wants]
@@ -79,7 +84,7 @@ def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join
         found.append(join if kept else replace(join, spot=spot, slot=None))
     alone = [join for join in found if join.spot is batter.dry]
     if len(alone) == 1 and batter.dry is not batter.whole:
-        found[found.index(alone[0])] = replace(alone[0], spot=batter.whole, slot=None)
+        found[found.index(alone[0])] = replace(alone[0], spot=batter.whole)
     return found
 
 

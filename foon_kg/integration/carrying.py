@@ -46,6 +46,11 @@ class Carrier:
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
         foods = foods_of(source)
+        if "coat" in stage.does and stage.motion in word_list("greases"):
+            spread = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
+            if spread is not None and target.contents:
+                self.bench.bring(stuffs, target, spread)
+                return
         shaped = not word_list("keeps its shape").isdisjoint({state for stuff in stuffs for state in stuff.states})
         runs = (len(stuffs) > 1 and not shaped) or any(
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
@@ -199,7 +204,11 @@ class Carrier:
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
         """Return how the video brings this very food in such a form."""
-        if slot is None or slot.food != singular(want.label) or not self._pure((slot.motion, slot.tools)):
+        if slot is None or slot.food != singular(want.label):
+            return []
+        if slot.motion in word_list("greases") and form_of(self.known, want.label, stuff.states) == "soft":
+            return list(self.bench.operators.ways_of(slot.motion))
+        if not self._pure((slot.motion, slot.tools)):
             return []
         known = self.bench.known
         alike = form_of(known, slot.food, slot.states) == form_of(known, want.label, stuff.states)
