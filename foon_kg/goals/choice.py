@@ -9,7 +9,7 @@ import numpy as np
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.batters import is_of_batter, is_thin
+from foon_kg.integration.batters import is_of_batter, is_of_dough, is_thin
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
@@ -145,9 +145,12 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
-    if is_of_batter(wants) and any(dish.tin for dish in known.dishes_named(dish_type)):
-        own = layout.batter is not None
-        score += _batter_score(layout, wants, title, known)
+    if any(dish.tin for dish in known.dishes_named(dish_type)):
+        if is_of_batter(wants):
+            own = layout.batter is not None
+            score += _batter_score(layout, wants, title, known)
+        elif is_of_dough(wants):
+            own = _makes_dough(layout, known)
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
@@ -158,6 +161,13 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _makes_dough(layout: Layout, known: Tables) -> bool:
+    """Whether a frame bakes a dough that is mixed at once."""
+    tin = any(dish.tin for dish in known.dishes_named(layout.frame.dish_type))
+    flour = any(known.foods.food(place.slot.food, place.slot.states).is_a("flour") for place in layout.places)
+    return tin and flour and layout.batter is None
 
 
 def _batter_score(layout: Layout, wants: Sequence[Want], title: str, known: Tables) -> float:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.operators import form_of
 from foon_kg.integration.preparation import Want
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _DRY = word_list("is dry in a batter")
 _PIECES = word_list("is folded into a batter")
+_SWEET = word_list("sweetens a batter")
 _WET = ("creamy", "egg", "liquid")
 _MIXES = frozenset({"blend", "mix"})
 
@@ -46,11 +47,13 @@ def batter_of(spots: Sequence[Spot], known: Tables) -> Batter | None:
 
     def most(*traits: str) -> Spot | None:
         foods = {id(spot): [known.foods.food(slot.food, slot.states) for slot in spot.stage.slots] for spot in mixing}
-        counts = {spot: sum(food.is_a(*traits) and not food.is_a("water") for food in foods[id(spot)]) for spot in mixing}
+        counts = {
+            spot: sum(food.is_a(*traits) and not food.is_a("water") for food in foods[id(spot)]) for spot in mixing
+        }
         best = max(mixing, key=lambda spot: counts[spot])
         return best if counts[best] else None
 
-    dry, sweet, fat, wet = most("flour", "leaven", "cocoa"), most("sugar"), most("fat"), most(*_WET)
+    dry, sweet, fat, wet = most("flour", "leaven"), most(*_SWEET), most("fat"), most(*_WET)
     if dry is None or sweet is None or fat is None or wet is None:
         return None
     whole = next((spot for spot in spots if dry.side and spot.path == dry.path[:-2]), dry)
@@ -66,8 +69,14 @@ def is_thin(batter: Batter) -> bool:
 def is_of_batter(wants: Iterable[Want]) -> bool:
     """Whether foods make a batter, or a dough that nobody kneads: meal or flour with no yeast, and nothing baked."""
     facts = [want.facts for want in wants]
-    meal = any(one.is_a(*word_list("makes a batter")) for one in facts)
-    return meal and not any(one.is_a(*word_list("is no batter")) for one in facts)
+    makes = any(one.is_a(*word_list("makes a batter")) for one in facts)
+    return makes and not any(one.is_a(*word_list("is no batter")) for one in facts)
+
+
+def is_of_dough(wants: Sequence[Want]) -> bool:
+    """Whether foods make a dough that rises before it is baked."""
+    facts = [want.facts for want in wants]
+    return any(one.is_a("flour") for one in facts) and any(one.is_a(*word_list("makes dough rise")) for one in facts)
 
 
 def binds(foods: Iterable[str], known: Tables) -> bool:
@@ -93,12 +102,12 @@ def _spot(batter: Batter, join: Join, known: Tables) -> Spot:
     form = form_of(known, want.label, (want.make,) if want.make else want.leaf)
     runs = want.squeezed or form == "liquid" or (form == "soft" and not want.facts.is_a("fat"))
     early = join.slot is not None and join.spot is not batter.dry and join.spot.path[:1] <= batter.whole.path[:1]
-    parts: tuple[tuple[Callable[[Food], bool], Spot], ...] = (
-        (lambda food: food.is_a("fat"), batter.fat),
-        (lambda food: food.is_a("sugar", "syrup"), batter.sweet),
-        (lambda food: runs, join.spot if early else batter.wet),
-        (lambda food: food.is_a("egg"), join.spot if early else batter.wet),
-        (lambda food: food.is_a(*_DRY), batter.dry),
-        (lambda food: food.is_a(*_PIECES), batter.last),
+    wet = join.spot if early else batter.wet
+    parts = (
+        (want.facts.is_a("fat"), batter.fat),
+        (want.facts.is_a(*_SWEET), batter.sweet),
+        (runs or want.facts.is_a("egg"), wet),
+        (want.facts.is_a(*_DRY), batter.dry),
+        (want.facts.is_a(*_PIECES), batter.last),
     )
-    return next((spot for holds, spot in parts if holds(want.facts)), join.spot)
+    return next((spot for holds, spot in parts if holds), join.spot)

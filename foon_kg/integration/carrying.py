@@ -47,9 +47,9 @@ class Carrier:
             return
         foods = foods_of(source)
         if "coat" in stage.does and stage.motion in word_list("greases"):
-            spread = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
-            if spread is not None and target.contents:
-                self.bench.bring(stuffs, target, spread)
+            onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
+            if onto is not None and target.contents:
+                self.bench.bring(stuffs, target, onto)
                 return
         shaped = not word_list("keeps its shape").isdisjoint({state for stuff in stuffs for state in stuff.states})
         runs = (len(stuffs) > 1 and not shaped) or any(
@@ -74,15 +74,24 @@ class Carrier:
         """Whether a mixture is only of dry foods, that nothing holds together."""
         foods = [self.known.foods.food(food) for food in stuff.foods]
         cooked = any(self.known.state(state).needs_heat for state in stuff.states)
-        dry = all(food.is_a("sugar", *word_list("is dry in a batter")) for food in foods)
-        return dry and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
+        holds = any(food.is_a("creamy", "dough", "egg", "fat", "liquid", "water") for food in foods)
+        return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
 
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
         """Whether batter comes onto a tray: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
         flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
-        return raw and flour and stuffs[-1].mixed and row is not None and "bake" in row.can and is_flat(target.label)
+        kneaded = not word_list("keeps its shape").isdisjoint(stuffs[-1].states)
+        return (
+            raw
+            and flour
+            and not kneaded
+            and stuffs[-1].mixed
+            and row is not None
+            and "bake" in row.can
+            and is_flat(target.label)
+        )
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
         """Bring some of the fat that was asked for into a pan; return whether there is any."""
@@ -154,6 +163,13 @@ class Carrier:
         )
         plain = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
         return _DEEP if is_flat(label) and wet and not plain and not batter else label
+
+    def deep_for(self, label: str, wants: Sequence[Want]) -> str:
+        """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""
+        row = self.known.utensil(label)
+        bakes = row is not None and "bake" in row.can and is_flat(label)
+        runs = any(want.facts.is_a("egg", "liquid") and not want.facts.is_a("fat") for want in wants)
+        return _DEEP if bakes and runs else label
 
     def _liquids(self, vessel: Vessel) -> list[str]:
         return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]

@@ -139,7 +139,7 @@ class Cooking:
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
         if vessel is not None and dressed and not lines and self.serving.is_warmed(vessel):
             return self.serving.warm(stage, vessel, joins)
-        label = self._label_for(stage, vessel, lines, dressed=dressed)
+        label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -165,11 +165,15 @@ class Cooking:
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
 
-    def _label_for(self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], *, dressed: bool) -> str:
+    def _label_for(
+        self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
+    ) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
         label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
         comes = vessel if vessel is not None else next(iter(lines), None)
-        if comes is not None and label != comes.label:
+        if comes is None:
+            label = self.carry.deep_for(label, [join.want for join in joins])
+        elif label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin)
         return "bowl" if dressed and is_flat(label) else label
 
@@ -354,7 +358,7 @@ class Cooking:
             return
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
-            if mixes and not heats:
+            if mixes and not heats and not any(one.does & MIXES and self.course.stage_alive(one) for one in later):
                 self.work.let_rise(vessel, [stage, *later])
         else:
             self.work.work_each(vessel, attested, states, with_device=bool(device))

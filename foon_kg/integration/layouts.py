@@ -89,9 +89,9 @@ class Layout:
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
     ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough
-    that is rolled out, before it is baked. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is boiled and drained, and no
-    more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing
-    like a soup in it. ``made`` has what the dish makes on its way, by its
+    that is rolled out, before it is baked. ``batter`` is where a batter comes together. ``past`` is where other foods
+    join a dish that is boiled and drained, and no more. ``raw``: something in it is never cooked that has to be.
+    ``dry``: there is nothing like a soup in it. ``made`` has what the dish makes on its way, by its
     words, whether that is a dough and is shaped, and the stage that takes it.
     """
 

@@ -7,14 +7,11 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.batters import is_of_batter
+from foon_kg.integration.batters import is_of_batter, is_of_dough
 from foon_kg.integration.frames import Line, Slot, Stage
-from foon_kg.integration.layouts import Spot
+from foon_kg.integration.layouts import Spot, only_carries
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want
-
-_LEAST_LIQUIDS = 2
-"""Of so many liquids one may be meant for a glaze."""
 
 
 @dataclass(frozen=True)
@@ -39,85 +36,90 @@ def parts_of(
     if is_of_batter(wants):
         found = tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
     else:
-        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
+        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants)) if is_of_dough(wants) else ()
     taken = {want.number for part in found for want in part.wants}
     rest = tuple(want for want in wants if want.number not in taken)
     return (rest, found) if rest else (tuple(wants), ())
 
 
 def _on_dough(wants: Sequence[Want]) -> list[Want]:
-    yeast = any(want.facts.is_a(*word_list("makes dough rise")) for want in wants)
-    meal = any(want.facts.is_a("flour") for want in wants)
     lies = [want for want in wants if want.facts.is_a(*word_list("lies on dough"))]
-    return [want for want in lies if not want.facts.is_a(*word_list("is kneaded in"))] if yeast and meal else []
+    return [want for want in lies if not want.facts.is_a(*word_list("is kneaded in"))]
 
 
 class _Parted:
-    """The foods of one recipe that makes a batter, by what they may be for."""
+    """The foods of one recipe that makes a batter, by what they may be for.
+
+    ``fine`` is sugar ground to powder, ``sweet`` other sugar, ``solid`` the fat that is creamed.
+    """
 
     def __init__(self, wants: Sequence[Want], told: frozenset[str], repeated: Collection[str]) -> None:
         self.wants = wants
         self.told = told
         self.repeated = repeated
-        self.icing = self._are("icing sugar")
-        self.sugar = [want for want in self._are("sugar", "syrup") if want not in self.icing]
-        self.fats = self._are("fat")
-        self.butter = self._are("butter")
+        self.fine = self._are("sweetens a cover")
+        self.sweet = [want for want in self._are("sweetens a batter") if want not in self.fine]
+        self.fats = [want for want in wants if want.facts.is_a("fat")]
+        self.solid = self._are("is creamed")
         self.numbers = max(want.number for want in wants)
 
-    def _are(self, *kinds: str) -> list[Want]:
-        return [want for want in self.wants if want.facts.is_a(*kinds)]
+    def _are(self, words_of: str) -> list[Want]:
+        return [want for want in self.wants if want.facts.is_a(*word_list(words_of))]
+
+    def _promised(self, words_of: str) -> bool:
+        return not self.told.isdisjoint(word_list(words_of))
 
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
-        if not self.told.isdisjoint(word_list("is strewn with crumbs")) and len(self.fats) > 1 and self.butter:
-            meal = [self._second(want) for want in self._are("flour")[:1]]
-            sugar = [self._second(want) for want in self.sugar[:1]]
-            yield Part((*self._are("cereal")[:1], *meal, *sugar, self.butter[0]), "sprinkle", baked=True)
-        frosting = self._frosting()
-        glaze = self._glaze() if not frosting else ()
-        if frosting:
-            yield Part(frosting, "spread")
-        elif glaze:
-            yield Part(glaze, "pour")
-        elif self.icing and self.sugar:
-            yield Part((self.icing[0],), "sprinkle")
-        tops = self._are(*word_list("is put on what is baked"))
+        if self._promised("is strewn on") and len(self.fats) > 1 and self.solid:
+            dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
+            sweet = [self._second(want) for want in self.sweet[:1]]
+            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, *sweet, self.solid[0]), "", baked=True)
+        cover = self._cover()
+        coat = () if cover else self._coat()
+        if cover:
+            yield Part(cover, _motion("covers what is baked"))
+        elif coat:
+            yield Part(coat, "")
+        elif self.fine and self.sweet:
+            yield Part((self.fine[0],), _motion("dusts what is baked"))
+        tops = self._are("is put on what is baked")
         if tops:
-            yield Part(tuple(tops), "spread", mixed=False)
+            yield Part(tuple(tops), _motion("covers what is baked"), mixed=False)
 
     def _second(self, want: Want) -> Want:
         """Return a second portion of a food."""
         self.numbers += 1
         return replace(want, number=self.numbers)
 
-    def _twice(self, want: Want) -> bool:
+    def _is_twice(self, want: Want) -> bool:
         return singular(want.label) in self.repeated
 
-    def _frosting(self) -> tuple[Want, ...]:
-        """Return what is mixed to a frosting: icing sugar, or a second portion of sugar, with soft cheese or butter."""
-        cheese = self._are("fresh cheese") if self._are("leaven") else []
-        again = [self._second(want) for want in self.sugar if self._twice(want)][:1] if cheese else []
-        if cheese and not again and len(self.sugar) > 1 and self.butter and self._twice(self.butter[0]):
-            again = [want for want in self.sugar if want.facts.is_a("sugar")][-1:]
-        sweet = self.icing[:1] if self.sugar else []
-        butter = self.butter[:1]
-        if butter and self._twice(butter[0]):
-            butter = [self._second(butter[0])]
-        elif len(self.fats) < 2:  # noqa: PLR2004 - the one fat is the batter's
-            butter = []
-        if not (sweet or again) or not (cheese or butter):
-            return ()
-        return (*cheese[:1], *butter, *(sweet or again))
+    def _cover(self) -> tuple[Want, ...]:
+        """Return what is mixed and spread: fine sugar, or a second portion of sugar, with what is soft or creamed."""
+        soft = self._are("body of a cover") if any(want.facts.is_a("leaven") for want in self.wants) else []
+        solid = self.solid[:1]
+        again = [self._second(want) for want in self.sweet if self._is_twice(want)][:1]
+        if not again and len(self.sweet) > 1 and solid and self._is_twice(solid[0]):
+            again = self.sweet[-1:]
+        sweet = self.fine[:1] if self.fine and self.sweet else again if soft else []
+        if solid and self._is_twice(solid[0]):
+            solid = [self._second(solid[0])]
+        elif len(self.fats) == 1:
+            solid = []  # it is the batter's
+        return (*soft[:1], *solid, *sweet) if sweet and (soft or solid) else ()
 
-    def _glaze(self) -> tuple[Want, ...]:
-        """Return what is stirred to a glaze, where the title promises one: icing sugar with juice or another liquid."""
-        if not self.icing or not self.sugar or self.told.isdisjoint(word_list("is glazed")):
+    def _coat(self) -> tuple[Want, ...]:
+        """Return what is stirred to be poured on, where the title promises it: fine sugar with a liquid to spare."""
+        if not self.fine or not self.sweet or not self._promised("is glazed"):
             return ()
-        juice = [want for want in self._are("lemon", "sour juice") if want.squeezed or want.facts.is_a("liquid")]
-        liquids = [want for want in self._are("juice", "milk") if not want.facts.is_a("fat")]
-        wet = juice or (liquids[1:] if len(liquids) >= _LEAST_LIQUIDS else [])
-        return (*self.icing[:1], *wet[:1]) if wet else ()
+        sour = [want for want in self._are("thins a coat") if want.squeezed or want.facts.is_a("liquid")]
+        wet = sour or self._are("is liquid in a batter")[1:]
+        return (*self.fine[:1], *wet[:1]) if wet else ()
+
+
+def _motion(words_of: str) -> str:
+    return min(word_list(words_of))
 
 
 def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tuple[Line, tuple[Join, ...]]:
@@ -139,11 +141,35 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tupl
         else:
             target = stages[place]
         own = mixing or target
-        spot = Spot((len(stages), 0) if mixing else (len(stages),), own, ("top", "before", False), False, ())
+        spot = Spot(
+            path=(len(stages), 0) if mixing else (len(stages),),
+            stage=own,
+            post=("top", "before", False),
+            side=False,
+            after=(),
+        )
         for want in part.wants:
             slot = Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion) if mixing is None else None
             found.append(Join(want, spot, NATURAL - 0.01, slot if part.motion else None))
     return Line(tuple(stages)), tuple(found)
+
+
+def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends in the oven, with what is browned there on top, where the title asks for it."""
+    stages = list(line.stages)
+    hot = [stage for stage in stages if "heat" in stage.does]
+    told = not word_list("is baked at last").isdisjoint(words(title))
+    if not told or not hot or any("dry" in stage.does or stage.appliance == "oven" for stage in hot):
+        return line, tuple(joins)
+    taken = {id(join.spot.stage) for join in joins}
+    while only_carries(stages[-1]) and id(stages[-1]) not in taken and not any(True for _ in stages[-1].adds):
+        stages.pop()
+    does = frozenset({"dry", "heat"})
+    last = Stage((), "bake", does, (), "baking dish", "in", "oven", "heat", "", ("baked",), -1)
+    spot = Spot(path=(len(stages),), stage=last, post=("bake", "now", False), side=False, after=())
+    tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
+    found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
+    return Line((*stages, last)), tuple(found)
 
 
 def _moved(join: Join, old: Stage, new: Stage) -> Join:

@@ -100,6 +100,8 @@ class Worker:
             [] if kneads else [([way for way in self.bench.operators.ways.get("knead", ()) if not way[1]], "kneaded")]
         )
         works.append(([way for motion in rises for way in self.bench.operators.ways_of(motion)], "rested"))
+        if self.plan.flat:
+            works.append(([("press", ())], "flattened"))
         for ways, state in works:
             attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
             whole = vessel.contents[0]

@@ -24,8 +24,8 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods
+from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Matcher
-from foon_kg.integration.parts import parts_of, with_parts
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -237,15 +237,18 @@ class _Question:
         own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
+        tin = tins[-1] if tins else ""
+        own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
-        tin = tins[-1] if tins else ""
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         cold = not word_list("is served cold").isdisjoint(told)
         one_pot = not word_list("boils in the dish").isdisjoint(told)
+        flat = not word_list("is rolled out").isdisjoint(told)
         line, joins = with_parts(frame.line, fit.joins, self.parts)
-        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold)
+        line, joins = baked_at_last(line, joins, self.recipe.title or "")
+        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, flat)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
