@@ -201,7 +201,7 @@ class Worker:
         kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
         if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
-        if product and len(vessel.contents) == 1:
+        if product and len(vessel.contents) == 1 and "dry" not in does:
             states |= kept
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
