@@ -1,4 +1,4 @@
-"""What is baked: a batter comes together in its order, parts are made apart, and dishes end in the oven by their title."""
+"""What is baked: a batter comes together in its order, its parts are made apart, and a bake ends in the oven."""
 
 from __future__ import annotations
 
