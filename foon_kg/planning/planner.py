@@ -9,6 +9,7 @@ answered has passed the judge (:mod:`foon_kg.validation`).
 from __future__ import annotations
 
 import difflib
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -23,6 +24,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods
+from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.kitchen import Kitchen
@@ -163,6 +165,14 @@ class _Question:
         foods = [want.label for want in self.wants]
         self.kitchen = planner.kitchen_for(foods)
         self.wants = tuple(as_there(want, self.kitchen.stands_ready) for want in self.wants)
+        times = Counter(singular(one.object) for one in asked)
+        self.baked, self.parts = parts_of(
+            self.wants,
+            recipe.dish_type,
+            recipe.title or "",
+            {name for name, count in times.items() if count > 1},
+            self.known,
+        )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
         self.matcher = Matcher(self.methods.posts, self.likes.alike)
 
@@ -206,14 +216,14 @@ class _Question:
         avoided = self.settings.avoided
         keys = shortlisted(
             outlines,
-            self.wants,
+            self.baked,
             dish_type,
             title,
             known=self.known,
             likes=self.likes,
             allowed=(lambda label: why_avoided(label, avoided) is None) if avoided else None,
         )
-        return fits(self.methods.layouts_of(keys), self.wants, dish_type, title, self.matcher)
+        return fits(self.methods.layouts_of(keys), self.baked, dish_type, title, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
         del lacks
@@ -227,21 +237,25 @@ class _Question:
         own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
+        tin = tins[-1] if tins else ""
+        own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
-        tin = tins[-1] if tins else ""
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         cold = not word_list("is served cold").isdisjoint(told)
         one_pot = not word_list("boils in the dish").isdisjoint(told)
-        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold)
-        cooking = Cooking(bench, frame.line, plan)
+        flat = not word_list("is rolled out").isdisjoint(told)
+        line, joins = with_parts(frame.line, fit.joins, self.parts)
+        line, joins = baked_at_last(line, joins, self.recipe.title or "")
+        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, flat)
+        cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(_as_tree(result), free=self.kitchen.free_foods)
-        return Attempt(fit, tree, result, report, self._missing(result), cooking)
+        return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
 
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
