@@ -386,7 +386,7 @@ class Cooking:
             return True
         if single and mixes and not heats and stage.does <= {"mix"}:
             return True
-        if mixes and stage.does <= {"mix", "blend", "move"} and self._is_mixed(stage, vessel):
+        if mixes and stage.does <= {"mash", "mix", "blend", "move"} and self._is_mixed(stage, vessel):
             return True
         return not mixes and not heats and "wait" not in stage.does and single
 
