@@ -225,6 +225,10 @@ class Preparer:
             return ready
         if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
             self._assume(ready, want.make)
+        cut = self._cut_state(want, form, due, divided=divided)
+        if cut and not self.is_mashed_raw(want) and self._way_to_cut(want, cut) is None:
+            self._assume(ready, cut)  # what is bought in pieces is not peeled before
+            return ready
         for name in _BY_HAND:
             if name in due and not (name == "stone" and "core" in due):
                 self._treat(ready, name)
@@ -234,7 +238,6 @@ class Preparer:
             return ready
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
-        cut = self._cut_state(want, form, due, divided=divided)
         if self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
@@ -428,15 +431,19 @@ class Preparer:
         most = max((given[way] for way in ways if way in given), default=0)
         return [way for way in ways if given.get(way, 0) > _RARE * most]
 
-    def _cut(self, ready: Ready, state: str) -> None:
-        want = ready.want
+    def _way_to_cut(self, want: Want, state: str) -> Attested | None:
+        """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         usual = self._usual_ways(ways, state)
         tools = {way[1] for way in usual}
         attested = self.bench.attest([way for way in ways if way[1] in tools], want.names, act=True)
         if attested is None or attested.nearness > Nearness.FOOD:
             attested = self.bench.attest(usual, want.names, act=True) or (self._far(usual, want) if usual else None)
-        attested = attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+        return attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+
+    def _cut(self, ready: Ready, state: str) -> None:
+        want = ready.want
+        attested = self._way_to_cut(want, state)
         if attested is None:
             self._assume(ready, state)
             return
