@@ -226,12 +226,10 @@ class Preparer:
         if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
             self._assume(ready, want.make)
         cut = self._cut_state(want, form, due, divided=divided)
-        if cut and not self.is_mashed_raw(want) and self._way_to_cut(want, cut) is None:
-            self._assume(ready, cut)  # what is bought in pieces is not peeled before
+        if self._comes_in_pieces(want, cut):
+            self._assume(ready, cut)
             return ready
-        for name in _BY_HAND:
-            if name in due and not (name == "stone" and "core" in due):
-                self._treat(ready, name)
+        self._clean(ready, due)
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
         if want.squeezed or (juicy and self.operators.giving.get(_JUICE)):
             self._squeeze(ready)
@@ -430,6 +428,15 @@ class Preparer:
         given: Mapping[Way, int] = self.operators.giving.get(state, {})
         most = max((given[way] for way in ways if way in given), default=0)
         return [way for way in ways if given.get(way, 0) > _RARE * most]
+
+    def _clean(self, ready: Ready, due: set[str]) -> None:
+        for name in _BY_HAND:
+            if name in due and not (name == "stone" and "core" in due):
+                self._treat(ready, name)
+
+    def _comes_in_pieces(self, want: Want, cut: str) -> bool:
+        """Whether a food is taken in pieces since nobody brings such a one into them: then it is not peeled before."""
+        return bool(cut) and not self.is_mashed_raw(want) and self._way_to_cut(want, cut) is None
 
     def _way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
