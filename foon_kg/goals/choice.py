@@ -179,7 +179,7 @@ def _batter_score(layout: Layout, wants: Sequence[Want], title: str, known: Tabl
     is_to_be_cut = not word_list("is cut when it is baked").isdisjoint(words(title))
     return (
         (0.0 if in_bowl else -_AWKWARD)
-        - (2 * _AWKWARD if watered else 0.0)
+        - (3 * _AWKWARD if watered else 0.0)
         + (0.0 if not cut else 2 * _AWKWARD if is_to_be_cut else -2 * _AWKWARD)
     )
 

@@ -169,12 +169,13 @@ class Cooking:
         self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
     ) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
-        label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
+        device, relation = self.utensils.device_for(stage)
+        label = self.utensils.vessel_label(stage, vessel, device)
         comes = vessel if vessel is not None else next(iter(lines), None)
         if comes is None:
             label = self.carry.deep_for(label, [join.want for join in joins])
         elif label != comes.label:
-            label = self.carry.tin_for(label, comes, self.plan.tin)
+            label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
         return "bowl" if dressed and is_flat(label) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:

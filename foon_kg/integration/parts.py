@@ -33,10 +33,11 @@ def parts_of(
     """
     if not any(dish.tin for dish in known.dishes_named(dish_type)):
         return tuple(wants), ()
-    if is_of_batter(wants):
-        found = tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
-    else:
-        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants)) if is_of_dough(wants) else ()
+    found: tuple[Part, ...] = ()
+    if is_of_dough(wants):
+        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
+    if is_of_dough(wants) or is_of_batter(wants):
+        found += tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
     taken = {want.number for part in found for want in part.wants}
     rest = tuple(want for want in wants if want.number not in taken)
     return (rest, found) if rest else (tuple(wants), ())
@@ -71,10 +72,11 @@ class _Parted:
 
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
-        if self._promised("is strewn on") and len(self.fats) > 1 and self.solid:
+        if self._promised("is strewn on") and self.solid and self.sweet:
             dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
-            sweet = [self._second(want) for want in self.sweet[:1]]
-            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, *sweet, self.solid[0]), "", baked=True)
+            sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
+            fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
+            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
         cover = self._cover()
         coat = () if cover else self._coat()
         if cover:
