@@ -145,13 +145,14 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
+    batter = False
     if any(dish.tin for dish in known.dishes_named(dish_type)):
         if is_of_batter(wants):
-            own = layout.batter is not None
+            own = batter = layout.batter is not None
             score += _batter_score(layout, wants, title, known)
         elif is_of_dough(wants):
             own = _makes_dough(layout, known)
-    score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
+    score += 0.2 * named + (1.0 if own and (batter or _defined(joins, dish_type, known)) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0

@@ -16,12 +16,13 @@ from foon_kg.integration.preparation import Want
 
 @dataclass(frozen=True)
 class Part:
-    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be; ``baked``: before it is baked."""
+    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be; ``baked``: before it is baked; ``under``: in its tin, before all else."""
 
     wants: tuple[Want, ...]
     motion: str
     baked: bool = False
     mixed: bool = True
+    under: bool = False
 
 
 def parts_of(
@@ -77,6 +78,9 @@ class _Parted:
             sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
             fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
             yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
+        base = self._are("is pressed to a base")
+        if base and self.solid and self._are("body of a cover"):
+            yield Part((base[0], self.solid[0]), "", under=True)
         cover = self._cover()
         coat = () if cover else self._coat()
         if cover:
@@ -124,10 +128,13 @@ def _motion(words_of: str) -> str:
     return min(word_list(words_of))
 
 
-def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tuple[Line, tuple[Join, ...]]:
+def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: str) -> tuple[Line, tuple[Join, ...]]:
     """Return a line with a stage for each part, and the joins with those of the parts."""
     stages, found = list(line.stages), list(joins)
     for part in parts:
+        if part.under:
+            stages, found = _on_base(stages, found, part, tin)
+            continue
         place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), None) if part.baked else None
         mixing = _stage("mix", "bowl", ()) if part.mixed and len(part.wants) > 1 else None
         adds = (Line((mixing,)),) if mixing is not None else ()
@@ -154,6 +161,20 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tupl
             slot = Slot(singular(want.label), want.facts.kind, want.leaf, (), part.motion) if mixing is None else None
             found.append(Join(want, spot, NATURAL - 0.01, slot if part.motion else None))
     return Line(tuple(stages)), tuple(found)
+
+
+def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
+    """Return stages in which the batter comes onto a base that was pressed in the tin."""
+    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages) - 1)
+    old = stages[place]
+    mixing = _stage("mix", "bowl", ())
+    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
+    before = (Line(tuple(stages[:place])),) if place else ()
+    new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
+    spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
+    moved = [_moved(join, old, new) for join in joins]
+    moved += [Join(want, spot, NATURAL - 0.01) for want in part.wants]
+    return [pressed, new, *stages[place + 1 :]], moved
 
 
 def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
