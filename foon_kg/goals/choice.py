@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from foon_kg.food import Tables, singular, words
+from foon_kg.food import Tables, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import is_of_batter, is_of_dough, is_thin
 from foon_kg.integration.frames import Frame
@@ -146,7 +146,9 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
     batter = False
-    if any(dish.tin for dish in known.dishes_named(dish_type)):
+    if is_unbaked(title):
+        own = layout.spots[-1].stage.motion in word_list("sets in the cold")
+    elif any(dish.tin for dish in known.dishes_named(dish_type)):
         if is_of_batter(wants):
             own = batter = layout.batter is not None
             score += _batter_score(layout, wants, title, known)
@@ -219,12 +221,6 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
         means = frozenset().union(*(row.does for row in rows)) & _MEANS
         if means and means.isdisjoint(done):
             yield word
-
-
-def is_unbaked(title: str) -> bool:
-    """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
-    told = title.lower().replace("-", " ")
-    return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))
 
 
 def _is_baked(dish_type: str, title: str, known: Tables) -> bool:

@@ -67,7 +67,7 @@ def is_thin(batter: Batter) -> bool:
 
 
 def is_of_batter(wants: Iterable[Want]) -> bool:
-    """Whether foods make a batter, or a dough that nobody kneads: what sets when it is baked, without yeast or bread."""
+    """Whether foods make a batter, or a dough that nobody kneads: they set in the oven, and no yeast raises them."""
     facts = [want.facts for want in wants]
     makes = any(one.is_a(*word_list("makes a batter")) for one in facts)
     return makes and not any(one.is_a(*word_list("is no batter")) for one in facts)

@@ -266,7 +266,7 @@ class Cooking:
                 self._heat_on(vessel)  # in the fat, that is
             if isinstance(one, Vessel):
                 self.bench.heat_off(one)
-                if not vessel.contents:
+                if not vessel.contents and "shape" not in stage.does:
                     self._grease(vessel, one)
                 self.carry.transfer(one, vessel, stage)
             else:
@@ -380,7 +380,7 @@ class Cooking:
         if later and self._goes_on(stage, later[0]):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and all(food.is_a(*word_list("is only made hot")) for food in foods):
+        if later and heats and all(food.is_a(*word_list("is only made hot")) for food in foods):
             return True
         rises = stage.motion in word_list("rises")
         if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
@@ -438,7 +438,7 @@ class Cooking:
         self.bench.heat_off(vessel)
         self.bench.all_off()
         row = self.known.utensil(vessel.label)
-        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}):
+        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}) or "chilled" in vessel.contents[0].states:
             return vessel
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)

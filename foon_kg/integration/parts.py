@@ -16,7 +16,10 @@ from foon_kg.integration.preparation import Want
 
 @dataclass(frozen=True)
 class Part:
-    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be; ``baked``: before it is baked; ``under``: in its tin, before all else."""
+    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be.
+
+    ``baked``: before it is baked; ``under``: in its tin, before all else.
+    """
 
     wants: tuple[Want, ...]
     motion: str
@@ -165,11 +168,11 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: st
 
 def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
     """Return stages in which the batter comes onto a base that was pressed in the tin."""
-    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages) - 1)
-    old = stages[place]
+    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
     mixing = _stage("mix", "bowl", ())
     pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
     before = (Line(tuple(stages[:place])),) if place else ()
+    old = stages[place] if place < len(stages) else _cold("chill")
     new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
     spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
     moved = [_moved(join, old, new) for join in joins]
@@ -193,6 +196,10 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
     found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
     return Line((*stages, last)), tuple(found)
+
+
+def _cold(motion: str) -> Stage:
+    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), -1)
 
 
 def _moved(join: Join, old: Stage, new: Stage) -> Join:
