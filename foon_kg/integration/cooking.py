@@ -351,7 +351,8 @@ class Cooking:
         attested = self.work.way(stage, vessel)
         if attested is None:
             return
-        finished = not any(not one.does.isdisjoint(HEATS) for one in later)
+        # what is only browned at last, by no video's step, is done before
+        finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
         product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
