@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from foon_kg.food.rows import Dish, Food, Kind, Level, Match, Motion, State, Utensil
 from foon_kg.food.tables import Tables, tables
-from foon_kg.food.words import is_among, plain_words, singular, words
+from foon_kg.food.words import is_among, is_unbaked, plain_words, singular, words
 
 __all__ = [
     "Dish", "Food", "Kind", "Level", "Match", "Motion", "State", "Tables", "Utensil",
-    "is_among", "plain_words", "singular", "tables", "words",
+    "is_among", "is_unbaked", "plain_words", "singular", "tables", "words",
 ]  # fmt: skip

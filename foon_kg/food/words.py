@@ -6,6 +6,8 @@ import functools
 import re
 from collections.abc import Collection
 
+from foon_kg.food.lists import word_list
+
 _WORD = re.compile(r"[^\W\d_]+")
 _IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
@@ -52,3 +54,9 @@ def is_among(name: str, names: Collection[str]) -> bool:
         if theirs and own and nested and (own[0] == theirs[0] or own[-1] == theirs[-1]):
             return True
     return False
+
+
+def is_unbaked(title: str) -> bool:
+    """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
+    told = title.lower().replace("-", " ")
+    return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))

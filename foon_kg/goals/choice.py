@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from foon_kg.food import Tables, singular, words
+from foon_kg.food import Tables, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import is_of_batter, is_of_dough, is_thin
 from foon_kg.integration.frames import Frame
@@ -145,13 +145,16 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
-    if any(dish.tin for dish in known.dishes_named(dish_type)):
+    batter = False
+    if is_unbaked(title):
+        own = layout.spots[-1].stage.motion in word_list("sets in the cold")
+    elif any(dish.tin for dish in known.dishes_named(dish_type)):
         if is_of_batter(wants):
-            own = layout.batter is not None
+            own = batter = layout.batter is not None
             score += _batter_score(layout, wants, title, known)
         elif is_of_dough(wants):
             own = _makes_dough(layout, known)
-    score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
+    score += 0.2 * named + (1.0 if own and (batter or _defined(joins, dish_type, known)) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
@@ -179,7 +182,7 @@ def _batter_score(layout: Layout, wants: Sequence[Want], title: str, known: Tabl
     is_to_be_cut = not word_list("is cut when it is baked").isdisjoint(words(title))
     return (
         (0.0 if in_bowl else -_AWKWARD)
-        - (2 * _AWKWARD if watered else 0.0)
+        - (3 * _AWKWARD if watered else 0.0)
         + (0.0 if not cut else 2 * _AWKWARD if is_to_be_cut else -2 * _AWKWARD)
     )
 
@@ -218,12 +221,6 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
         means = frozenset().union(*(row.does for row in rows)) & _MEANS
         if means and means.isdisjoint(done):
             yield word
-
-
-def is_unbaked(title: str) -> bool:
-    """Whether a title says that the dish is made without an oven: a no-bake cheesecake, on the stovetop."""
-    told = title.lower().replace("-", " ")
-    return "no bake" in told or not word_list("is made on a stove").isdisjoint(words(told))
 
 
 def _is_baked(dish_type: str, title: str, known: Tables) -> bool:

@@ -67,7 +67,7 @@ def is_thin(batter: Batter) -> bool:
 
 
 def is_of_batter(wants: Iterable[Want]) -> bool:
-    """Whether foods make a batter, or a dough that nobody kneads: meal or flour with no yeast, and nothing baked."""
+    """Whether foods make a batter, or a dough that nobody kneads: they set in the oven, and no yeast raises them."""
     facts = [want.facts for want in wants]
     makes = any(one.is_a(*word_list("makes a batter")) for one in facts)
     return makes and not any(one.is_a(*word_list("is no batter")) for one in facts)
@@ -81,7 +81,7 @@ def is_of_dough(wants: Sequence[Want]) -> bool:
 
 def binds(foods: Iterable[str], known: Tables) -> bool:
     """Whether a mixture of foods sets when it is baked: there is flour, meal or dough in it."""
-    return any(known.foods.food(food).is_a("dough", *word_list("makes a batter")) for food in foods)
+    return any(known.foods.food(food).is_a(*word_list("sets when it is baked")) for food in foods)
 
 
 def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join]:

@@ -146,11 +146,16 @@ class Carrier:
         does = self.known.motion(way[0]).does
         return bool(does) and does <= _MOVES and way[0] not in {"throw away", "remove", "measure", "scoop"}
 
-    def tin_for(self, label: str, vessel: Vessel, tin: str) -> str:
-        """Return in what is baked what comes out of ``vessel``: in the dish's ``tin``, and nothing wet on a tray."""
+    def tin_for(self, label: str, vessel: Vessel, tin: str, *, in_oven: bool) -> str:
+        """Return in what is baked what comes out of ``vessel``: in the dish's ``tin``, and nothing wet on a tray.
+
+        What was baked in the tin is not moved to other bakeware.
+        """
         row = self.known.utensil(label)
-        if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
+        if row is None or "bake" not in row.can or (row.can & {"heat", "cook"} and not (tin and in_oven)):
             return label
+        if vessel.label == tin:
+            return tin
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         batter = [stuff for stuff in mixed if binds(stuff.foods, self.known)]
         in_portions = row.group == "tins"

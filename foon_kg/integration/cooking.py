@@ -169,12 +169,13 @@ class Cooking:
         self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
     ) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
-        label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
+        device, relation = self.utensils.device_for(stage)
+        label = self.utensils.vessel_label(stage, vessel, device)
         comes = vessel if vessel is not None else next(iter(lines), None)
         if comes is None:
             label = self.carry.deep_for(label, [join.want for join in joins])
         elif label != comes.label:
-            label = self.carry.tin_for(label, comes, self.plan.tin)
+            label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
         return "bowl" if dressed and is_flat(label) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
@@ -265,7 +266,7 @@ class Cooking:
                 self._heat_on(vessel)  # in the fat, that is
             if isinstance(one, Vessel):
                 self.bench.heat_off(one)
-                if not vessel.contents:
+                if not vessel.contents and "shape" not in stage.does:
                     self._grease(vessel, one)
                 self.carry.transfer(one, vessel, stage)
             else:
@@ -350,7 +351,8 @@ class Cooking:
         attested = self.work.way(stage, vessel)
         if attested is None:
             return
-        finished = not any(not one.does.isdisjoint(HEATS) for one in later)
+        # what is only browned at last, by no video's step, is done before
+        finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
         product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
@@ -379,7 +381,7 @@ class Cooking:
         if later and self._goes_on(stage, later[0]):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and all(food.is_a(*word_list("is only made hot")) for food in foods):
+        if later and heats and all(food.is_a(*word_list("is only made hot")) for food in foods):
             return True
         rises = stage.motion in word_list("rises")
         if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
@@ -437,7 +439,7 @@ class Cooking:
         self.bench.heat_off(vessel)
         self.bench.all_off()
         row = self.known.utensil(vessel.label)
-        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}):
+        if row is None or row.can.isdisjoint({"heat", "cook", "bake"}) or "chilled" in vessel.contents[0].states:
             return vessel
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)

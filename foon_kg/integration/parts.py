@@ -16,12 +16,16 @@ from foon_kg.integration.preparation import Want
 
 @dataclass(frozen=True)
 class Part:
-    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be; ``baked``: before it is baked."""
+    """Foods that are put on a dish by ``motion``, ``mixed`` before if need be.
+
+    ``baked``: before it is baked; ``under``: in its tin, before all else.
+    """
 
     wants: tuple[Want, ...]
     motion: str
     baked: bool = False
     mixed: bool = True
+    under: bool = False
 
 
 def parts_of(
@@ -33,10 +37,11 @@ def parts_of(
     """
     if not any(dish.tin for dish in known.dishes_named(dish_type)):
         return tuple(wants), ()
-    if is_of_batter(wants):
-        found = tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
-    else:
-        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants)) if is_of_dough(wants) else ()
+    found: tuple[Part, ...] = ()
+    if is_of_dough(wants):
+        found = tuple(Part((want,), "", baked=True) for want in _on_dough(wants))
+    if is_of_dough(wants) or is_of_batter(wants):
+        found += tuple(_Parted(wants, frozenset(words(title)), repeated).parts())
     taken = {want.number for part in found for want in part.wants}
     rest = tuple(want for want in wants if want.number not in taken)
     return (rest, found) if rest else (tuple(wants), ())
@@ -71,10 +76,14 @@ class _Parted:
 
     def parts(self) -> Iterator[Part]:
         """Yield the parts in the order in which they are put on."""
-        if self._promised("is strewn on") and len(self.fats) > 1 and self.solid:
+        if self._promised("is strewn on") and self.solid and self.sweet:
             dry = [self._second(want) for want in self.wants if want.facts.is_a("flour")][:1]
-            sweet = [self._second(want) for want in self.sweet[:1]]
-            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, *sweet, self.solid[0]), "", baked=True)
+            sweet = self.sweet[-1] if len(self.sweet) > 1 else self._second(self.sweet[0])
+            fat = self.solid[0] if len(self.fats) > 1 else self._second(self.solid[0])
+            yield Part((*self._are("is coarse in what is strewn on")[:1], *dry, sweet, fat), "", baked=True)
+        base = self._are("is pressed to a base")
+        if base and self.solid and self._are("body of a cover"):
+            yield Part((base[0], self.solid[0]), "", under=True)
         cover = self._cover()
         coat = () if cover else self._coat()
         if cover:
@@ -122,10 +131,13 @@ def _motion(words_of: str) -> str:
     return min(word_list(words_of))
 
 
-def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tuple[Line, tuple[Join, ...]]:
+def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part], tin: str) -> tuple[Line, tuple[Join, ...]]:
     """Return a line with a stage for each part, and the joins with those of the parts."""
     stages, found = list(line.stages), list(joins)
     for part in parts:
+        if part.under:
+            stages, found = _on_base(stages, found, part, tin)
+            continue
         place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), None) if part.baked else None
         mixing = _stage("mix", "bowl", ()) if part.mixed and len(part.wants) > 1 else None
         adds = (Line((mixing,)),) if mixing is not None else ()
@@ -154,6 +166,20 @@ def with_parts(line: Line, joins: Sequence[Join], parts: Sequence[Part]) -> tupl
     return Line(tuple(stages)), tuple(found)
 
 
+def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tuple[list[Stage], list[Join]]:
+    """Return stages in which the batter comes onto a base that was pressed in the tin."""
+    place = next((n for n, stage in enumerate(stages) if "heat" in stage.does), len(stages))
+    mixing = _stage("mix", "bowl", ())
+    pressed = Stage((Line((mixing,)),), "press", frozenset({"shape"}), (), tin, "in", "", "", "", (), -1)
+    before = (Line(tuple(stages[:place])),) if place else ()
+    old = stages[place] if place < len(stages) else _cold("chill")
+    new = replace(old, adds=(*before, *old.adds), vessel=tin, relation="in")
+    spot = Spot(path=(0, 0), stage=mixing, post=("mix", "later", True), side=True, after=(pressed, new))
+    moved = [_moved(join, old, new) for join in joins]
+    moved += [Join(want, spot, NATURAL - 0.01) for want in part.wants]
+    return [pressed, new, *stages[place + 1 :]], moved
+
+
 def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that ends in the oven, with what is browned there on top, where the title asks for it."""
     stages = list(line.stages)
@@ -170,6 +196,10 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
     found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
     return Line((*stages, last)), tuple(found)
+
+
+def _cold(motion: str) -> Stage:
+    return Stage((), motion, frozenset({"wait"}), (), "", "in", "refrigerator", "cold", "", (), -1)
 
 
 def _moved(join: Join, old: Stage, new: Stage) -> Join:

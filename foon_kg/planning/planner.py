@@ -246,7 +246,7 @@ class _Question:
         cold = not word_list("is served cold").isdisjoint(told)
         one_pot = not word_list("boils in the dish").isdisjoint(told)
         flat = not word_list("is rolled out").isdisjoint(told)
-        line, joins = with_parts(frame.line, fit.joins, self.parts)
+        line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
         plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, flat)
         cooking = Cooking(bench, line, plan)

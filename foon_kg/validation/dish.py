@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from foon_kg.food import Match, singular, words
+from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
@@ -24,10 +24,10 @@ def defined(case: Case) -> Iterator[Finding]:
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
     for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title):
-        if dish.heated and not any(part.heated is not None for part in case.parts):
+        if dish.heated and not is_unbaked(title) and not any(part.heated is not None for part in case.parts):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
-        if dish.baked and not _baked(case):
+        if dish.baked and not _baked(case) and not is_unbaked(title):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
 
 

@@ -128,3 +128,32 @@ def test_a_dough_rises_once_and_is_baked_in_what_suits_it(planner, title, tin):
     assert motions.count("knead") == 1
     assert ("press" in motions) == (tin == "baking tray")
     assert any(motion == "bake" and tin in into for motion, into, _ in told)
+
+
+CHEESECAKE = {"graham cracker crumbs": "", "butter": "melted", "cream cheese": "softened", "sugar": "", "egg": ""}
+
+
+def test_crumbs_with_butter_are_pressed_in_the_tin_before_what_is_baked_on_them(planner):
+    told = steps(planner, "cake", "cheesecake", CHEESECAKE)
+    mixed = place(told, "graham cracker crumbs", {"mix", "stir"})
+    assert "cream cheese" not in told[mixed][1]
+    assert [motion for motion, _, _ in told].count("bake") == 1
+
+
+def test_what_is_not_to_be_baked_sets_in_the_cold(planner):
+    foods = {food: state for food, state in CHEESECAKE.items() if food != "egg"}
+    motions = [motion for motion, _, _ in steps(planner, "cake", "no-bake cheesecake", foods)]
+    assert "bake" not in motions
+    assert "chill" in motions
+
+
+@pytest.mark.parametrize(
+    "foods",
+    [
+        {"shredded coconut": "", "egg white": "", "sugar": "", "vanilla extract": ""},
+        {"peanut butter": "", "sugar": "", "egg": "", "baking soda": ""},
+    ],
+)
+def test_a_batter_without_flour_is_set_on_a_tray_with_a_spoon(planner, foods):
+    told = steps(planner, "cookie", "", foods)
+    assert any(motion == "scoop and pour" and "baking tray" in into for motion, into, _ in told)
