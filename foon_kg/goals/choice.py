@@ -9,7 +9,7 @@ import numpy as np
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.frames import Frame
+from foon_kg.integration.frames import Frame, Line
 from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.outlines import Outlines, Sought
@@ -18,6 +18,7 @@ from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
 _CARRIES = word_list("a dish is built on")
+_BAKED_ON = frozenset({"dough", *word_list("carries what is stacked")})
 _SEASONS = word_list("only seasons")
 _WORKED_IN = word_list("is worked in")
 
@@ -77,6 +78,9 @@ _DAMAGED = 0.5
 
 _UNTOLD_OVEN = 0.25
 """What a frame is less worth that bakes a dish which nobody calls baked."""
+
+_MIXED = 0.4
+"""What a frame is less worth that mixes what should lie on dough."""
 
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
@@ -147,6 +151,8 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
     if title and named < _BY_TITLE and _bakes(layout) and not _is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
+    laid = any(dish.laid for dish in known.dishes_named(dish_type, title))
+    score -= _MIXED if laid and layout.laid is None else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
@@ -315,16 +321,37 @@ def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: 
         if "heat" in spot.stage.does
     )
     unbaked = is_unbaked(title)
+    dishes = known.dishes_named(dish_type, title)
+    stacked = any(dish.stacked for dish in dishes)
+    grilled = stacked and any(dish.grilled for dish in dishes)
+    if stacked and _base_is_heated_alone(layout, known):
+        yield f"what it is laid on is heated by itself in {frame.goal.label}"
     if unbaked and bakes:
         yield f"it is not to be baked, and {frame.goal.label} is"
     for dish in known.dishes_named(dish_type, title) if not unbaked else ():
+        unheated = (join.want for join in joins if not join.spot.heats_later and join.want.facts.is_a(*_BAKED_ON))
+        if dish.laid and (want := next(unheated, None)) is not None:
+            yield f"{want.label} would not be baked"
         if dish.baked and not bakes:
             yield f"{dish.name} is baked, and {frame.goal.label} is not"
-        if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):
+        if dish.heated and not heats and not grilled and not any(slot.cooked for slot in frame.line.all_slots()):
             if dish.is_type or not any({"cook", "boil"} & owed(join.want, known) for join in joins):
                 yield f"{dish.name} is hot, and {frame.goal.label} is not"
         elif dish.heated and _ends_raw(spots):
             yield f"{dish.name} is hot, and {frame.goal.label} is not cooked once it is shaped"
+
+
+def _base_is_heated_alone(layout: Layout, known: Tables) -> bool:
+    """Whether what a stacked dish is stacked on is heated before anything is laid on it."""
+    main = [spot for spot in layout.spots if not spot.side]
+    there: list[str] = []
+    for number, spot in enumerate(main):
+        there += [slot.food for slot in spot.stage.slots]
+        lines = any(isinstance(add, Line) for one in main[: number + 1] for add in one.stage.adds)
+        only = [food for food in there if not known.foods.food(food).is_a("fat")]
+        if only and not lines and not spot.stage.does.isdisjoint({"heat", "warm"}):
+            return all(known.foods.food(food).is_a(*word_list("carries what is stacked")) for food in only)
+    return False
 
 
 def _ends_raw(spots: Sequence[Spot]) -> bool:

@@ -325,7 +325,8 @@ class Preparer:
             return ""
         if "cut" in want.facts.owes and want.facts.is_a("raw") and not want.facts.is_a("herb", "berry"):
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
-        for state in form if not want.cooked else ():
+        first = not want.cooked or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
+        for state in form if first else ():
             if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
                 return state
         if "cut" in due:

@@ -229,12 +229,16 @@ class _Question:
         tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
+        named = self.known.dishes_named(dish_type, self.recipe.title or "")
+        stacked = any(dish.stacked for dish in named)
+        grilled = stacked and any(dish.grilled for dish in named)
         tin = tins[-1] if tins else ""
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         cold = not word_list("is served cold").isdisjoint(told)
         one_pot = not word_list("boils in the dish").isdisjoint(told)
-        plan = Plan(label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold)
+        plan = Plan(
+            label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, grilled
+        )
         cooking = Cooking(bench, frame.line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
