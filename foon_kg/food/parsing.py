@@ -128,6 +128,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("stacked", False),
         row.get("grilled", False),
         row.get("laid", False),
+        row.get("dressed", False),
     )
 
 

@@ -141,6 +141,7 @@ class Dish:
     comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
     ``stacked``: it is put together on bread, and what needs no cooking only then.
     ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
+    ``dressed``: a dressing comes over it.
     """
 
     name: str
@@ -153,3 +154,4 @@ class Dish:
     stacked: bool = False
     grilled: bool = False
     laid: bool = False
+    dressed: bool = False

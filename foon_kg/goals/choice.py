@@ -14,6 +14,7 @@ from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.outlines import Outlines, Sought
 from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.poured_over import is_poured_over
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
@@ -296,6 +297,10 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
 def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:
     yield from _against_heat(layout, joins, dish_type, title, known)
     spots = layout.spots
+    dressed = any(dish.dressed for dish in known.dishes_named(dish_type, title))
+    solid = [join for join in joins if not is_poured_over(join.want, join.slot)]
+    if dressed and len(solid) > 1 and _is_only_poured(layout, known):
+        yield f"{layout.frame.goal.label} is only what comes over such a dish"
     for spot in spots:
         if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
             continue
@@ -310,6 +315,14 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
             yield f"{join.want.label} would run off"
         if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
+
+
+def _is_only_poured(layout: Layout, known: Tables) -> bool:
+    """Whether the recorded dish is a dressing and nothing else: nearly all of it runs or seasons."""
+    slots = list(layout.frame.line.all_slots())
+    foods = [known.foods.food(slot.food, slot.states) for slot in slots]
+    parts = [food.is_a("herb", *word_list("is poured over")) for food in foods]
+    return sum(parts) >= _MOST * len(slots)
 
 
 def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:

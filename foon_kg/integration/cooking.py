@@ -76,15 +76,22 @@ class Cooking:
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
-            self.ready[want.number] = Ready(
-                want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage), whole_shell=True
-            )
+            taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
+            self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True))
             return
         ready = self.preparer.prepare(want, form, divided=not blended)
+        if first:
+            ready = self._cut_once_done(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
         if want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
+
+    def _cut_once_done(self, ready: Ready) -> Ready:
+        """Have what is eaten in pieces cut when it is cooked."""
+        if self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked")):
+            self.preparer.cut_once_done(ready)
+        return ready
 
     # --- lines ---
 
@@ -384,9 +391,10 @@ class Cooking:
         rises = stage.motion in word_list("rises")
         if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
             return True
-        if single and mixes and not heats and (stage.does <= {"mix"} or self._is_done_so(stage, vessel.contents[0])):
+        needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
+        if single and mixes and not heats and needless:
             return True
-        if mixes and stage.does <= {"mix", "blend", "move"} and self._is_mixed(stage, vessel):
+        if mixes and stage.does <= {"mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         return not mixes and not heats and "wait" not in stage.does and single and not rolled

@@ -21,7 +21,7 @@ class Plan:
     their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
     or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end;
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold;
-    ``grilled``: it is fried once it is put together.
+    ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork.
     """
 
     label: str
@@ -34,6 +34,7 @@ class Plan:
     one_pot: bool = False
     cold: bool = False
     grilled: bool = False
+    in_pieces: bool = False
 
 
 class Course:

@@ -261,6 +261,12 @@ class Preparer:
         )
         return mashed and bool({"cook", "boil"} & want.facts.owes.keys())
 
+    def cut_once_done(self, ready: Ready) -> None:
+        """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
+        whole = not any((self.known.state(state).fine or 0) > 0 for state in ready.stuff.states)
+        if whole and not ready.cut_later:
+            ready.cut_later = self._usual_cut(ready.want)
+
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""

@@ -24,6 +24,7 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.places import Matcher
+from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -226,20 +227,24 @@ class _Question:
         own = own and is_truly(fit, self.known)
         own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
-        tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
+        named = self.known.dishes_named(dish_type, self.recipe.title or "")
+        tins = [dish.tin for dish in named if dish.tin]
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        named = self.known.dishes_named(dish_type, self.recipe.title or "")
         stacked = any(dish.stacked for dish in named)
         grilled = stacked and any(dish.grilled for dish in named)
         tin = tins[-1] if tins else ""
+        line, joins = frame.line, fit.joins
+        dressed = any(dish.dressed for dish in named)
+        if dressed:
+            line, joins = dressed_apart(line, joins)
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         cold = not word_list("is served cold").isdisjoint(told)
         one_pot = not word_list("boils in the dish").isdisjoint(told)
         plan = Plan(
-            label, frame.goal.label, fit.joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, grilled
-        )
-        cooking = Cooking(bench, frame.line, plan)
+            label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, grilled, dressed
+        )  # fmt: skip
+        cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
         result = self._result(fit, tree, dish_type)
