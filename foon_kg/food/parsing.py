@@ -129,6 +129,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("grilled", False),
         row.get("laid", False),
         row.get("dressed", False),
+        row.get("mashed", False),
     )
 
 

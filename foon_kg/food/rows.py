@@ -141,7 +141,8 @@ class Dish:
     comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
     ``stacked``: it is put together on bread, and what needs no cooking only then.
     ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
-    ``dressed``: a dressing comes over it.
+    ``dressed``: a dressing comes over it. ``mashed``: it is
+    boiled and mashed with the rest, and done.
     """
 
     name: str
@@ -155,3 +156,4 @@ class Dish:
     grilled: bool = False
     laid: bool = False
     dressed: bool = False
+    mashed: bool = False

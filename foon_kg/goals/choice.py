@@ -83,6 +83,9 @@ _UNTOLD_OVEN = 0.25
 _MIXED = 0.4
 """What a frame is less worth that mixes what should lie on dough."""
 
+_HEATED = 0.6
+"""What a frame is less worth that heats the whole of what is only stacked."""
+
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
 
@@ -152,12 +155,24 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
     if title and named < _BY_TITLE and _bakes(layout) and not _is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
+    if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_base(joins):
+        score -= _HEATED
     laid = any(dish.laid for dish in known.dishes_named(dish_type, title))
     score -= _MIXED if laid and layout.laid is None else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _is_cold(dish_type: str, title: str, known: Tables) -> bool:
+    """Whether nothing says that a dish is heated as a whole."""
+    by_type = any(dish.heated for dish in known.dishes_named(dish_type))
+    return not by_type and not any(dish.grilled for dish in known.dishes_named(dish_type, title))
+
+
+def _heats_base(joins: Sequence[Join]) -> bool:
+    return any(join.spot.heats_later for join in joins if join.want.facts.is_a(*_BAKED_ON))
 
 
 def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -> float:
@@ -318,7 +333,9 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
 
 
 def _is_only_poured(layout: Layout, known: Tables) -> bool:
-    """Whether the recorded dish is a dressing and nothing else: nearly all of it runs or seasons."""
+    """Whether the recorded dish is a dressing and nothing else, by its name and what is in it."""
+    if any(dish.dressed for dish in known.dishes_named(layout.frame.goal.label)):
+        return False
     slots = list(layout.frame.line.all_slots())
     foods = [known.foods.food(slot.food, slot.states) for slot in slots]
     parts = [food.is_a("herb", *word_list("is poured over")) for food in foods]

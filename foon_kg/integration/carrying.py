@@ -36,8 +36,8 @@ class Carrier:
         self.bench.bring([ready.stuff], vessel, attested, (state,))
         ready.whole_shell = False
 
-    def transfer(self, source: Vessel, target: Vessel, stage: Stage) -> None:
-        """Bring all that is in one vessel into another; water runs off where that is a strainer."""
+    def transfer(self, source: Vessel, target: Vessel, stage: Stage, *, whole: bool = False) -> None:
+        """Bring all that is in one vessel into another (as one piece: ``whole``); water runs off in a strainer."""
         stuffs = list(source.contents)
         row = self.known.utensil(target.label)
         water = [stuff for stuff in stuffs if not stuff.mixed and self.known.foods.food(stuff.label).is_a("water")]
@@ -45,7 +45,9 @@ class Carrier:
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
         foods = foods_of(source)
-        shaped = not word_list("keeps its shape").isdisjoint({state for stuff in stuffs for state in stuff.states})
+        shaped = whole or not word_list("keeps its shape").isdisjoint(
+            {state for stuff in stuffs for state in stuff.states}
+        )
         runs = (len(stuffs) > 1 and not shaped) or any(
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs

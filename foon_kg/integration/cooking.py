@@ -65,8 +65,11 @@ class Cooking:
 
     def _prepare(self, join: Join) -> None:
         stage, want = join.spot.stage, join.want
-        blended = not stage.does.isdisjoint({"blend", "mash"}) or any(
-            not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does
+        mashed = "mash" in stage.does and "mix" not in stage.does
+        blended = (
+            mashed
+            or "blend" in stage.does
+            or any(not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does)
         )
         form = join.slot.states if join.slot is not None else ()
         if self.plan.stacked and want.facts.is_a(*word_list("is split")):

@@ -289,7 +289,8 @@ class Matcher:
             fit = self._fit(want, place.slot)
             if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (main and place.main)):
                 fit = _SAME_ROLE
-            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind:
+            bound = main and place.main and place.spot is layout.bound  # of whatever patties are made
+            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind and not bound:
                 # a like food may join elsewhere than foods of this one's kind do: chives late, onions early
                 if usual is None:
                     usual = max(self.posts.likely(want, post, dish_type) for post in layout.posts)

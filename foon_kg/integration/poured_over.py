@@ -38,19 +38,24 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     """
     parts = [join for join in joins if is_poured_over(join.want, join.slot)]
     rest = [join for join in joins if join not in parts]
-    runs = [join for join in parts if not join.want.facts.is_a("spice", "herb") or join.want.facts.is_a(*_BODY)]
+    runs = [join for join in parts if not _only_seasons(join)]
     body = any(join.want.facts.is_a(*_BODY) for join in runs)
     beside = {id(stage): stage for stage in _beside(line)}
     cold = {number for number, stage in beside.items() if stage.does <= _BY_HAND or stage.does <= _BOILS}
     own = all(join.slot is not None and id(join.spot.stage) in beside.keys() - cold for join in runs)
     place = _last_mixing(line, rest)
-    if place is None or len(runs) < _LEAST or not body or own:
+    if place is None:
         return line, tuple(joins)
     last = line.stages[place]
+    if len(runs) < _LEAST or not body or own:
+        boiled = {number for number, stage in beside.items() if stage.does <= _BOILS}
+        return line, tuple(
+            _apart(join, last, line.stages[place + 1 :]) if id(join.spot.stage) in boiled else join for join in joins
+        )
     before = {id(one): _without_work(one) for one in line.stages[: place + 1] if _is_mixing(one)}
     gathered = before[id(last)] = _without_work(last)
     over = replace(_MIXING, step=last.step)
-    mixes = last if "mix" in last.does else replace(last, motion=_MIXING.motion, does=_MIXING.does, tools=())
+    mixes = last if {"mix"} <= last.does and "mash" not in last.does else _plain(last)
     tossed = replace(mixes, adds=(Line((over,)),))
     found = []
     for join in joins:
@@ -61,11 +66,25 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
         elif still is not None:
             found.append(replace(join, spot=replace(join.spot, stage=still)))
         elif id(stage) in cold:
-            found.append(Join(join.want, replace(join.spot, stage=gathered), fit))
+            found.append(_apart(join, gathered, (tossed, *line.stages[place + 1 :])))
         else:
             found.append(join)
     first = [before.get(id(one), one) for one in line.stages[:place]]
     return Line((*first, gathered, tossed, *line.stages[place + 1 :])), tuple(found)
+
+
+def _plain(stage: Stage) -> Stage:
+    return replace(stage, motion=_MIXING.motion, does=_MIXING.does, tools=())
+
+
+def _only_seasons(join: Join) -> bool:
+    facts = join.want.facts
+    return facts.is_a("spice", "herb") and not facts.is_a("ready", "liquid", *_BODY)
+
+
+def _apart(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+    """Return a join that comes to a stage by itself, and is cooked by itself if it has to be."""
+    return Join(join.want, replace(join.spot, stage=stage, after=after, side=False), min(join.fit, NATURAL))
 
 
 def _is_mixing(stage: Stage) -> bool:

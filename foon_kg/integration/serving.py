@@ -116,7 +116,7 @@ class Serving:
         for join in fats:
             self._bring(join, pan)
         self.bench.switch(pan, device, on=True)
-        self.carry.transfer(plate, pan, stage)
+        self.carry.transfer(plate, pan, stage, whole=True)
         foods = foods_of(pan)
         heats = [way for way in self.bench.operators.ways.get("heat", ()) if self._only(way, {"heat"})]
         turns = [way for way in self.bench.operators.ways.get("turn", ()) if self._only(way, {"turn"})]
@@ -126,7 +126,7 @@ class Serving:
         self.bench.work(pan, heated, self.plan.label, ("cooked",))
         self.bench.heat_off(pan)
         served = self.bench.vessel("plate")
-        self.carry.transfer(pan, served, stage)
+        self.carry.transfer(pan, served, stage, whole=True)
         return served
 
     def _only(self, way: Way, does: set[str]) -> bool:

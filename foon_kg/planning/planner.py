@@ -19,9 +19,11 @@ from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
+from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.places import Matcher
 from foon_kg.integration.poured_over import dressed_apart
@@ -235,6 +237,10 @@ class _Question:
         grilled = stacked and any(dish.grilled for dish in named)
         tin = tins[-1] if tins else ""
         line, joins = frame.line, fit.joins
+        if any(dish.mashed for dish in named):
+            line, joins = mashed_only(joins)
+        if stacked:
+            line, joins = coated_apart(line, joins)
         dressed = any(dish.dressed for dish in named)
         if dressed:
             line, joins = dressed_apart(line, joins)
