@@ -9,6 +9,7 @@ import numpy as np
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import is_of_batter, is_of_dough, is_thin
 from foon_kg.integration.frames import Frame, Line
 from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
@@ -73,6 +74,9 @@ _AS_RECORDED, _VERY = 0.3, 0.99
 
 _STRANGE, _MOST_STRANGE = 0.12, 0.3
 """What a word counts by which only the recorded dish is called (pesto, grilled), and all of them at most."""
+
+_AWKWARD = 0.2
+"""What a frame is less worth that makes a batter in an odd way."""
 
 _DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be, or most of its foods are lost."""
@@ -149,6 +153,12 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
     own = frame.dish_type == dish_type or named >= _CALLED_SO
+    if any(dish.tin for dish in known.dishes_named(dish_type)):
+        if is_of_batter(wants):
+            own = layout.batter is not None
+            score += _batter_score(layout, wants, title, known)
+        elif is_of_dough(wants):
+            own = _makes_dough(layout, known)
     score += 0.2 * named + (1.0 if own and _defined(joins, dish_type, known) else 0.0)
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
@@ -173,6 +183,27 @@ def _is_cold(dish_type: str, title: str, known: Tables) -> bool:
 
 def _heats_base(joins: Sequence[Join]) -> bool:
     return any(join.spot.heats_later for join in joins if join.want.facts.is_a(*_BAKED_ON))
+
+
+def _makes_dough(layout: Layout, known: Tables) -> bool:
+    """Whether a frame bakes a dough that is mixed at once."""
+    tin = any(dish.tin for dish in known.dishes_named(layout.frame.dish_type))
+    flour = any(known.foods.food(place.slot.food, place.slot.states).is_a("flour") for place in layout.places)
+    return tin and flour and layout.batter is None
+
+
+def _batter_score(layout: Layout, wants: Sequence[Want], title: str, known: Tables) -> float:
+    """Return what speaks for a frame and against it where a batter is asked, or a dough that nobody kneads."""
+    rows = [known.utensil(spot.stage.vessel) for spot in layout.spots if "cut" in spot.stage.does and not spot.side]
+    cut = any(row is not None and "bake" in row.can for row in rows)
+    in_bowl = layout.batter is not None and layout.batter.fat.stage.vessel == "bowl"
+    watered = layout.batter is not None and is_thin(layout.batter) and not any(w.facts.is_a("water") for w in wants)
+    is_to_be_cut = not word_list("is cut when it is baked").isdisjoint(words(title))
+    return (
+        (0.0 if in_bowl else -_AWKWARD)
+        - (2 * _AWKWARD if watered else 0.0)
+        + (0.0 if not cut else 2 * _AWKWARD if is_to_be_cut else -2 * _AWKWARD)
+    )
 
 
 def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -> float:

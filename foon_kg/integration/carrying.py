@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from foon_kg.food import Tables, singular
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
@@ -45,15 +46,19 @@ class Carrier:
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
         foods = foods_of(source)
-        shaped = whole or not word_list("keeps its shape").isdisjoint(
-            {state for stuff in stuffs for state in stuff.states}
-        )
+        if "coat" in stage.does and stage.motion in word_list("greases"):
+            onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
+            if onto is not None and target.contents:
+                self.bench.bring(stuffs, target, onto)
+                return
+        states = {state for stuff in stuffs for state in stuff.states}
+        shaped = whole or not word_list("keeps its shape").isdisjoint(states)
         runs = (len(stuffs) > 1 and not shaped) or any(
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs
         )
         solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
-        one_piece = len(solids) == 1 and (solids[0].mixed or shaped) and not runs
+        one_piece = len(solids) == 1 and (solids[0].mixed or shaped) and not runs and not self._is_loose(solids[0])
         form = "liquid" if runs else "whole" if one_piece else "pieces"
         usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
@@ -67,12 +72,28 @@ class Carrier:
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
 
+    def _is_loose(self, stuff: Stuff) -> bool:
+        """Whether a mixture is only of dry foods, that nothing holds together."""
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        cooked = any(self.known.state(state).needs_heat for state in stuff.states)
+        holds = any(food.is_a("creamy", "dough", "egg", "fat", "liquid", "water") for food in foods)
+        return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
+
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
         """Whether batter comes onto a tray: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
-        flour = any(self.known.foods.food(food).is_a("flour", "dough") for stuff in stuffs for food in stuff.foods)
-        return raw and flour and stuffs[-1].mixed and row is not None and "bake" in row.can and is_flat(target.label)
+        flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
+        kneaded = not word_list("keeps its shape").isdisjoint(stuffs[-1].states)
+        return (
+            raw
+            and flour
+            and not kneaded
+            and stuffs[-1].mixed
+            and row is not None
+            and "bake" in row.can
+            and is_flat(target.label)
+        )
 
     def add_fat(self, vessel: Vessel, plan: Plan) -> bool:
         """Bring some of the fat that was asked for into a pan; return whether there is any."""
@@ -118,7 +139,8 @@ class Carrier:
         if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
             return True
         if any(self.known.state(state).needs_heat for state in stuff.states):
-            sets = any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
+            baked = "baked" in stuff.states and binds(stuff.foods, self.known)
+            sets = baked or any(food.is_a("egg", "flour", "dough") for food in foods)  # what ran is solid now
             return not sets and any(food.is_a("liquid", "creamy") for food in foods)
         return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
 
@@ -132,7 +154,7 @@ class Carrier:
         if row is None or "bake" not in row.can or row.can & {"heat", "cook"}:
             return label
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
-        batter = [s for s in mixed if any(self.known.foods.food(f).is_a("flour", "dough") for f in s.foods)]
+        batter = [stuff for stuff in mixed if binds(stuff.foods, self.known)]
         in_portions = row.group == "tins"
         runs = any(self.is_wet(stuff) for stuff in batter)
         if tin and batter and (in_portions or runs):
@@ -143,6 +165,13 @@ class Carrier:
         )
         plain = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
         return _DEEP if is_flat(label) and wet and not plain and not batter else label
+
+    def deep_for(self, label: str, wants: Sequence[Want]) -> str:
+        """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""
+        row = self.known.utensil(label)
+        bakes = row is not None and "bake" in row.can and is_flat(label)
+        runs = any(want.facts.is_a("egg", "liquid") and not want.facts.is_a("fat") for want in wants)
+        return _DEEP if bakes and runs else label
 
     def _liquids(self, vessel: Vessel) -> list[str]:
         return [food for food in foods_of(vessel) if self.known.foods.food(food).is_a("liquid", "creamy")]
@@ -203,7 +232,11 @@ class Carrier:
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
         """Return how the video brings this very food in such a form."""
-        if slot is None or slot.food != singular(want.label) or not self._pure((slot.motion, slot.tools)):
+        if slot is None or slot.food != singular(want.label):
+            return []
+        if slot.motion in word_list("greases") and form_of(self.known, want.label, stuff.states) == "soft":
+            return list(self.bench.operators.ways_of(slot.motion))
+        if not self._pure((slot.motion, slot.tools)):
             return []
         known = self.bench.known
         alike = form_of(known, slot.food, slot.states) == form_of(known, want.label, stuff.states)

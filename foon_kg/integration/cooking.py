@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
+from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
@@ -153,7 +154,7 @@ class Cooking:
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
         if vessel is not None and dressed and not lines and self.serving.is_warmed(vessel):
             return self.serving.warm(stage, vessel, joins)
-        label = self._label_for(stage, vessel, lines, dressed=dressed)
+        label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
         if (
@@ -179,11 +180,15 @@ class Cooking:
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
 
-    def _label_for(self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], *, dressed: bool) -> str:
+    def _label_for(
+        self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
+    ) -> str:
         """Return what a stage is done in: in the frame's vessel, where that suits what comes into it."""
         label = self.utensils.vessel_label(stage, vessel, self.utensils.device_for(stage)[0])
         comes = vessel if vessel is not None else next(iter(lines), None)
-        if comes is not None and label != comes.label:
+        if comes is None:
+            label = self.carry.deep_for(label, [join.want for join in joins])
+        elif label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin)
         return "bowl" if dressed and is_flat(label) else label
 
@@ -248,7 +253,7 @@ class Cooking:
         soft = any(
             stuff.mixed
             and not any(self.known.state(state).needs_heat for state in stuff.states)
-            and any(self.known.foods.food(f).is_a("flour", "dough", "egg") for f in stuff.foods)
+            and (binds(stuff.foods, self.known) or any(self.known.foods.food(f).is_a("egg") for f in stuff.foods))
             for stuff in vessel.contents
         )
         fat = next((j.want for j in self.plan.joins if j.want.facts.is_a("fat") and j.want.facts.is_a("stock")), None)
@@ -368,7 +373,7 @@ class Cooking:
             return
         if product:
             self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
-            if mixes and not heats:
+            if mixes and not heats and not any(one.does & MIXES and self.course.stage_alive(one) for one in later):
                 self.work.let_rise(vessel, [stage, *later])
         else:
             self.work.work_each(vessel, attested, states, with_device=bool(device))

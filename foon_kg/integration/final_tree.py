@@ -112,11 +112,17 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
 
 def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
     """Return the state that a food had last while it was by itself: the one that somebody made, if any did."""
+    if want.cooked and bench.known.state(want.asked).needs_heat:
+        return "cooked"
     last: tuple[str, ...] = ()
     for done in bench.done:
-        for mention in (*done.step.inputs, *done.step.outputs):
-            if mention.thing == stuff.number and mention.node.states:
-                last = mention.node.states
+        foods = [m for m in done.step.inputs if bench.known.utensil(singular(m.node.label)) is None]
+        if not any(mention.thing == stuff.number for mention in foods):
+            continue
+        told = done.step.inputs if len(foods) > 1 else (*done.step.inputs, *done.step.outputs)
+        last = next((m.node.states for m in reversed(told) if m.thing == stuff.number and m.node.states), last)
+        if len(foods) > 1:
+            break
     made = [state for state in last if state not in want.leaf]
     return next(iter((*made, *last, *want.leaf)), "")
 

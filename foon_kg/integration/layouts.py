@@ -12,6 +12,7 @@ from functools import cached_property
 
 from foon_kg.food import Food, Level, Tables, singular
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import Batter, batter_of
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
 
 MAIN = word_list("is the main part")
@@ -89,9 +90,10 @@ class Layout:
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
     ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked. ``laid`` is where
     foods are laid on dough that is rolled out, before it is baked. ``turned`` is where what was fried on both sides is
-    served. ``past`` is where other foods join a dish that is boiled and drained, and no more. ``raw``: something in it
-    is never cooked that has to be. ``dry``: there is nothing like a soup in it. ``made`` has what the dish makes on its
-    way, by its words, whether that is a dough and is shaped, and the stage that takes it.
+    served. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is boiled and
+    drained, and no more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing like a soup
+    in it. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the
+    stage that takes it.
     """
 
     frame: Frame
@@ -104,6 +106,7 @@ class Layout:
     pan: Spot | None
     laid: Spot | None
     turned: Spot | None
+    batter: Batter | None
     heats: bool
     dry: bool
     raw: bool
@@ -139,6 +142,7 @@ class Layout:
             _pan(spots, bound),
             laid,
             _turned(spots),
+            batter_of(spots, known),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
             not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in spots),
             any(_stays_raw(place, frame.dish_type, known) for place in places),

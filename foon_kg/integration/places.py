@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Level, Tables, singular, tables
 from foon_kg.food.lists import word_list
+from foon_kg.integration.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.frames import Frame, Slot
 from foon_kg.integration.layouts import MAIN, Layout, Place, Post, Spot, is_need, only_carries, spots_of
 from foon_kg.integration.preparation import Want, owed
@@ -223,7 +224,10 @@ class Matcher:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
         found = [self._join(layout, want, stacked=stacked) for want in wants]
         found = [_in_its_layer(layout, join) for join in _on_ready_dough(layout, found)]
-        return _without_lone(layout, found)
+        joins = _without_lone(layout, found)
+        if layout.batter is None or not (is_of_batter(wants) or is_of_dough(wants)):
+            return joins
+        return tuple(as_batter(layout.batter, joins, self.known))
 
     def _join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
         ready_made = self._in_place_of(layout, want) if want.facts.is_a("made", "dough", "ready") else None

@@ -46,6 +46,7 @@ class Worker:
     def kept_states(self, vessel: Vessel) -> tuple[str, ...]:
         """Return the states that the one mixture in a vessel keeps when something joins it."""
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        mixed = [stuff for stuff in mixed if stuff.label == self.plan.label] or mixed  # the dish, beside its frosting
         states = mixed[0].states if len(mixed) == 1 else ()
         beside = [self.known.foods.food(stuff.label) for stuff in vessel.contents if stuff not in mixed]
         stacked = self.plan.stacked and any(not facts.is_a("topping", "herb") for facts in beside)
@@ -99,6 +100,8 @@ class Worker:
             [] if kneads else [([way for way in self.bench.operators.ways.get("knead", ()) if not way[1]], "kneaded")]
         )
         works.append(([way for motion in rises for way in self.bench.operators.ways_of(motion)], "rested"))
+        if self.plan.flat:
+            works.append(([("press", ())], "flattened"))
         for ways, state in works:
             attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
             whole = vessel.contents[0]
@@ -198,7 +201,7 @@ class Worker:
         kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
         if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
-        if product and len(vessel.contents) == 1:
+        if product and len(vessel.contents) == 1 and "dry" not in does:
             states |= kept
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
@@ -207,8 +210,10 @@ class Worker:
         if "knead" in does:
             states.add("kneaded")
         states |= self._heated(way, finished=finished)
+        if way[0] in word_list("cools") and len(vessel.contents) == 1:
+            states |= set(vessel.contents[0].states)
         if "wait" in does:
-            states |= {"chilled"} if way[0] == "chill" else {"rested"}
+            states |= {"chilled"} if way[0] == "chill" else {"cooled"} if way[0] in word_list("cools") else {"rested"}
         if not states and stage.motion:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])

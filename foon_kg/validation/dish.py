@@ -113,7 +113,7 @@ def asked(case: Case) -> Iterator[Finding]:
         parts = _parts_of(case, food)
         if not parts:
             yield Finding("K6", f"{food} was asked for and is not in the dish", None, (case.goal,) if case.goal else ())
-        elif mixing and all(_left_out(part, max(mixing)) for part in parts) and _mixes(case):
+        elif mixing and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
 
 
@@ -127,11 +127,13 @@ def _parts_of(case: Case, food: str) -> list[Part]:
     ]  # fmt: skip
 
 
-def _left_out(part: Part, last: int) -> bool:
+def _left_out(case: Case, part: Part, last: int) -> bool:
     if part.mixed == last:
         return False  # it came on with the mixture: batter into a greased tin
-    later = part.joined is not None and part.joined > last
-    return later and not part.food.is_a(
+    if part.joined is None or part.joined <= last:
+        return False
+    baked_on = any(h.does("dry") and h.number > part.joined for h in case.happenings)  # as what lies on a pizza
+    return not baked_on and not part.food.is_a(
         "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
     )
 

@@ -1,4 +1,4 @@
-"""What a dish is put together of: bread below and above, what is poured over, what is coated, what is laid in layers."""
+"""What a dish is put together of: bread below and above, a dressing, a coating, layers."""
 
 from __future__ import annotations
 

@@ -1,0 +1,130 @@
+"""What is baked: a batter comes together in its order, its parts are made apart, and a bake ends in the oven."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+
+from foon_kg.food import tables
+from foon_kg.integration.batters import is_of_batter, is_of_dough
+from foon_kg.integration.operators import Operators
+from foon_kg.integration.parts import parts_of
+from foon_kg.integration.preparation import wants_of
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planning.planner import Planner
+from foon_kg.settings import PlanSettings
+
+KNOWN = tables()
+CAKE = {
+    "flour": "", "sugar": "", "vegetable oil": "", "egg": "", "baking soda": "", "carrot": "grated",
+    "walnut": "chopped", "lemon juice": "",
+}  # fmt: skip
+FROSTING = {"cream cheese": "softened", "butter": "softened", "powdered sugar": ""}
+BREAD = {"flour": "", "yeast": "", "water": "", "olive oil": "", "salt": "", "cherry tomato": "halved"}
+
+
+def asked(**foods):
+    return [RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items()]
+
+
+def wants(foods):
+    return wants_of(asked(**foods), KNOWN, Operators(()))
+
+
+def names(part):
+    return {want.label for want in part.wants}
+
+
+@pytest.fixture(scope="module")
+def planner():
+    snapshot = public_snapshot()
+    return Planner(snapshot, PlanSettings(), snapshot.units)
+
+
+def steps(planner, dish_type, title, foods):
+    """Return each step as its motion, the labels that go in, and those that come out."""
+    units = planner.plan(Recipe(dish_type, tuple(asked(**foods)), "one", title)).units
+    return [
+        (unit.motion_node, {node.label for node in unit.input_nodes}, {node.label for node in unit.output_nodes})
+        for unit in units
+    ]
+
+
+def place(told, food, motions):
+    """Return the first step of such a motion that a food is in."""
+    return next(n for n, (motion, into, _) in enumerate(told) if motion in motions and food in into)
+
+
+def test_flour_without_yeast_makes_a_batter_and_with_it_a_dough():
+    assert is_of_batter(wants(CAKE))
+    assert not is_of_batter(wants(BREAD))
+    assert is_of_dough(wants(BREAD))
+    assert not is_of_batter(wants({"bread": "sliced", "flour": "", "egg": ""}))
+
+
+def test_soft_cheese_with_icing_sugar_and_a_second_fat_is_a_part():
+    rest, (part,) = parts_of(wants(CAKE | FROSTING), "cake", "", (), KNOWN)
+    assert names(part) == {*FROSTING}
+    assert {want.label for want in rest} == {*CAKE}
+
+
+def test_the_only_sugar_and_the_only_fat_are_the_batters():
+    foods = {"flour": "", "powdered sugar": "", "butter": "", "tahini": ""}
+    assert parts_of(wants(foods), "cookie", "", (), KNOWN)[1] == ()
+
+
+def test_of_a_food_listed_twice_a_second_portion_belongs_to_the_part():
+    foods = CAKE | {"cream cheese": "", "butter": ""}
+    rest, (part,) = parts_of(wants(foods), "cake", "", {"sugar", "butter"}, KNOWN)
+    assert names(part) == {"cream cheese", "butter", "sugar"}
+    assert {"sugar", "butter"} <= {want.label for want in rest}
+    assert not {want.number for want in part.wants} & {want.number for want in rest}
+
+
+@pytest.mark.parametrize(("title", "count"), [("glazed lemon cake", 2), ("lemon cake", 1)])
+def test_icing_sugar_is_stirred_to_a_glaze_where_the_title_says_so_and_dusted_else(title, count):
+    _, (part,) = parts_of(wants(CAKE | {"powdered sugar": ""}), "cake", title, (), KNOWN)
+    assert len(part.wants) == count
+
+
+def test_only_what_is_baked_in_a_tin_has_parts():
+    assert parts_of(wants(CAKE | FROSTING), "soup", "", (), KNOWN)[1] == ()
+
+
+def test_tomatoes_lie_on_a_dough():
+    _, (part,) = parts_of(wants(BREAD), "bread", "", (), KNOWN)
+    assert part.baked
+    assert names(part) == {"cherry tomato"}
+
+
+@pytest.mark.parametrize("dish_type", ["cake", "muffin", "cookie", "bread"])
+def test_juice_joins_what_runs_and_pieces_are_folded_in_last(planner, dish_type):
+    told = steps(planner, dish_type, "", CAKE)
+    mixing = {"mix", "stir", "beat", "blend", "fold", "whisk"}
+    dry = place(told, "baking soda", mixing)
+    assert not {"lemon juice", "walnut", "carrot", "vegetable oil"} & told[dry][1]
+    assert place(told, "walnut", mixing) > place(told, "lemon juice", mixing)
+    assert place(told, "vegetable oil", mixing) < place(told, "walnut", mixing)
+
+
+def test_a_cake_is_covered_when_it_has_cooled(planner):
+    told = steps(planner, "cake", "carrot cake", CAKE | FROSTING)
+    motions = [motion for motion, _, _ in told]
+    assert motions.index("bake") < motions.index("cool down")
+    assert motions[-1] == "spread"
+
+
+def test_a_bake_comes_into_the_oven_with_its_crumbs_on_top(planner):
+    foods = {"rice": "", "broccoli": "chopped", "milk": "", "butter": "", "cheddar cheese": "grated"}
+    told = steps(planner, "rice", "broccoli rice bake", foods)
+    baked = place(told, "cheddar cheese", {"bake"})
+    assert told[baked][1] >= {"baking dish", "oven"}
+
+
+@pytest.mark.parametrize(("title", "tin"), [("soft naan", "baking tray"), ("white loaf", "loaf pan")])
+def test_a_dough_rises_once_and_is_baked_in_what_suits_it(planner, title, tin):
+    told = steps(planner, "bread", title, BREAD)
+    motions = [motion for motion, _, _ in told]
+    assert motions.count("knead") == 1
+    assert ("press" in motions) == (tin == "baking tray")
+    assert any(motion == "bake" and tin in into for motion, into, _ in told)
