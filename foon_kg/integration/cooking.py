@@ -402,7 +402,7 @@ class Cooking:
         needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
         if single and mixes and not heats and needless:
             return True
-        if mixes and stage.does <= {"mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):
+        if mixes and stage.does <= {"mash", "mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         return not mixes and not heats and "wait" not in stage.does and single and not rolled

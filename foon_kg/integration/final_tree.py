@@ -15,6 +15,7 @@ from foon_kg.model import ObjectNode
 from foon_kg.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
 
 MOST_ALTERNATIVES = 3
+_COOKED = "cooked"
 _READ = 1.0
 """How sure it is what a crude word of a recipe means."""
 
@@ -112,8 +113,8 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
 
 def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
     """Return the state that a food had last while it was by itself: the one that somebody made, if any did."""
-    if want.cooked and bench.known.state(want.asked).needs_heat:
-        return "cooked"
+    if want.cooked and want.asked != _COOKED and bench.known.state(want.asked).needs_heat:
+        return _COOKED
     last: tuple[str, ...] = ()
     for done in bench.done:
         foods = [m for m in done.step.inputs if bench.known.utensil(singular(m.node.label)) is None]

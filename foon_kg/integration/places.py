@@ -313,7 +313,8 @@ class Matcher:
         slow = must and want.facts.is_a(*MAIN) and want.facts.is_a(*_FLESH)
         hot = max(1, *(sum("heat" in stage.does for stage in (spot.stage, *spot.after)) for spot in layout.spots))
         found, most, best = layout.spots[0], 0.0, -1.0
-        for spot in layout.open:
+        apart = [spot for spot in layout.open if "mash" not in spot.stage.does or "heat" in spot.stage.does]
+        for spot in apart or layout.open:  # what its video mashes is mashed, and nothing else with it
             if spot.post[0] == "top" and not tops:
                 continue
             likely = self.posts.likely(want, spot.post, layout.frame.dish_type)
