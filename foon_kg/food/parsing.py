@@ -126,6 +126,10 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("baked", False),
         row.get("tin", ""),
         row.get("stacked", False),
+        row.get("grilled", False),
+        row.get("laid", False),
+        row.get("dressed", False),
+        row.get("mashed", False),
     )
 
 

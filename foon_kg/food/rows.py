@@ -140,6 +140,9 @@ class Dish:
     ``eases`` are kinds of which raw food is odd in it and no danger (egg in a drink). ``baked``: it
     comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
     ``stacked``: it is put together on bread, and what needs no cooking only then.
+    ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
+    ``dressed``: a dressing comes over it. ``mashed``: it is
+    boiled and mashed with the rest, and done.
     """
 
     name: str
@@ -150,3 +153,7 @@ class Dish:
     baked: bool = False
     tin: str = ""
     stacked: bool = False
+    grilled: bool = False
+    laid: bool = False
+    dressed: bool = False
+    mashed: bool = False

@@ -10,15 +10,17 @@ import numpy as np
 from foon_kg.food import Tables, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import is_of_batter, is_of_dough, is_thin
-from foon_kg.integration.frames import Frame
+from foon_kg.integration.frames import Frame, Line
 from foon_kg.integration.layouts import Layout, Spot
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.outlines import Outlines, Sought
 from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.poured_over import is_poured_over
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.world.becoming import meets
 
 _CARRIES = word_list("a dish is built on")
+_BAKED_ON = frozenset({"dough", *word_list("carries what is stacked")})
 _SEASONS = word_list("only seasons")
 _WORKED_IN = word_list("is worked in")
 
@@ -81,6 +83,12 @@ _DAMAGED = 0.5
 
 _UNTOLD_OVEN = 0.25
 """What a frame is less worth that bakes a dish which nobody calls baked."""
+
+_MIXED = 0.4
+"""What a frame is less worth that mixes what should lie on dough."""
+
+_HEATED = 0.6
+"""What a frame is less worth that heats the whole of what is only stacked."""
 
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
@@ -160,10 +168,24 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
     if title and named < _BY_TITLE and _bakes(layout) and not _is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
+    if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_base(joins):
+        score -= _HEATED
+    laid = any(dish.laid for dish in known.dishes_named(dish_type, title))
+    score -= _MIXED if laid and layout.laid is None else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _is_cold(dish_type: str, title: str, known: Tables) -> bool:
+    """Whether nothing says that a dish is heated as a whole."""
+    by_type = any(dish.heated for dish in known.dishes_named(dish_type))
+    return not by_type and not any(dish.grilled for dish in known.dishes_named(dish_type, title))
+
+
+def _heats_base(joins: Sequence[Join]) -> bool:
+    return any(join.spot.heats_later for join in joins if join.want.facts.is_a(*_BAKED_ON))
 
 
 def _makes_dough(layout: Layout, known: Tables) -> bool:
@@ -318,6 +340,10 @@ def missing_core(frame: Frame, wants: Sequence[Want], known: Tables) -> tuple[st
 def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:
     yield from _against_heat(layout, joins, dish_type, title, known)
     spots = layout.spots
+    dressed = any(dish.dressed for dish in known.dishes_named(dish_type, title))
+    solid = [join for join in joins if not is_poured_over(join.want, join.slot)]
+    if dressed and len(solid) > 1 and _is_only_poured(layout, known):
+        yield f"{layout.frame.goal.label} is only what comes over such a dish"
     for spot in spots:
         if spot.post[0] not in {"knead", "shape"} or spot.stage.does & {"heat"}:
             continue
@@ -334,6 +360,16 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
             yield f"{join.want.label} would be worked into it"
 
 
+def _is_only_poured(layout: Layout, known: Tables) -> bool:
+    """Whether the recorded dish is a dressing and nothing else, by its name and what is in it."""
+    if any(dish.dressed for dish in known.dishes_named(layout.frame.goal.label)):
+        return False
+    slots = list(layout.frame.line.all_slots())
+    foods = [known.foods.food(slot.food, slot.states) for slot in slots]
+    parts = [food.is_a("herb", *word_list("is poured over")) for food in foods]
+    return sum(parts) >= _MOST * len(slots)
+
+
 def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, known: Tables) -> Iterator[str]:
     frame, spots = layout.frame, layout.spots
     heats = any(not spot.stage.does.isdisjoint({"heat", "warm"}) for spot in spots)
@@ -343,16 +379,37 @@ def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: 
         if "heat" in spot.stage.does
     )
     unbaked = is_unbaked(title)
+    dishes = known.dishes_named(dish_type, title)
+    stacked = any(dish.stacked for dish in dishes)
+    grilled = stacked and any(dish.grilled for dish in dishes)
+    if stacked and _base_is_heated_alone(layout, known):
+        yield f"what it is laid on is heated by itself in {frame.goal.label}"
     if unbaked and bakes:
         yield f"it is not to be baked, and {frame.goal.label} is"
     for dish in known.dishes_named(dish_type, title) if not unbaked else ():
+        unheated = (join.want for join in joins if not join.spot.heats_later and join.want.facts.is_a(*_BAKED_ON))
+        if dish.laid and (want := next(unheated, None)) is not None:
+            yield f"{want.label} would not be baked"
         if dish.baked and not bakes:
             yield f"{dish.name} is baked, and {frame.goal.label} is not"
-        if dish.heated and not heats and not any(slot.cooked for slot in frame.line.all_slots()):
+        if dish.heated and not heats and not grilled and not any(slot.cooked for slot in frame.line.all_slots()):
             if dish.is_type or not any({"cook", "boil"} & owed(join.want, known) for join in joins):
                 yield f"{dish.name} is hot, and {frame.goal.label} is not"
         elif dish.heated and _ends_raw(spots):
             yield f"{dish.name} is hot, and {frame.goal.label} is not cooked once it is shaped"
+
+
+def _base_is_heated_alone(layout: Layout, known: Tables) -> bool:
+    """Whether what a stacked dish is stacked on is heated before anything is laid on it."""
+    main = [spot for spot in layout.spots if not spot.side]
+    there: list[str] = []
+    for number, spot in enumerate(main):
+        there += [slot.food for slot in spot.stage.slots]
+        lines = any(isinstance(add, Line) for one in main[: number + 1] for add in one.stage.adds)
+        only = [food for food in there if not known.foods.food(food).is_a("fat")]
+        if only and not lines and not spot.stage.does.isdisjoint({"heat", "warm"}):
+            return all(known.foods.food(food).is_a(*word_list("carries what is stacked")) for food in only)
+    return False
 
 
 def _ends_raw(spots: Sequence[Spot]) -> bool:

@@ -314,6 +314,17 @@ class Bench:
             source_out = []
         self.emit(attested, inputs, change, [*outputs, *source_out])
 
+    def bring_part(self, stuff: Stuff, target: Vessel, attested: Attested) -> Stuff:
+        """Bring some of a food that is in pieces to ``target`` and return that; the rest stays where it is."""
+        part = Stuff(stuff.label, self.number(), stuff.states, stuff.foods, stuff.wants, target)
+        source: list[Thing] = [stuff.at] if stuff.at is not None else []
+
+        def change() -> None:
+            target.contents.append(part)
+
+        self.emit(attested, [target, *source, stuff], change, [target, part, stuff])
+        return part
+
     def work(
         self,
         vessel: Vessel,

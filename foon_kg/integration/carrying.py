@@ -37,8 +37,8 @@ class Carrier:
         self.bench.bring([ready.stuff], vessel, attested, (state,))
         ready.whole_shell = False
 
-    def transfer(self, source: Vessel, target: Vessel, stage: Stage) -> None:
-        """Bring all that is in one vessel into another; water runs off where that is a strainer."""
+    def transfer(self, source: Vessel, target: Vessel, stage: Stage, *, whole: bool = False) -> None:
+        """Bring all that is in one vessel into another (as one piece: ``whole``); water runs off in a strainer."""
         stuffs = list(source.contents)
         row = self.known.utensil(target.label)
         water = [stuff for stuff in stuffs if not stuff.mixed and self.known.foods.food(stuff.label).is_a("water")]
@@ -51,12 +51,14 @@ class Carrier:
             if onto is not None and target.contents:
                 self.bench.bring(stuffs, target, onto)
                 return
-        shaped = not word_list("keeps its shape").isdisjoint({state for stuff in stuffs for state in stuff.states})
+        states = {state for stuff in stuffs for state in stuff.states}
+        shaped = whole or not word_list("keeps its shape").isdisjoint(states)
         runs = (len(stuffs) > 1 and not shaped) or any(
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs
         )
-        one_piece = len(stuffs) == 1 and stuffs[0].mixed and not runs and not self._is_loose(stuffs[0])
+        solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
+        one_piece = len(solids) == 1 and (solids[0].mixed or shaped) and not runs and not self._is_loose(solids[0])
         form = "liquid" if runs else "whole" if one_piece else "pieces"
         usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
@@ -190,11 +192,21 @@ class Carrier:
         if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
             self.open_into(ready, vessel)
             return
-        stuff, want = ready.stuff, ready.want
+        stuff = ready.stuff
         source = stuff.at
         if source is vessel:
             return
         fats = self._pan_fat(stuff, source)
+        self.bench.bring([stuff, *fats], vessel, self._way_of(ready, slot))
+
+    def bring_part(self, ready: Ready, vessel: Vessel) -> None:
+        """Bring some of a food that is in pieces into or onto a vessel."""
+        self.bench.bring_part(ready.stuff, vessel, self._way_of(ready, None))
+
+    def _way_of(self, ready: Ready, slot: Slot | None) -> Attested:
+        """Return how one food is brought from where it is: as the slot has it, else as is usual for it."""
+        stuff, want = ready.stuff, ready.want
+        source = stuff.at
         role = "" if source is None else ("storage" if source.storage else "vessel")
         usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
         groups: list[list[Way]] = [self._as_shown(slot, want, stuff), self._by_store(usual, stuff, source)]
@@ -214,7 +226,7 @@ class Carrier:
                 break
         if attested is None:
             attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
-        self.bench.bring([stuff, *fats], vessel, attested)
+        return attested
 
     def _pan_fat(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
         """Return the fat in which a food was fried: it comes along."""
@@ -238,7 +250,8 @@ class Carrier:
     def _fitting(self, ways: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the ways that suit a thing: nothing in one piece is poured, and only what is in a can is sprayed."""
         row = self.known.utensil(source.label) if source is not None else None
-        poured = word_list("lies in one piece").isdisjoint(stuff.states)
+        slices = self.known.foods.food(stuff.label).is_a(*word_list("carries what is stacked"))
+        poured = word_list("lies in one piece").isdisjoint(stuff.states) and not slices
         sprayed = row is not None and source is not None and source.label in word_list("sprays")
         return [
             way

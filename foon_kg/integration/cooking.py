@@ -66,24 +66,36 @@ class Cooking:
 
     def _prepare(self, join: Join) -> None:
         stage, want = join.spot.stage, join.want
-        blended = not stage.does.isdisjoint({"blend", "mash"}) or any(
-            not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does
+        mashed = "mash" in stage.does and "mix" not in stage.does
+        blended = (
+            mashed
+            or "blend" in stage.does
+            or any(not one.does.isdisjoint({"blend"}) for one in join.spot.after[:1] if not stage.does)
         )
         form = join.slot.states if join.slot is not None else ()
         if self.plan.stacked and want.facts.is_a(*word_list("is split")):
             form = (*form, "halved")
+        if self.plan.stacked and want.facts.is_a(*word_list("is sliced to be stacked")):
+            form = (*form, "sliced")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
-            self.ready[want.number] = Ready(
-                want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage), whole_shell=True
-            )
+            taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
+            self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True))
             return
         ready = self.preparer.prepare(want, form, divided=not blended)
+        if first:
+            ready = self._cut_once_done(ready)
         self.ready[want.number] = ready
         self.alone.beaten_first(join, ready)
         if want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
+
+    def _cut_once_done(self, ready: Ready) -> Ready:
+        """Have what is eaten in pieces cut when it is cooked."""
+        if self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked")):
+            self.preparer.cut_once_done(ready)
+        return ready
 
     # --- lines ---
 
@@ -129,11 +141,14 @@ class Cooking:
     def _stage(
         self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage], *, main: bool
     ) -> Vessel | None:
-        joins = self.course.ordered(stage)
+        joins = self.serving.in_layers(self.course.ordered(stage))
         lines = [subs[id(add)] for add in stage.adds if isinstance(add, Line) and id(add) in subs]
         if vessel is None and not joins and not lines:
             return None
         if main and self.plan.stacked and self.serving.is_put_together(stage, joins, later):
+            for one in later:
+                joins += self.course.taken(one)
+                lines += [subs.pop(id(add)) for add in one.adds if isinstance(add, Line) and id(add) in subs]
             return self.serving.stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
@@ -150,7 +165,7 @@ class Cooking:
             self.bench.heat_off(vessel)
         if heats and relation == "on" and (vessel.device is None or vessel.device.label != device):
             self.bench.place(vessel, device, relation)
-        tops = [join for join in joins if dressed and join.want.facts.is_a("topping", "herb")]
+        tops = [join for join in joins if dressed and self.serving.lies_on_top(join)]
         self._add_all(
             stage, vessel, [join for join in joins if join not in tops], lines,
             heats=heats, relation=relation, later=later, main=main and not dressed,
@@ -386,11 +401,24 @@ class Cooking:
         rises = stage.motion in word_list("rises")
         if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
             return True
-        if single and mixes and not heats and stage.does <= {"mix"}:
+        needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
+        if single and mixes and not heats and needless:
             return True
-        if mixes and stage.does <= {"mash", "mix", "blend", "move"} and self._is_mixed(stage, vessel):
+        if mixes and stage.does <= {"mash", "mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):
             return True
-        return not mixes and not heats and "wait" not in stage.does and single
+        rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
+        return not mixes and not heats and "wait" not in stage.does and single and not rolled
+
+    def _is_shaped(self, vessel: Vessel) -> bool:
+        """Whether dough was bought rolled out."""
+        names = {word for food in foods_of(vessel) for word in food.split()}
+        return not word_list("dough that is shaped").isdisjoint(names)
+
+    def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
+        """Whether one food is as a stage would make it: beaten when it came, or dough that was bought."""
+        facts = self.known.foods.food(stuff.label)
+        beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
+        return beaten or ("knead" in stage.does and facts.is_a("dough"))
 
     def _is_mixed(self, stage: Stage, vessel: Vessel) -> bool:
         """Whether nothing is left to be mixed: it is mixed and nothing joined, or it is one food that pours."""

@@ -20,7 +20,8 @@ class Plan:
     ``goal`` is what the recorded dish is called. ``cooked_by`` are the motions by which foods of a kind are cooked on
     their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
     or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end;
-    ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out.
+    ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
+    ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork.
     """
 
     label: str
@@ -33,6 +34,8 @@ class Plan:
     one_pot: bool = False
     cold: bool = False
     flat: bool = False
+    grilled: bool = False
+    in_pieces: bool = False
 
 
 class Course:
@@ -80,6 +83,12 @@ class Course:
         found = sorted(self.at.get(id(stage), ()), key=order)
         if heats:
             found.sort(key=lambda join: not join.want.facts.is_a("fat"))
+        return found
+
+    def taken(self, stage: Stage) -> list[Join]:
+        """Return the foods that join a stage in their order; they join earlier now."""
+        found = self.ordered(stage)
+        self.at.pop(id(stage), None)
         return found
 
     def is_hot(self, stage: Stage) -> bool:

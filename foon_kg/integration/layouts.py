@@ -88,11 +88,12 @@ class Layout:
     """A frame as places: worked out once, whatever is asked.
 
     ``open`` are the stages at which foods without a slot may join; ``tops`` those that only take what belongs on top.
-    ``bound`` is where foods are mixed that are then shaped as one and cooked. ``laid`` is where foods are laid on dough
-    that is rolled out, before it is baked. ``batter`` is where a batter comes together. ``past`` is where other foods
-    join a dish that is boiled and drained, and no more. ``raw``: something in it is never cooked that has to be.
-    ``dry``: there is nothing like a soup in it. ``made`` has what the dish makes on its way, by its
-    words, whether that is a dough and is shaped, and the stage that takes it.
+    ``bound`` is where foods are mixed that are then shaped as one, and ``pan`` where they are cooked. ``laid`` is where
+    foods are laid on dough that is rolled out, before it is baked. ``turned`` is where what was fried on both sides is
+    served. ``batter`` is where a batter comes together. ``past`` is where other foods join a dish that is boiled and
+    drained, and no more. ``raw``: something in it is never cooked that has to be. ``dry``: there is nothing like a soup
+    in it. ``made`` has what the dish makes on its way, by its words, whether that is a dough and is shaped, and the
+    stage that takes it.
     """
 
     frame: Frame
@@ -102,7 +103,9 @@ class Layout:
     drained: frozenset[int]
     past: Spot | None
     bound: Spot | None
+    pan: Spot | None
     laid: Spot | None
+    turned: Spot | None
     batter: Batter | None
     heats: bool
     dry: bool
@@ -126,6 +129,8 @@ class Layout:
                 met = frozenset(need for need in needs if is_need(need, food))
                 places.append(Place(slot, spot, met, bool(met) and food.is_a(*MAIN)))
         drained = frozenset(id(spot) for spot in spots if _is_drained(spot, known))
+        laid = _laid(spots, known)
+        bound = _bound(spots) if laid is None else None
         return cls(
             frame,
             spots,
@@ -133,8 +138,10 @@ class Layout:
             tuple(spot for spot in spots if _is_open(spot, known)),
             drained,
             _past(spots, drained),
-            _bound(spots),
-            _laid(spots, known),
+            bound,
+            _pan(spots, bound),
+            laid,
+            _turned(spots),
             batter_of(spots, known),
             any("heat" in spot.stage.does for spot in spots if not spot.side),
             not any("liquid" in spot.stage.does or "water" in spot.kinds for spot in spots),
@@ -175,6 +182,20 @@ def _bound(spots: Sequence[Spot]) -> Spot | None:
             before = [one for one in spots[:number] if one.stage.adds and one.post[0] == "mix" and one.heats_later]
             return before[-1] if before else None
     return None
+
+
+def _pan(spots: Sequence[Spot], bound: Spot | None) -> Spot | None:
+    """Return the stage at which what was shaped is cooked first."""
+    if bound is None:
+        return None
+    return next((spot for spot in spots if "heat" in spot.stage.does and spot.stage in bound.after), None)
+
+
+def _turned(spots: Sequence[Spot]) -> Spot | None:
+    """Return where a dish is served that is made of a mass and fried on both sides."""
+    turns = any("turn" in spot.stage.does for spot in spots if not spot.side or spot.heats_later)
+    mixes = any(spot.post[0] == "mix" and spot.heats_later for spot in spots)
+    return spots[-1] if turns and mixes and only_carries(spots[-1].stage) else None
 
 
 def _laid(spots: Sequence[Spot], known: Tables) -> Spot | None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.food import Level, Tables, singular, tables
 from foon_kg.food.lists import word_list
@@ -26,11 +26,16 @@ _WORKED_IN = word_list("is worked in")
 _SHAPED = word_list("dough that is shaped")
 _CHANGES = frozenset({"blend", "knead", "mash", "shape"})
 _FLESH = word_list("is flesh")
+_SLICES = word_list("carries what is stacked")
+_SERVED_WITH = word_list("is served with what is fried")
 _BATHED = word_list("goes into the water")
 
 _SAME_KIND, _SURE, _OTHER_KIND, _IN_PLACE = 0.6, 0.8, 0.7, 0.95
 """How well a food fits where one of its kind is; from which confidence on its kind does not matter; what a confidence
 is worth where it is of another kind; how well it fits where a dish makes such a thing itself."""
+
+_SMALL = 3
+"""How fine pieces are that are mixed into something rather than laid on it (chopped, grated)."""
 
 _AS_USUAL = 0.75
 """How usual a place must be for a kind, beside its most usual one in that dish, to be taken for a like food."""
@@ -45,12 +50,16 @@ NATURAL = 0.5
 
 @dataclass(frozen=True)
 class Join:
-    """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural."""
+    """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
+
+    ``layer`` is its place among others that are laid on dough: from below to above.
+    """
 
     want: Want
     spot: Spot
     fit: float
     slot: Slot | None = None
+    layer: int = 0
 
 
 _FACTORS = 3
@@ -143,12 +152,32 @@ class Posts:
 
 
 def _on_ready_dough(layout: Layout, joins: Sequence[Join]) -> list[Join]:
-    """Let what a video works into its dough come onto it where the dough was bought."""
+    """Let what a video works into its dough, or lays on it first, come onto bread or dough that was bought."""
+    laid = layout.laid
+    if laid is None:
+        return list(joins)
+    bought = any(join.spot is laid and join.want.facts.is_a(*_SLICES) for join in joins)
+    if bought and not any(join.want.facts.is_a("flour") for join in joins):
+        return [replace(one, spot=laid) if laid.stage in one.spot.after else one for one in joins]
     ready = next((join for join in joins if join.fit == _IN_PLACE and join.want.facts.is_a("dough")), None)
-    if ready is None or layout.laid is None:
+    if ready is None:
         return list(joins)
     before = [join for join in joins if any(stage is ready.spot.stage for stage in join.spot.after)]
-    return [Join(one.want, layout.laid, NATURAL - 0.01) if one in before else one for one in joins]
+    return [Join(one.want, laid, NATURAL - 0.01) if one in before else one for one in joins]
+
+
+def _in_its_layer(layout: Layout, join: Join) -> Join:
+    """Return a join with its place among others that are laid on dough or bread."""
+    if layout.laid is None or join.spot is not layout.laid:
+        return join
+    is_a = join.want.facts.is_a
+    if is_a("dough", *_SLICES):
+        layer = 0
+    elif is_a(*word_list("lies on dough first")):
+        layer = 1
+    else:
+        layer = 2 if is_a(*word_list("lies on dough next")) else 3
+    return replace(join, layer=layer)
 
 
 def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
@@ -172,6 +201,12 @@ def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
     return tuple(found)
 
 
+def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
+    """Whether a food lies on patties though the video mixes it into them."""
+    fine = known.state(want.make).fine or 0 if want.make else 0
+    return best.spot is layout.bound and fine < _SMALL and want.facts.is_a(*word_list("lies on patties"))
+
+
 class Matcher:
     """Finds where the foods of one recipe join.
 
@@ -188,7 +223,8 @@ class Matcher:
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
         found = [self._join(layout, want, stacked=stacked) for want in wants]
-        joins = _without_lone(layout, _on_ready_dough(layout, found))
+        found = [_in_its_layer(layout, join) for join in _on_ready_dough(layout, found)]
+        joins = _without_lone(layout, found)
         if layout.batter is None or not (is_of_batter(wants) or is_of_dough(wants)):
             return joins
         return tuple(as_batter(layout.batter, joins, self.known))
@@ -198,8 +234,12 @@ class Matcher:
         if ready_made is not None:
             return ready_made
         best = self._natural(layout, want)
-        if stacked and best is None and self._is_stacked(layout, want):
+        if stacked and (best is None or _lies_on(layout, want, best, self.known)) and self._is_stacked(layout, want):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
+        if layout.turned is not None and want.facts.is_a(*_SERVED_WITH) and (best is None or best.fit < _SURELY):
+            return Join(want, layout.turned, NATURAL - 0.01)
+        if layout.pan is not None and want.facts.is_a("fat"):
+            return Join(want, layout.pan, NATURAL - 0.01)
         fresh = self._at_the_end(layout, want, best) if layout.bound is None else None
         spot = self._by_the_dish(layout, want)
         if fresh is not None or best is not None or spot is None:
@@ -253,7 +293,8 @@ class Matcher:
             fit = self._fit(want, place.slot)
             if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (main and place.main)):
                 fit = _SAME_ROLE
-            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind:
+            bound = main and place.main and place.spot is layout.bound  # of whatever patties are made
+            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind and not bound:
                 # a like food may join elsewhere than foods of this one's kind do: chives late, onions early
                 if usual is None:
                     usual = max(self.posts.likely(want, post, dish_type) for post in layout.posts)

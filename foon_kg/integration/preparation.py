@@ -262,6 +262,12 @@ class Preparer:
         )
         return mashed and bool({"cook", "boil"} & want.facts.owes.keys())
 
+    def cut_once_done(self, ready: Ready) -> None:
+        """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
+        whole = not any((self.known.state(state).fine or 0) > 0 for state in ready.stuff.states)
+        if whole and not ready.cut_later:
+            ready.cut_later = self._usual_cut(ready.want)
+
     def cut_now(self, ready: Ready) -> None:
         """Cut or mash what had to be cooked before."""
         state, ready.cut_later = ready.cut_later, ""
@@ -326,7 +332,8 @@ class Preparer:
             return ""
         if "cut" in want.facts.owes and want.facts.is_a("raw") and not want.facts.is_a("herb", "berry"):
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
-        for state in form if not want.cooked else ():
+        first = not want.cooked or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
+        for state in form if first else ():
             if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
                 return state
         if "cut" in due:

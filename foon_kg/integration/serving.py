@@ -10,6 +10,7 @@ from foon_kg.integration.bench import Bench, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import WORKS, Plan
 from foon_kg.integration.frames import Stage
+from foon_kg.integration.operators import Way
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Ready
 from foon_kg.integration.working import Worker
@@ -18,6 +19,8 @@ _SLICES = word_list("carries what is stacked")
 _CREAMY = word_list("binds pieces")
 _SEASONS = word_list("seasons pieces")
 _LAYERS = word_list("is a layer")
+_CLOSES = word_list("closes what is stacked")
+_SMEARED = word_list("is smeared on it")
 _MIXED = "mixture"
 _SMALL = 3
 """How fine pieces are that are bound by something creamy (chopped, flaked)."""
@@ -35,33 +38,101 @@ class Serving:
         self.ready = ready
 
     def is_put_together(self, stage: Stage, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
-        """Whether this is where a stacked dish is put together, with foods that its video has not."""
+        """Whether this is where a stacked dish is put together: what it is stacked on joins, or what no video has."""
         works = any(not one.does.isdisjoint(WORKS) for one in (stage, *later))
-        return not works and any(join.slot is None for join in joins)
+        return not works and any(join.slot is None or join.want.facts.is_a(*_SLICES) for join in joins)
 
     def stack(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], lines: Sequence[Vessel]) -> Vessel:
-        """Put a dish together on a plate: bread, what was made, then the rest; a spread with pieces is mixed before."""
+        """Put a dish together on a plate and return what it is on.
+
+        Bread comes first and what is spread on it, then what was made and the rest, and bread again; a spread with
+        pieces is mixed before. What is fried as a whole gets its fat in the pan.
+        """
         plate = self.bench.vessel("plate") if vessel is None or not is_flat(vessel.label) else vessel
         slices = [join for join in joins if join.want.facts.is_a(*_SLICES)]
-        rest = [join for join in joins if join not in slices]
+        fats = [join for join in joins if self.plan.grilled and join.want.facts.is_a("fat")]
+        rest = [join for join in joins if join not in slices and join not in fats]
         mixed = self._bound(rest)
         bowl = self.bench.vessel("bowl")
         for join in mixed:
-            self.carry.bring(self.ready[join.want.number], bowl, None)
-        if mixed:
+            self._bring(join, bowl)
+        if len(mixed) > 1:
             self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
-        for join in slices:
-            self.carry.bring(self.ready[join.want.number], plate, None)
-        made = [one for one in (*lines, vessel, bowl) if one is not None and one is not plate and one.contents]
-        for one in made:
-            self.bench.heat_off(one)
-            self.carry.transfer(one, plate, stage)
+        below = [*lines, vessel] if plate is not vessel else [*lines]
+        closing = [join for join in slices if self._lay_below(join, plate)]
+        smeared = [join for join in rest if join not in mixed and self._is_smeared(join)]
+        for join in smeared:
+            self._smear(join, plate)
+        for one in (*below, bowl):
+            if one is not None and one.contents:
+                self.bench.heat_off(one)
+                self.carry.transfer(one, plate, stage)
         there = frozenset().union(*(stuff.wants for stuff in plate.contents))
+        rest.sort(key=lambda join: not join.want.facts.is_a(*word_list("melts on what is hot")))
         for join in rest:
-            if join not in mixed and not (join.want.facts.is_a("fat") and join.want.number in there):
-                self.carry.bring(self.ready[join.want.number], plate, None)
+            fat = join.want.facts.is_a("fat") and join.want.number in there
+            if join not in mixed and join not in smeared and not fat:
+                self._bring(join, plate)
+        for join in closing:
+            self._bring(join, plate)
         self.work.name(plate, self.plan.label)
-        return plate
+        return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
+
+    @staticmethod
+    def in_layers(joins: Sequence[Join]) -> list[Join]:
+        """Return what joins a stage, in the order in which it is laid on dough."""
+        return sorted(joins, key=lambda join: join.layer)
+
+    def _lay_below(self, join: Join, plate: Vessel) -> bool:
+        """Lay bread on a plate; return whether some of it is left, to be laid on top."""
+        ready = self.ready[join.want.number]
+        cut = any((self.known.state(state).fine or 0) > 0 for state in ready.stuff.states)
+        if ready.stuff.at is plate or not (cut and join.want.facts.is_a(*_CLOSES)):
+            self._bring(join, plate)
+            return False
+        self.carry.bring_part(ready, plate)
+        return True
+
+    def _is_smeared(self, join: Join) -> bool:
+        """Whether a food is spread on bread: it is creamy, or fat that is no liquid."""
+        facts = join.want.facts
+        return facts.is_a(*_CREAMY, *_SMEARED) or (facts.is_a("fat") and not facts.is_a("liquid"))
+
+    def _smear(self, join: Join, plate: Vessel) -> None:
+        """Spread a food on what lies on a plate, as the FOON spreads such a food; else only lay it on."""
+        ready = self.ready[join.want.number]
+        motions = word_list("is smeared by")
+        ways = [way for motion in sorted(motions) for way in self.bench.operators.ways_of(motion) if way[1]]
+        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        if attested is None or ready.stuff.at is plate:
+            self._bring(join, plate)
+        else:
+            self.bench.bring([ready.stuff], plate, attested)
+
+    def _heat_through(self, plate: Vessel, fats: Sequence[Join], stage: Stage) -> Vessel:
+        """Fry what was put together on both sides, and return what it is served on."""
+        pan = self.bench.vessel("cooking pan")
+        device = self.bench.place(pan, "stove", "on")
+        for join in fats:
+            self._bring(join, pan)
+        self.bench.switch(pan, device, on=True)
+        self.carry.transfer(plate, pan, stage, whole=True)
+        foods = foods_of(pan)
+        heats = [way for way in self.bench.operators.ways.get("heat", ()) if self._only(way, {"heat"})]
+        turns = [way for way in self.bench.operators.ways.get("turn", ()) if self._only(way, {"turn"})]
+        heated, turned = self.bench.require(heats, foods), self.bench.require(turns, foods)
+        self.bench.work(pan, heated, self.plan.label, ("partly cooked",))
+        self.bench.work(pan, turned, self.plan.label, ("flipped", "partly cooked"), with_device=False)
+        self.bench.work(pan, heated, self.plan.label, ("cooked",))
+        self.bench.heat_off(pan)
+        served = self.bench.vessel("plate")
+        self.carry.transfer(pan, served, stage, whole=True)
+        return served
+
+    def _only(self, way: Way, does: set[str]) -> bool:
+        """Whether a way does just this, and what is worked on gets so by it that it may be eaten."""
+        motion = self.known.motion(way[0])
+        return motion.does == does and (does != {"heat"} or "cooked" in motion.gives)
 
     def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
@@ -127,4 +198,9 @@ class Serving:
             return False
         if vessel is not None and any("baked" in stuff.states for stuff in vessel.contents):
             return False  # on what comes out of the oven in one piece it only lies
-        return any(join.slot is None and not join.want.facts.is_a("topping", "herb") for join in joins)
+        return any(join.slot is None and not self.lies_on_top(join) for join in joins)
+
+    @staticmethod
+    def lies_on_top(join: Join) -> bool:
+        """Whether a food only lies on a dish that is done, or beside it."""
+        return join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))

@@ -54,7 +54,9 @@ class Utensils:
                 if appliance.holds == "in":
                     return "baking tray"
                 return "pot" if "liquid" in stage.does else "cooking pan"
-        return vessel.label if vessel is not None else "bowl"
+        if vessel is None:
+            return "cutting board" if stage.relation == "on" and stage.does & {"knead", "shape"} else "bowl"
+        return vessel.label
 
     def _can_stand(self, label: str, device: str) -> bool:
         row, appliance = self.known.utensil(label), self.known.utensil(device)

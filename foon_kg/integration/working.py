@@ -75,10 +75,10 @@ class Worker:
 
         def change() -> None:
             for stuff in stuffs:
-                if self.known.foods.food(stuff.label).is_a("water") and not stuff.mixed:
-                    continue  # however long it boils
-                kept = [s for s in stuff.states if not self.alone.says_raw(s)]
                 facts = self.known.foods.food(stuff.label)
+                if not stuff.mixed and (facts.is_a("water") or (facts.is_a("fat") and facts.is_a("liquid"))):
+                    continue  # however long it boils, and whatever is fried in it
+                kept = [s for s in stuff.states if not self.alone.says_raw(s)]
                 melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
                 stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
             vessel.hot = vessel.hot or (device is not None and heats)

@@ -18,14 +18,19 @@ from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, witho
 from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
 from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
+from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.frames import Line
+from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
-from foon_kg.integration.places import Matcher
+from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -236,19 +241,26 @@ class _Question:
         own = own and is_truly(fit, self.known)
         own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
         eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
-        tins = [dish.tin for dish in self.known.dishes_named(dish_type, self.recipe.title or "") if dish.tin]
+        named = self.known.dishes_named(dish_type, self.recipe.title or "")
+        tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        stacked = any(dish.stacked for dish in self.known.dishes_named(dish_type, self.recipe.title or ""))
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
-        cold = not word_list("is served cold").isdisjoint(told)
-        one_pot = not word_list("boils in the dish").isdisjoint(told)
-        flat = not word_list("is rolled out").isdisjoint(told)
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, tin, stacked, one_pot, cold, flat)
+        line, joins = _put_together(line, joins, named)
+        stacked = any(dish.stacked for dish in named)
+        plan = Plan(
+            label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
+            stacked=stacked,
+            one_pot=not word_list("boils in the dish").isdisjoint(told),
+            cold=not word_list("is served cold").isdisjoint(told),
+            flat=not word_list("is rolled out").isdisjoint(told),
+            grilled=stacked and any(dish.grilled for dish in named),
+            in_pieces=any(dish.dressed for dish in named),
+        )  # fmt: skip
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants)
@@ -332,6 +344,16 @@ class _Question:
             code="avoided" if self._is_all_avoided() else "no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
+
+
+def _put_together(line: Line, joins: Sequence[Join], dishes: Sequence[Dish]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
+    joins = tuple(joins)
+    if any(dish.mashed for dish in dishes):
+        line, joins = mashed_only(joins)
+    if any(dish.stacked for dish in dishes):
+        line, joins = coated_apart(line, joins)
+    return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 
 def _as_tree(result: PlanResult) -> TaskTree:

@@ -1,0 +1,56 @@
+"""A coating is a part of its own: flesh is turned in what is wet, then in what is dry, and fried."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.places import NATURAL, Join
+
+_DRY = word_list("coats dry")
+_WET = word_list("coats wet")
+
+_MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
+_HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
+_TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
+
+
+def coated_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
+    shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
+    flesh = [join for join in joins if join.want.facts.is_a(*word_list("is coated")) and not join.want.cooked]
+    dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
+    if shaped or len(flesh) != 1 or not dry:
+        return line, tuple(joins)
+    wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
+    seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
+    seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid")]
+    fat = [join for join in joins if join.want.facts.is_a("fat") and join.want.facts.is_a("liquid")]
+    crumbs, dip = Line((replace(_MIX),)), Line((replace(_MIX),))
+    bathed = replace(_MIX, adds=(dip,))
+    rolled = replace(_MIX, adds=(crumbs,))
+    fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
+    last = line.stages[-1]
+    served = replace(last, adds=(*last.adds, Line((bathed, rolled, fried, turned, done))))
+    places = [(wet, dip.stages[0]), ([*dry, *seasons], crumbs.stages[0]), (flesh, bathed), (fat, fried)]
+    after = (fried, turned, done, served)
+    found = []
+    for join in joins:
+        stage = next((stage for some, stage in places if any(one is join for one in some)), None)
+        if stage is not None:
+            found.append(Join(join.want, replace(join.spot, stage=stage, after=after, side=True), NATURAL))
+        elif join.spot.stage is last:
+            found.append(replace(join, spot=replace(join.spot, stage=served)))
+        else:
+            found.append(join)
+    return Line((*line.stages[:-1], served)), tuple(found)
+
+
+def _all(line: Line) -> list[Line]:
+    found = [line]
+    for stage in line.stages:
+        for add in stage.adds:
+            found += _all(add) if isinstance(add, Line) else []
+    return found

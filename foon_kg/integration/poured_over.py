@@ -1,0 +1,122 @@
+"""A dressing is a part of its own: what makes one is mixed in a bowl and comes over the rest, whatever a video did."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.course import HEATS
+from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import Want
+
+_PARTS = word_list("is poured over")
+_BODY = word_list("is the body of what is poured over")
+_LEAST = 2
+"""Of how many foods that run a dressing is made."""
+
+_BY_HAND = frozenset({"coat", "mash", "mix", "move", "scatter", "whip"})
+
+_BOILS = frozenset({"heat", "liquid", "move", "separate"})
+"""What is only boiled for a cold dish is boiled by itself."""
+
+_MIXING = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
+
+
+def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
+    """Whether a food is what dressings are made of: it runs, it seasons, or only its juice is taken."""
+    if want.facts.kind in word_list("sprays"):
+        return False
+    return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
+
+
+def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line and its joins such that the dressing is mixed by itself and comes over what it dresses.
+
+    They are returned as they are where there is nothing to mix, or where a machine makes the recorded dressing.
+    """
+    parts = [join for join in joins if is_poured_over(join.want, join.slot)]
+    rest = [join for join in joins if join not in parts]
+    runs = [join for join in parts if not _only_seasons(join)]
+    body = any(join.want.facts.is_a(*_BODY) for join in runs)
+    beside = {id(stage): stage for stage in _beside(line)}
+    cold = {number for number, stage in beside.items() if stage.does <= _BY_HAND or stage.does <= _BOILS}
+    own = all(join.slot is not None and id(join.spot.stage) in beside.keys() - cold for join in runs)
+    place = _last_mixing(line, rest)
+    if place is None:
+        return line, tuple(joins)
+    last = line.stages[place]
+    if len(runs) < _LEAST or not body or own:
+        boiled = {number for number, stage in beside.items() if stage.does <= _BOILS}
+        return line, tuple(
+            _apart(join, last, line.stages[place + 1 :]) if id(join.spot.stage) in boiled else join for join in joins
+        )
+    before = {id(one): _without_work(one) for one in line.stages[: place + 1] if _is_mixing(one)}
+    gathered = before[id(last)] = _without_work(last)
+    over = replace(_MIXING, step=last.step)
+    mixes = last if {"mix"} <= last.does and "mash" not in last.does else _plain(last)
+    tossed = replace(mixes, adds=(Line((over,)),))
+    found = []
+    for join in joins:
+        stage, fit = join.spot.stage, min(join.fit, NATURAL)
+        still = before.get(id(stage))
+        if join in parts:
+            found.append(replace(join, spot=replace(join.spot, stage=over, after=(tossed,), side=True), fit=fit))
+        elif still is not None:
+            found.append(replace(join, spot=replace(join.spot, stage=still)))
+        elif id(stage) in cold:
+            found.append(_apart(join, gathered, (tossed, *line.stages[place + 1 :])))
+        else:
+            found.append(join)
+    first = [before.get(id(one), one) for one in line.stages[:place]]
+    return Line((*first, gathered, tossed, *line.stages[place + 1 :])), tuple(found)
+
+
+def _plain(stage: Stage) -> Stage:
+    return replace(stage, motion=_MIXING.motion, does=_MIXING.does, tools=())
+
+
+def _only_seasons(join: Join) -> bool:
+    facts = join.want.facts
+    return facts.is_a("spice", "herb") and not facts.is_a("ready", "liquid", *_BODY)
+
+
+def _apart(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+    """Return a join that comes to a stage by itself, and is cooked by itself if it has to be."""
+    return Join(join.want, replace(join.spot, stage=stage, after=after, side=False), min(join.fit, NATURAL))
+
+
+def _is_mixing(stage: Stage) -> bool:
+    return "mix" in stage.does and stage.does <= _BY_HAND
+
+
+def _without_work(stage: Stage) -> Stage:
+    """Return a stage at which foods only come together: they are mixed once the dressing is there."""
+    return replace(stage, motion="", does=frozenset())
+
+
+def _last_mixing(line: Line, rest: Sequence[Join]) -> int | None:
+    """Return the place of the last stage at which something but the dressing joins cold, and is mixed."""
+    found, mixed = None, False
+    for number, stage in enumerate(line.stages):
+        if not stage.does.isdisjoint(HEATS):
+            found, mixed = None, False
+        stages = {id(one) for one in _stages(Line((stage,)))}
+        joins = any(id(join.spot.stage) in stages and not join.want.facts.is_a("topping") for join in rest)
+        mixes = _is_mixing(stage)
+        if joins and (mixes or (stage.does <= {"move", "scatter"} and not mixed)):
+            found, mixed = number, mixes
+    return found
+
+
+def _beside(line: Line) -> Iterator[Stage]:
+    for stage in line.stages:
+        for add in stage.adds:
+            if isinstance(add, Line):
+                yield from _stages(add)
+
+
+def _stages(line: Line) -> Iterator[Stage]:
+    yield from line.stages
+    yield from _beside(line)

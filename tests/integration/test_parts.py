@@ -1,0 +1,131 @@
+"""What a dish is put together of: bread below and above, a dressing, a coating, layers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from integration import videos
+from integration.school import SNAPSHOT, planned
+from integration.told import KITCHEN, snapshot_of
+
+from foon_kg.food import tables
+from foon_kg.integration.coated import coated_apart
+from foon_kg.integration.course import Course, Plan
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.layouts import Spot
+from foon_kg.integration.mashed import mashed_only
+from foon_kg.integration.places import Join
+from foon_kg.integration.poured_over import dressed_apart
+from foon_kg.integration.preparation import wants_of
+from foon_kg.integration.serving import Serving
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planning.planner import Planner
+from foon_kg.settings import PlanSettings
+
+
+def stage(motion, does, *, vessel="bowl", appliance="", adds=()):
+    source = "heat" if appliance else ""
+    return Stage(tuple(adds), motion, frozenset(does), (), vessel, "in", appliance, source, "", (), 0)
+
+
+def joins_at(line, number, *foods):
+    """Return these foods as they join one stage of a line."""
+    asked = [RequiredIngredient(*food.split("/")) if "/" in food else RequiredIngredient(food, "") for food in foods]
+    spot = Spot((number,), line.stages[number], ("mix", "never", False), False, line.stages[number + 1 :])
+    return tuple(Join(want, spot, 0.5) for want in wants_of(asked, tables(), SNAPSHOT.methods().operators))
+
+
+def told(line, joins):
+    """Return what joins each stage of a line and of those beside it, in the order of execution."""
+    course = Course(line, Plan("dish", "dish", joins))
+
+    def walk(part):
+        for one in part.stages:
+            for add in one.adds:
+                if isinstance(add, Line):
+                    yield from walk(add)
+            yield one.motion, {join.want.label for join in course.at.get(id(one), ())}
+
+    return list(walk(line))
+
+
+def test_a_dressing_is_mixed_by_itself_and_comes_over_the_rest():
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, "lettuce", "olive oil", "vinegar", "salt", "tomato")
+    assert told(*dressed_apart(line, joins)) == [
+        ("", {"lettuce", "tomato"}),
+        ("mix", {"olive oil", "vinegar", "salt"}),
+        ("mix", set()),
+    ]
+
+
+@pytest.mark.parametrize("foods", [("lettuce", "mayonnaise", "salt"), ("olive oil", "vinegar", "mustard")])
+def test_one_thing_that_runs_is_no_dressing_and_a_dressing_has_none(foods):
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, *foods)
+    assert dressed_apart(line, joins) == (line, joins)
+
+
+def test_what_is_boiled_for_a_salad_comes_to_it_by_itself():
+    boiled = Line((stage("boil", {"heat", "liquid"}, vessel="pot", appliance="stove"),))
+    line = Line((stage("mix", {"mix"}, adds=[boiled]),))
+    joins = (*joins_at(boiled, 0, "egg"), *joins_at(line, 0, "lettuce"))
+    assert told(*dressed_apart(line, joins)) == [("boil", set()), ("mix", {"egg", "lettuce"})]
+
+
+def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
+    line = Line((stage("", (), vessel="plate"),))
+    joins = joins_at(line, 0, "bun", "chicken breast", "flour", "egg", "oil", "lettuce")
+    line, joins = coated_apart(line, joins)
+    assert told(line, joins) == [
+        ("mix", {"egg"}),
+        ("mix", {"chicken breast"}),
+        ("mix", {"flour"}),
+        ("mix", set()),
+        ("cook", {"oil"}),
+        ("flip", set()),
+        ("cook", set()),
+        ("", {"bun", "lettuce"}),
+    ]
+    assert all("heat" in line.stages[0].adds[0].stages[number].does for number in (2, 4))
+
+
+def test_what_is_shaped_of_a_mass_is_not_coated():
+    line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
+    joins = joins_at(line, 1, "chicken breast", "flour", "egg")
+    assert coated_apart(line, joins) == (line, joins)
+
+
+def test_what_is_mashed_is_only_mixed():
+    line = Line((stage("cook", {"heat"}), stage("flip", {"turn"})))
+    assert told(*mashed_only(joins_at(line, 0, "potato", "butter", "milk"))) == [("mix", {"potato", "butter", "milk"})]
+
+
+def test_foods_are_laid_on_dough_in_their_layers():
+    line = Line((stage("bake", {"heat", "dry"}),))
+    joins = joins_at(line, 0, "mozzarella", "tomato sauce", "pizza dough")
+    layers = [replace(join, layer=layer) for join, layer in zip(joins, (2, 1, 0), strict=True)]
+    assert [join.want.label for join in Serving.in_layers(layers)] == ["pizza dough", "tomato sauce", "mozzarella"]
+
+
+def test_cooked_eggs_of_a_salad_are_cut_before_they_come_in():
+    motions = [unit.motion_node for unit in planned("egg", "boiled").units]
+    assert motions.index("boil") < motions.index("peel", motions.index("boil")) < len(motions)
+    assert any({"sliced", "chopped"} & set(n.states) for u in planned("egg", "boiled").units for n in u.output_nodes)
+
+
+def sandwich(title=""):
+    snapshot = snapshot_of(videos.SANDWICH)
+    foods = [("bread", "sliced"), ("cheese", "sliced"), ("tomato", "sliced"), ("butter", "creamy")]
+    asked = tuple(RequiredIngredient(*food) for food in foods)
+    planner = Planner(snapshot, PlanSettings(KITCHEN, time_limit=None), snapshot.units)
+    return planner.plan(Recipe("sandwich", asked, "one", title))
+
+
+def test_bread_lies_below_and_above():
+    brought = [u for u in sandwich().units if any(n.label == "plate" for n in u.output_nodes)]
+    foods = [{n.label for n in u.input_nodes} - {"plate", "cutting board", "knife"} for u in brought]
+    assert "bread" in foods[0]
+    assert "bread" in foods[-1]
+    assert "butter" in foods[1]
