@@ -9,7 +9,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, Course
-from foon_kg.integration.frames import Stage
+from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
@@ -78,6 +78,8 @@ class Alone:
             return self._warmed_first(join)
         if not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
+        if isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then:
+            return ()  # it comes into the heat in its turn
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
         if self._is_cut_of_its_shell(want):
             told = ("boil",)

@@ -17,6 +17,7 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.operators import form_of
+from foon_kg.integration.phases import in_phases
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready
 from foon_kg.integration.serving import Serving
@@ -30,8 +31,7 @@ class Cooking:
     def __init__(self, bench: Bench, line: Line, plan: Plan) -> None:
         self.bench = bench
         self.known: Tables = bench.known
-        self.line = line
-        self.plan = plan
+        self.line, self.plan = line, plan = in_phases(line, plan, self.known)
         self.ready: dict[int, Ready] = {}
         self.course = Course(line, plan)
         self.preparer = Preparer(bench)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.frames import Line, Phase, Stage
 from foon_kg.integration.places import Join
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
@@ -62,6 +62,8 @@ class Course:
 
     def ordered(self, stage: Stage) -> list[Join]:
         """Return the foods that join a stage in their order: as the frame has them; others by what they are."""
+        if isinstance(stage, Phase):
+            return list(self.at.get(id(stage), ()))
         slots = list(stage.adds)
         heats = not stage.does.isdisjoint(HEATS)
 

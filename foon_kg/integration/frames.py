@@ -54,6 +54,16 @@ class Stage:
 
 
 @dataclass(frozen=True)
+class Phase(Stage):
+    """A stage of a vessel over the heat of which nothing but the place is the video's: the plan orders its foods.
+
+    ``fries``: there is no liquid in it as yet.
+    """
+
+    fries: bool = False
+
+
+@dataclass(frozen=True)
 class Line:
     """Stages one after another that lead to one thing: the dish, or what joins it (a dressing, a batter)."""
 

@@ -1,0 +1,242 @@
+"""What is cooked in one open vessel over the heat, in the order in which a cook does it.
+
+A video shows the order of its own foods only. So the stages in which one vessel stands over the heat are taken
+together, and the foods that join there are parted again by what they are: what fries in the hot fat, what is stirred
+into it for a moment, what cooks in the liquid, what is done soon, what is stirred in last. After each the whole is
+cooked, as the video does it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.food import Food, Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.course import HEATS, Plan
+from foon_kg.integration.frames import Line, Phase, Slot, Stage
+from foon_kg.integration.places import Join
+
+_DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
+_ORDER = ("fries", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
+_FRIES, _BINDS, _WET, _SOON, _LAST = _ORDER
+_MOST_TELLING = (_LAST, _SOON, _BINDS, _FRIES, _WET)
+
+
+@dataclass(frozen=True)
+class _Comer:
+    """What joins a vessel over the heat: an asked food, a line, or water that nobody asked for."""
+
+    what: Join | Line | Slot
+    facts: Food | None
+    phase: str
+
+    @property
+    def rank(self) -> tuple[bool, bool, bool]:
+        """Its place within its phase: fat first, then what takes longest, seasoning at the end."""
+        facts = self.facts
+        if facts is None:
+            return (True, True, False)
+        first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
+        return (not first[0], not first[1], facts.is_a("flour", *word_list("only flavours")))
+
+
+def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
+    """Return the line of a dish and its plan with what stands over the heat in the order of a cook."""
+    phaser = _Phaser(plan, known)
+    changed = phaser.line(line)
+    joins = [phaser.moved(join) for join in plan.joins]
+    rank = {number: place for place, number in enumerate(phaser.order)}
+    joins.sort(key=lambda join: rank.get(join.want.number, -1))
+    return changed, replace(plan, joins=joins)
+
+
+def phase_of(facts: Food) -> str:
+    """Return in which phase a food joins a vessel over the heat: by its very kind, else by the broader ones."""
+    for name in _MOST_TELLING:
+        if facts.kind in word_list(name):
+            return name
+    return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), _WET)
+
+
+class _Phaser:
+    def __init__(self, plan: Plan, known: Tables) -> None:
+        self.plan = plan
+        self.known = known
+        self.order: list[int] = []
+        self.became: dict[int, tuple[Stage, ...]] = {}
+        self.spot: dict[int, Phase] = {}
+        self.at: dict[int, list[Join]] = {}
+        for join in plan.joins:
+            self.at.setdefault(id(join.spot.stage), []).append(join)
+
+    # --- lines ---
+
+    def line(self, line: Line) -> Line:
+        stages: list[Stage] = []
+        for run in self._runs(line):
+            adds = {id(add): self.line(add) for one in run for add in one.adds if isinstance(add, Line)}
+            fresh = self._phases(run, adds)
+            if not fresh and all(adds[id(add)] is add for one in run for add in one.adds if isinstance(add, Line)):
+                stages += run
+                continue
+            for one in run if not fresh else ():
+                other = replace(one, adds=tuple(adds.get(id(add), add) for add in one.adds))
+                self.became[id(one)] = (other,)
+                stages.append(other)
+            for one in run if fresh else ():
+                self.became[id(one)] = fresh
+            stages += fresh
+        same = len(stages) == len(line.stages) and all(a is b for a, b in zip(stages, line.stages, strict=True))
+        return line if same else Line(tuple(stages))
+
+    def moved(self, join: Join) -> Join:
+        """Return a food with the stage at which it joins now, and with what comes after that."""
+        old = join.spot
+        phase: Stage | None = self.spot.get(join.want.number)
+        mine = self.became.get(id(old.stage), (old.stage,))
+        stage = phase or mine[0]
+        after = [other for one in old.after for other in self.became.get(id(one), (one,))]
+        behind = mine[next(n for n, one in enumerate(mine) if one is stage) + 1 :]
+        after = [*behind, *(one for one in after if not any(one is other for other in mine))]
+        unique = {id(one): one for one in after}
+        return replace(join, spot=replace(old, stage=stage, after=tuple(unique.values())))
+
+    def _runs(self, line: Line) -> Iterator[list[Stage]]:
+        """Yield the stages in groups: those of one vessel over the heat together, each other one by itself."""
+        run: list[Stage] = []
+        for stage in line.stages:
+            if run and not (self._is_over_heat(stage) and self._is_over_heat(run[-1]) and _same_place(run[-1], stage)):
+                yield run
+                run = []
+            run.append(stage)
+        if run:
+            yield run
+
+    def _is_over_heat(self, stage: Stage) -> bool:
+        row = self.known.utensil(stage.appliance) if stage.appliance else None
+        over = row is not None and row.source == "heat" and row.holds == "on"
+        return over and bool(stage.motion) and stage.does <= _DONE_OVER_HEAT
+
+    # --- phases ---
+
+    def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line]) -> tuple[Stage, ...]:
+        joins = [join for stage in run for join in self.at.get(id(stage), ())]
+        savoury = any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in joins)
+        hot = [stage for stage in run if "heat" in stage.does]
+        if not savoury or not hot or not self._is_over_heat(run[0]):
+            return ()
+        lines = [add for stage in run for add in stage.adds if isinstance(add, Line) and self._foods(add)]
+        fat = any(join.want.facts.is_a(*word_list("gives fat")) for join in self.plan.joins)
+        bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._foods(line))))
+        water = None if bath else self._water(run, joins, fat=fat)
+        bath = bath or water is not None
+        if not fat and not bath:
+            return ()
+        comers = [
+            _Comer(join, join.want.facts, _suited(join.want.facts, fat=fat, bath=bath)) for join in joins
+        ] + [_Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines]
+        if water is not None:
+            comers.insert(0, _Comer(water, None, _WET))
+        order = _ORDER if bath else (_FRIES, _BINDS, _SOON, _WET, _LAST)
+        parts = _parts(comers, order)
+        return self._stages(run, hot, parts, bath=bath)
+
+    def _foods(self, line: Line) -> list[Join]:
+        return [
+            join
+            for stage in line.stages
+            for join in (
+                *self.at.get(id(stage), ()),
+                *(one for add in stage.adds if isinstance(add, Line) for one in self._foods(add)),
+            )
+        ]
+
+    def _phase_of_line(self, line: Line, *, bath: bool) -> str:
+        """Return when what is made beside the vessel joins: with the first of its foods that does not only fry."""
+        facts = [join.want.facts for join in self._foods(line)]
+        if any(one.is_a(*word_list("is flesh")) for one in facts):
+            return _FRIES
+        order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)
+        phases = {phase_of(one) for one in facts}
+        return next((name for name in order if name in phases), _WET)
+
+    def _water(self, run: Sequence[Stage], joins: Sequence[Join], *, fat: bool) -> Slot | None:
+        """Return the free water of the video where something has to cook in it that is not fried."""
+        slot = next((slot for stage in run for slot in stage.slots if slot.food == "water"), None)
+        boils = any(
+            "boil" in join.want.facts.owes and not join.want.facts.is_a(*word_list("is boiled by itself"))
+            for join in joins
+        )
+        asked = any(join.want.facts.is_a("water") for join in self.plan.joins)
+        return slot if not asked and (not fat or boils or self.plan.one_pot) else None
+
+    def _stages(
+        self, run: Sequence[Stage], hot: Sequence[Stage], parts: Sequence[Sequence[_Comer]], *, bath: bool
+    ) -> tuple[Stage, ...]:
+        stirs = next((stage for stage in hot if stage.does >= {"heat", "mix"}), None)
+        simmers = next((stage for stage in hot if "liquid" in stage.does or "mix" not in stage.does), None)
+        stages: list[Stage] = []
+        for number, part in enumerate(parts):
+            last = number == len(parts) - 1
+            wet = bath and any(comer.phase == _WET for comer in part)
+            pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
+            phase = _as_phase(pattern, part, run[-1] if last else None)
+            if wet and simmers is None:
+                phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
+            elif not last and not wet and stirs is None:
+                phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
+            stages.append(phase)
+            for comer in part:
+                if isinstance(comer.what, Join):
+                    self.spot[comer.what.want.number] = phase
+                    self.order.append(comer.what.want.number)
+        return tuple(stages)
+
+
+def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None) -> Phase:
+    slots = [comer.what.slot if isinstance(comer.what, Join) else comer.what for comer in part]
+    return Phase(
+        tuple(slot for slot in slots if slot is not None), pattern.motion, pattern.does, pattern.tools, pattern.vessel,
+        pattern.relation, pattern.appliance, pattern.source, end.label if end else "", end.states if end else (),
+        pattern.step, fries=all(comer.phase != _WET for comer in part),
+    )  # fmt: skip
+
+
+def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]:
+    """Part what joins by its phases; what only seasons, and fat, makes no phase of its own."""
+    parts: list[list[_Comer]] = []
+    waiting: list[_Comer] = []
+    for name in order:
+        here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
+        solid = [one for one in here if one.facts is None or not one.facts.is_a("fat", *word_list("only flavours"))]
+        if solid:
+            parts.append([*waiting, *here])
+            waiting = []
+        elif parts:
+            parts[-1] += here
+        else:
+            waiting += here
+    if waiting:
+        parts.append(waiting)
+    return parts
+
+
+def _same_place(one: Stage, other: Stage) -> bool:
+    return one.vessel == other.vessel and one.appliance == other.appliance
+
+
+def _is_bath(facts: Food) -> bool:
+    return facts.is_a(*word_list("is a bath")) and not facts.is_a("creamy")
+
+
+def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
+    """Return in which phase a food joins where there is fat to fry in and a liquid to cook in, or not."""
+    phase = phase_of(facts)
+    if phase in {_FRIES, _BINDS} and not fat:
+        return _WET
+    if phase == _WET and not bath and facts.is_a(*word_list("takes long to fry")):
+        return _FRIES
+    if phase == _WET and bath and fat and facts.is_a(*word_list("is toasted")):
+        return _BINDS
+    return phase
