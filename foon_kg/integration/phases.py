@@ -38,7 +38,12 @@ class _Comer:
         if facts is None:
             return (True, True, False)
         first = facts.is_a("fat"), facts.is_a(*word_list("is flesh"))
-        return (not first[0], not first[1], facts.is_a("flour", *word_list("only flavours")))
+        return (not first[0], not first[1], facts.is_a("flour") or _seasons(facts))
+
+    @property
+    def is_solid(self) -> bool:
+        """Whether something comes that is cooked, and no mere fat or seasoning."""
+        return self.facts is None or not (self.facts.is_a("fat") or _seasons(self.facts))
 
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
@@ -74,9 +79,11 @@ class _Phaser:
 
     def line(self, line: Line) -> Line:
         stages: list[Stage] = []
-        for run in self._runs(line):
+        runs = list(self._runs(line))
+        for place, run in enumerate(runs):
             adds = {id(add): self.line(add) for one in run for add in one.adds if isinstance(add, Line)}
-            fresh = self._phases(run, adds)
+            drained = place + 1 < len(runs) and self._strains(runs[place + 1][0])
+            fresh = () if drained else self._phases(run, adds)
             if not fresh and all(adds[id(add)] is add for one in run for add in one.adds if isinstance(add, Line)):
                 stages += run
                 continue
@@ -93,14 +100,11 @@ class _Phaser:
     def moved(self, join: Join) -> Join:
         """Return a food with the stage at which it joins now, and with what comes after that."""
         old = join.spot
-        phase: Stage | None = self.spot.get(join.want.number)
-        mine = self.became.get(id(old.stage), (old.stage,))
-        stage = phase or mine[0]
-        after = [other for one in old.after for other in self.became.get(id(one), (one,))]
-        behind = mine[next(n for n, one in enumerate(mine) if one is stage) + 1 :]
-        after = [*behind, *(one for one in after if not any(one is other for other in mine))]
-        unique = {id(one): one for one in after}
-        return replace(join, spot=replace(old, stage=stage, after=tuple(unique.values())))
+        stages = [other for one in (old.stage, *old.after) for other in self.became.get(id(one), (one,))]
+        unique = list({id(one): one for one in stages}.values())
+        phase = self.spot.get(join.want.number)
+        here = next((place for place, one in enumerate(unique) if one is phase), 0)
+        return replace(join, spot=replace(old, stage=unique[here], after=tuple(unique[here + 1 :])))
 
     def _runs(self, line: Line) -> Iterator[list[Stage]]:
         """Yield the stages in groups: those of one vessel over the heat together, each other one by itself."""
@@ -113,6 +117,10 @@ class _Phaser:
         if run:
             yield run
 
+    def _strains(self, stage: Stage) -> bool:
+        row = self.known.utensil(stage.vessel) if stage.vessel else None
+        return row is not None and "strain" in row.can
+
     def _is_over_heat(self, stage: Stage) -> bool:
         row = self.known.utensil(stage.appliance) if stage.appliance else None
         over = row is not None and row.source == "heat" and row.holds == "on"
@@ -122,13 +130,16 @@ class _Phaser:
 
     def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line]) -> tuple[Stage, ...]:
         joins = [join for stage in run for join in self.at.get(id(stage), ())]
-        savoury = any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in joins)
+        beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
+        joins += [join for line in beside for join in self._taken_out(line)]
+        within = [*joins, *(join for line in beside for join in self._foods(line))]
+        savoury = any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in within)
         hot = [stage for stage in run if "heat" in stage.does]
         if not savoury or not hot or not self._is_over_heat(run[0]):
             return ()
-        lines = [add for stage in run for add in stage.adds if isinstance(add, Line) and self._foods(add)]
+        lines = [line for line in beside if self._foods(line)]
         fat = any(join.want.facts.is_a(*word_list("gives fat")) for join in self.plan.joins)
-        bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._foods(line))))
+        bath = any(_is_bath(one.want.facts) for one in within)
         water = None if bath else self._water(run, joins, fat=fat)
         bath = bath or water is not None
         if not fat and not bath:
@@ -151,6 +162,27 @@ class _Phaser:
                 *(one for add in stage.adds if isinstance(add, Line) for one in self._foods(add)),
             )
         ]
+
+    def _taken_out(self, line: Line) -> list[Join]:
+        """Take out of what is mixed cold what a cook puts into the vessel by itself, and return it.
+
+        That is what has to be fried before raw eggs come, and eggs that would set in the liquid only when that boils.
+        """
+        foods = self._foods(line)
+        if any(not stage.does <= {"mix", "move", "whip"} for stage in line.stages):
+            return []
+        eggs = any(join.want.facts.is_a("egg") for join in foods)
+        bath = any(_is_bath(join.want.facts) and not join.want.facts.is_a("milk") for join in foods)
+        fries = word_list("fries") | word_list("takes long to fry")
+        found = [
+            join
+            for join in foods
+            if (eggs and not join.want.facts.is_a("fat") and _needs_pan(join.want.facts, fries))
+            or (bath and join.want.facts.is_a("egg"))
+        ]
+        for joins in self.at.values():
+            joins[:] = [join for join in joins if join not in found]
+        return found
 
     def _phase_of_line(self, line: Line, *, bath: bool) -> str:
         """Return when what is made beside the vessel joins: with the first of its foods that does not only fry."""
@@ -179,7 +211,7 @@ class _Phaser:
         stages: list[Stage] = []
         for number, part in enumerate(parts):
             last = number == len(parts) - 1
-            wet = bath and any(comer.phase == _WET for comer in part)
+            wet = bath and any(comer.phase == _WET and comer.is_solid for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
             phase = _as_phase(pattern, part, run[-1] if last else None)
             if wet and simmers is None:
@@ -209,7 +241,7 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     waiting: list[_Comer] = []
     for name in order:
         here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
-        solid = [one for one in here if one.facts is None or not one.facts.is_a("fat", *word_list("only flavours"))]
+        solid = [one for one in here if one.is_solid]
         if solid:
             parts.append([*waiting, *here])
             waiting = []
@@ -222,12 +254,21 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     return parts
 
 
+def _needs_pan(facts: Food, fries: frozenset[str]) -> bool:
+    return facts.is_a("meat", "fish") and "ready" not in facts.traits or phase_of(facts) == _FRIES or facts.kind in fries
+
+
 def _same_place(one: Stage, other: Stage) -> bool:
     return one.vessel == other.vessel and one.appliance == other.appliance
 
 
 def _is_bath(facts: Food) -> bool:
-    return facts.is_a(*word_list("is a bath")) and not facts.is_a("creamy")
+    return not facts.kinds.isdisjoint(word_list("is a bath")) and not facts.is_a("creamy")
+
+
+def _seasons(facts: Food) -> bool:
+    """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
+    return facts.is_a(*word_list("only flavours")) and not facts.is_a("ready", *word_list("is cooked in phases"))
 
 
 def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
@@ -235,6 +276,8 @@ def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
     phase = phase_of(facts)
     if phase in {_FRIES, _BINDS} and not fat:
         return _WET
+    if not bath and facts.is_a(*word_list("is boiled by itself")):
+        return _WET  # it is done already
     if phase == _WET and not bath and facts.is_a(*word_list("takes long to fry")):
         return _FRIES
     if phase == _WET and bath and fat and facts.is_a(*word_list("is toasted")):
