@@ -95,10 +95,8 @@ class Alone:
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
-        """Whether a food gets done in the liquid of the dish, or sets in it while the rest is stirred over the heat."""
+        """Whether a food gets done in the liquid of the dish."""
         want = join.want
-        if self._pours(want) and self._is_warmed(join):
-            return True
         bath = [stage for stage in heats if "dry" not in stage.does]
         by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
         drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
@@ -141,13 +139,6 @@ class Alone:
         fat = any(one.want.facts.is_a("fat") for one in self.plan.joins)
         soft = not want.facts.is_a(*word_list("is boiled rather than fried")) and "shell" not in want.facts.owes
         return ("cook",) if fat and soft else ("boil",)
-
-    def _is_warmed(self, join: Join) -> bool:
-        """Whether a food joins what was drained before it is stirred over the heat."""
-        stages = self.course.line.stages
-        place = next((number for number, stage in enumerate(stages) if stage is join.spot.stage), 0)
-        row = self.known.utensil(stages[place - 1].vessel) if place else None
-        return join.slot is None and not self.plan.cold and row is not None and "strain" in row.can
 
     def _is_boiled(self, state: str) -> bool:
         """Whether a state is one that only cooking in water gives."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.batters import binds
@@ -152,8 +152,6 @@ class Cooking:
             return self.serving.stack(stage, vessel, joins, lines)
         device, relation = self.utensils.device_for(stage)
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
-        if vessel is not None and dressed and not lines and self.serving.is_warmed(vessel):
-            return self.serving.warm(stage, vessel, joins)
         label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
@@ -396,7 +394,7 @@ class Cooking:
         if later and self._goes_on(stage, later[0]):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and heats and all(food.is_a(*word_list("is only made hot")) for food in foods):
+        if later and heats and all(self._is_only_made_hot(food) for food in foods):
             return True
         rises = stage.motion in word_list("rises")
         if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
@@ -419,6 +417,9 @@ class Cooking:
         facts = self.known.foods.food(stuff.label)
         beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
         return beaten or ("knead" in stage.does and facts.is_a("dough"))
+
+    def _is_only_made_hot(self, food: Food) -> bool:
+        return food.is_a(*word_list("is only made hot")) and not food.is_a(*word_list("is cooked in phases"))
 
     def _is_mixed(self, stage: Stage, vessel: Vessel) -> bool:
         """Whether nothing is left to be mixed: it is mixed and nothing joined, or it is one food that pours."""

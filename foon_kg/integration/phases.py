@@ -13,13 +13,15 @@ from dataclasses import dataclass, replace
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.course import HEATS, Plan
+from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Phase, Slot, Stage
 from foon_kg.integration.places import Join
 
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
 _ORDER = ("fries", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
 _FRIES, _BINDS, _WET, _SOON, _LAST = _ORDER
+_EGGS_FIRST, _EGGS = "eggs before what is boiled", "eggs"
+_DRY_ORDER = (_FRIES, _BINDS, _SOON, _EGGS_FIRST, _WET, _EGGS, _LAST)
 _MOST_TELLING = (_LAST, _SOON, _BINDS, _FRIES, _WET)
 
 
@@ -49,7 +51,7 @@ class _Comer:
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     """Return the line of a dish and its plan with what stands over the heat in the order of a cook."""
     phaser = _Phaser(plan, known)
-    changed = phaser.line(line)
+    changed = phaser.line(phaser.tossed(line))
     joins = [phaser.moved(join) for join in plan.joins]
     rank = {number: place for place, number in enumerate(phaser.order)}
     joins.sort(key=lambda join: rank.get(join.want.number, -1))
@@ -70,12 +72,34 @@ class _Phaser:
         self.known = known
         self.order: list[int] = []
         self.became: dict[int, tuple[Stage, ...]] = {}
-        self.spot: dict[int, Phase] = {}
+        self.spot: dict[int, Stage] = {}
+        self.kept: list[Stage] = []  # what is known by its identity must not vanish
         self.at: dict[int, list[Join]] = {}
         for join in plan.joins:
             self.at.setdefault(id(join.spot.stage), []).append(join)
 
     # --- lines ---
+
+    def tossed(self, line: Line) -> Line:
+        """Return a line that boils and drains with a pan in which that is tossed with what it is eaten with."""
+        for place, stage in enumerate(line.stages[1:], start=1):
+            rest = line.stages[place:]
+            joins = [join for join in self.at.get(id(stage), ()) if not join.want.facts.is_a("topping", "herb")]
+            if not self._strains(line.stages[place - 1]) or any(not one.does.isdisjoint(WORKS) for one in rest):
+                continue
+            if self.plan.cold or all(join.slot is not None for join in joins):
+                return line
+            pan = Stage(
+                (Line(line.stages[:place]), *stage.adds), "cook and stir", frozenset({"heat", "mix"}), ("spoon",),
+                "cooking pan", "in", "stove", "heat", stage.label, stage.states, stage.step,
+            )  # fmt: skip
+            self.at[id(pan)] = joins
+            self.at[id(stage)] = [join for join in self.at[id(stage)] if join not in joins]
+            self.spot.update({join.want.number: pan for join in joins})
+            self.became[id(stage)] = (pan, stage)
+            self.kept.append(pan)
+            return Line((pan, *rest))
+        return line
 
     def line(self, line: Line) -> Line:
         stages: list[Stage] = []
@@ -100,11 +124,17 @@ class _Phaser:
     def moved(self, join: Join) -> Join:
         """Return a food with the stage at which it joins now, and with what comes after that."""
         old = join.spot
-        stages = [other for one in (old.stage, *old.after) for other in self.became.get(id(one), (one,))]
-        unique = list({id(one): one for one in stages}.values())
-        phase = self.spot.get(join.want.number)
-        here = next((place for place, one in enumerate(unique) if one is phase), 0)
+        unique = list({id(one): one for before in (old.stage, *old.after) for one in self._now(before)}.values())
+        spot = self.spot.get(join.want.number, old.stage)
+        here = next((place for place, one in enumerate(unique) if one is spot), 0)
         return replace(join, spot=replace(old, stage=unique[here], after=tuple(unique[here + 1 :])))
+
+    def _now(self, stage: Stage) -> Iterator[Stage]:
+        for one in self.became.get(id(stage), (stage,)):
+            if one is stage:
+                yield one
+            else:
+                yield from self._now(one)
 
     def _runs(self, line: Line) -> Iterator[list[Stage]]:
         """Yield the stages in groups: those of one vessel over the heat together, each other one by itself."""
@@ -138,8 +168,9 @@ class _Phaser:
         if not savoury or not hot or not self._is_over_heat(run[0]):
             return ()
         lines = [line for line in beside if self._foods(line)]
-        fat = any(join.want.facts.is_a(*word_list("gives fat")) for join in self.plan.joins)
-        bath = any(_is_bath(one.want.facts) for one in within)
+        fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
+        fat = any(join in within or join.want.facts.is_a("liquid") for join in fats)
+        bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._bath_of(line))))
         water = None if bath else self._water(run, joins, fat=fat)
         bath = bath or water is not None
         if not fat and not bath:
@@ -149,8 +180,7 @@ class _Phaser:
         ] + [_Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines]
         if water is not None:
             comers.insert(0, _Comer(water, None, _WET))
-        order = _ORDER if bath else (_FRIES, _BINDS, _SOON, _WET, _LAST)
-        parts = _parts(comers, order)
+        parts = _parts(self._with_eggs(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
         return self._stages(run, hot, parts, bath=bath)
 
     def _foods(self, line: Line) -> list[Join]:
@@ -184,13 +214,19 @@ class _Phaser:
             joins[:] = [join for join in joins if join not in found]
         return found
 
+    def _bath_of(self, line: Line) -> list[Join]:
+        """Return what of a line may be liquid to cook in: not the water that was drained, nor what eggs are beaten with."""
+        foods = self._foods(line)
+        drained = self._strains(line.stages[-1]) or any(join.want.facts.is_a("egg") for join in foods)
+        return [] if drained else foods
+
     def _phase_of_line(self, line: Line, *, bath: bool) -> str:
         """Return when what is made beside the vessel joins: with the first of its foods that does not only fry."""
         facts = [join.want.facts for join in self._foods(line)]
         if any(one.is_a(*word_list("is flesh")) for one in facts):
             return _FRIES
         order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)
-        phases = {phase_of(one) for one in facts}
+        phases = {_suited(one, fat=True, bath=bath) for one in facts}
         return next((name for name in order if name in phases), _WET)
 
     def _water(self, run: Sequence[Stage], joins: Sequence[Join], *, fat: bool) -> Slot | None:
@@ -202,6 +238,20 @@ class _Phaser:
         )
         asked = any(join.want.facts.is_a("water") for join in self.plan.joins)
         return slot if not asked and (not fat or boils or self.plan.one_pot) else None
+
+    def _with_eggs(self, comers: Sequence[_Comer], within: Sequence[Join], *, bath: bool) -> list[_Comer]:
+        """Let eggs come to what is fried: before rice and noodles; but where they make a sauce with cheese, after."""
+        if bath:
+            return list(comers)
+        facts = [join.want.facts for join in within]
+        first = any(one.is_a("dry starch") for one in facts) and not any(one.is_a("cheese", "creamy") for one in facts)
+        eggs = _EGGS_FIRST if first else _EGGS
+        return [replace(one, phase=eggs) if self._is_egg(one) else one for one in comers]
+
+    def _is_egg(self, comer: _Comer) -> bool:
+        if comer.facts is not None:
+            return comer.facts.is_a("egg")
+        return isinstance(comer.what, Line) and any(j.want.facts.is_a("egg") for j in self._foods(comer.what))
 
     def _stages(
         self, run: Sequence[Stage], hot: Sequence[Stage], parts: Sequence[Sequence[_Comer]], *, bath: bool

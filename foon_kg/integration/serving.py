@@ -146,51 +146,9 @@ class Serving:
         pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*_LAYERS)]
         return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
 
-    def is_warmed(self, vessel: Vessel | None) -> bool:
-        """Whether a dish is dressed over the heat: it was drained hot, and is not served cold."""
-        row = self.known.utensil(vessel.label) if vessel is not None else None
-        return row is not None and "strain" in row.can and not self.plan.cold
-
     def dress(self, vessel: Vessel) -> None:
         """Mix what came to a dish that was done."""
         self.bench.work(vessel, self.work.stirring(foods_of(vessel)), self.plan.label, ("mixed",), with_device=False)
-
-    def warm(self, stage: Stage, strainer: Vessel, joins: Sequence[Join]) -> Vessel:
-        """Toss what was drained over the heat with what it is eaten with; what is raw is fried before."""
-        pan = self.bench.vessel("cooking pan")
-        device = self.bench.place(pan, "stove", "on")
-        tops = [join for join in joins if join.want.facts.is_a("topping", "herb")]
-        fats = [join for join in joins if join.want.facts.is_a("fat")]
-        raw = [join for join in joins if self._is_raw(join) and join not in tops and join not in fats]
-        for join in fats:
-            self._bring(join, pan)
-        if raw and not fats:
-            self.carry.add_fat(pan, self.plan)
-        self.bench.switch(pan, device, on=True)
-        for join in raw:
-            self._bring(join, pan)
-        if raw:
-            attested = self.work.stirring_hot(foods_of(pan))
-            self.work.work_each(pan, attested, ("mixed", "partly cooked"), with_device=True)
-        self.carry.transfer(strainer, pan, stage)
-        for join in joins:
-            if join not in raw and join not in fats and join not in tops:
-                self._bring(join, pan)
-        self.bench.work(pan, self.work.stirring_hot(foods_of(pan)), self.plan.label, ("cooked", "mixed"))
-        self.bench.switch(pan, device, on=False)
-        for join in tops:
-            self._bring(join, pan)
-            self.work.name(pan, self.plan.label)
-        return pan
-
-    def _bring(self, join: Join, vessel: Vessel) -> None:
-        self.carry.bring(self.ready[join.want.number], vessel, None)
-
-    def _is_raw(self, join: Join) -> bool:
-        """Whether a food still has to fry: a vegetable or an egg that nobody cooked."""
-        stuff = self.ready[join.want.number].stuff
-        cooked = any(self.known.state(state).needs_heat for state in stuff.states)
-        return not cooked and join.want.facts.is_a(*word_list("is done in the pan first"))
 
     def is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
         """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""

@@ -18,7 +18,7 @@ class Utensils:
     def device_for(self, stage: Stage) -> tuple[str, str]:
         """Return the appliance of a stage and how it holds its vessel (``"on"``, ``"in"``, ``""`` by hand)."""
         own = self.known.utensil(stage.vessel) if stage.vessel else None
-        stands = own is None or own.role != "vessel" or not own.can.isdisjoint({"bake", "cook", "heat", "microwave"})
+        stands = own is None or own.role != "vessel" or not own.can.isdisjoint({"bake", "cook", "heat"})
         over_heat = stage.source == "heat" and stands and not stage.does.isdisjoint({"mix", "turn"})
         if stage.does.isdisjoint(HEATS | {"blend", "wait"}) and stage.source != "power" and not over_heat:
             return "", ""
