@@ -76,10 +76,9 @@ class Alone:
         due = {"cook", "boil"} & owed(want, self.known)
         if not due and not want.cooked:
             return self._warmed_first(join)
-        if not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
+        in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
+        if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
-        if isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then:
-            return ()  # it comes into the heat in its turn
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
         if self._is_cut_of_its_shell(want):
             told = ("boil",)
@@ -151,7 +150,11 @@ class Alone:
     def _warmed_first(self, join: Join) -> tuple[str, ...]:
         """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
         state = join.want.make
-        if not state or not self.known.state(state).needs_heat or not join.spot.stage.does.isdisjoint(HEATS):
+        hot = not join.spot.stage.does.isdisjoint(HEATS)
+        toasted = (
+            isinstance(join.spot.stage, Phase) and join.want.facts.is_a("ready") and not join.want.facts.is_a("fat")
+        )
+        if not state or not self.known.state(state).needs_heat or (hot and not toasted):
             return ()
         ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & HEATS]
         found = self.bench.attest(

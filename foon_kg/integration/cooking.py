@@ -15,7 +15,7 @@ from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.frames import Line, Phase, Stage
 from foon_kg.integration.operators import form_of
 from foon_kg.integration.phases import in_phases
 from foon_kg.integration.places import Join
@@ -77,6 +77,8 @@ class Cooking:
             form = (*form, "halved")
         if self.plan.stacked and want.facts.is_a(*word_list("is sliced to be stacked")):
             form = (*form, "sliced")
+        if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
+            form = (*form, "chopped")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
@@ -189,7 +191,8 @@ class Cooking:
             label = self.carry.deep_for(label, [join.want for join in joins])
         elif label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
-        return "bowl" if dressed and is_flat(label) else label
+        runs = vessel is not None and vessel.hot and any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        return "bowl" if (dressed or runs) and is_flat(label) else label
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""
@@ -333,6 +336,8 @@ class Cooking:
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
+        if isinstance(stage, Phase):
+            return True
         if "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins):
             return False  # bought dough has its water
         apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)

@@ -57,10 +57,10 @@ class Stage:
 class Phase(Stage):
     """A stage of a vessel over the heat of which nothing but the place is the video's: the plan orders its foods.
 
-    ``fries``: there is no liquid in it as yet.
+    ``small``: it is eaten with a spoon or fork alone, so that meat and fish come in pieces.
     """
 
-    fries: bool = False
+    small: bool = False
 
 
 @dataclass(frozen=True)

@@ -18,11 +18,11 @@ from foon_kg.integration.frames import Line, Phase, Slot, Stage
 from foon_kg.integration.places import Join
 
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
-_ORDER = ("fries", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
-_FRIES, _BINDS, _WET, _SOON, _LAST = _ORDER
+_ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
+_FRIED, _BINDS, _WET, _SOON, _LAST = _ORDER
 _EGGS_FIRST, _EGGS = "eggs before what is boiled", "eggs"
-_DRY_ORDER = (_FRIES, _BINDS, _SOON, _EGGS_FIRST, _WET, _EGGS, _LAST)
-_MOST_TELLING = (_LAST, _SOON, _BINDS, _FRIES, _WET)
+_DRY_ORDER = (_FRIED, _BINDS, _SOON, _EGGS_FIRST, _WET, _EGGS, _LAST)
+_MOST_TELLING = (_LAST, _SOON, _BINDS, _FRIED, _WET)
 
 
 @dataclass(frozen=True)
@@ -175,13 +175,14 @@ class _Phaser:
         bath = bath or water is not None
         if not fat and not bath:
             return ()
-        comers = [
-            _Comer(join, join.want.facts, _suited(join.want.facts, fat=fat, bath=bath)) for join in joins
-        ] + [_Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines]
+        comers = [_Comer(join, join.want.facts, _suited(join.want.facts, fat=fat, bath=bath)) for join in joins] + [
+            _Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines
+        ]
         if water is not None:
             comers.insert(0, _Comer(water, None, _WET))
         parts = _parts(self._with_eggs(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
-        return self._stages(run, hot, parts, bath=bath)
+        small = bath or any(one.want.facts.is_a("egg", *word_list("is eaten with a sauce")) for one in within)
+        return self._stages(run, hot, parts, bath=bath, small=small)
 
     def _foods(self, line: Line) -> list[Join]:
         return [
@@ -201,13 +202,15 @@ class _Phaser:
         foods = self._foods(line)
         if any(not stage.does <= {"mix", "move", "whip"} for stage in line.stages):
             return []
-        eggs = any(join.want.facts.is_a("egg") for join in foods)
-        bath = any(_is_bath(join.want.facts) and not join.want.facts.is_a("milk") for join in foods)
-        fries = word_list("fries") | word_list("takes long to fry")
+        batter = any(join.want.facts.is_a(*word_list("makes a batter")) for join in foods)
+        eggs = not batter and any(join.want.facts.is_a("egg") for join in foods)
+        bath = any(
+            _is_bath(join.want.facts) and not join.want.facts.is_a(*word_list("is beaten with eggs")) for join in foods
+        )
         found = [
             join
             for join in foods
-            if (eggs and not join.want.facts.is_a("fat") and _needs_pan(join.want.facts, fries))
+            if (eggs and not join.want.facts.is_a("fat") and _needs_pan(join.want.facts))
             or (bath and join.want.facts.is_a("egg"))
         ]
         for joins in self.at.values():
@@ -215,7 +218,7 @@ class _Phaser:
         return found
 
     def _bath_of(self, line: Line) -> list[Join]:
-        """Return what of a line may be liquid to cook in: not the water that was drained, nor what eggs are beaten with."""
+        """Return what of a line may be liquid to cook in: not drained water, nor what eggs are beaten with."""
         foods = self._foods(line)
         drained = self._strains(line.stages[-1]) or any(join.want.facts.is_a("egg") for join in foods)
         return [] if drained else foods
@@ -224,7 +227,7 @@ class _Phaser:
         """Return when what is made beside the vessel joins: with the first of its foods that does not only fry."""
         facts = [join.want.facts for join in self._foods(line)]
         if any(one.is_a(*word_list("is flesh")) for one in facts):
-            return _FRIES
+            return _FRIED
         order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)
         phases = {_suited(one, fat=True, bath=bath) for one in facts}
         return next((name for name in order if name in phases), _WET)
@@ -232,6 +235,8 @@ class _Phaser:
     def _water(self, run: Sequence[Stage], joins: Sequence[Join], *, fat: bool) -> Slot | None:
         """Return the free water of the video where something has to cook in it that is not fried."""
         slot = next((slot for stage in run for slot in stage.slots if slot.food == "water"), None)
+        if slot is None and self.plan.one_pot:
+            slot = Slot("water", "water")  # there is no such dish without a liquid
         boils = any(
             "boil" in join.want.facts.owes and not join.want.facts.is_a(*word_list("is boiled by itself"))
             for join in joins
@@ -244,7 +249,9 @@ class _Phaser:
         if bath:
             return list(comers)
         facts = [join.want.facts for join in within]
-        first = any(one.is_a("dry starch") for one in facts) and not any(one.is_a("cheese", "creamy") for one in facts)
+        first = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts) and not any(
+            one.is_a(*word_list("makes a sauce with eggs")) for one in facts
+        )
         eggs = _EGGS_FIRST if first else _EGGS
         return [replace(one, phase=eggs) if self._is_egg(one) else one for one in comers]
 
@@ -254,7 +261,13 @@ class _Phaser:
         return isinstance(comer.what, Line) and any(j.want.facts.is_a("egg") for j in self._foods(comer.what))
 
     def _stages(
-        self, run: Sequence[Stage], hot: Sequence[Stage], parts: Sequence[Sequence[_Comer]], *, bath: bool
+        self,
+        run: Sequence[Stage],
+        hot: Sequence[Stage],
+        parts: Sequence[Sequence[_Comer]],
+        *,
+        bath: bool,
+        small: bool,
     ) -> tuple[Stage, ...]:
         stirs = next((stage for stage in hot if stage.does >= {"heat", "mix"}), None)
         simmers = next((stage for stage in hot if "liquid" in stage.does or "mix" not in stage.does), None)
@@ -263,7 +276,7 @@ class _Phaser:
             last = number == len(parts) - 1
             wet = bath and any(comer.phase == _WET and comer.is_solid for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
-            phase = _as_phase(pattern, part, run[-1] if last else None)
+            phase = _as_phase(pattern, part, run[-1] if last else None, small=small)
             if wet and simmers is None:
                 phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
             elif not last and not wet and stirs is None:
@@ -276,12 +289,12 @@ class _Phaser:
         return tuple(stages)
 
 
-def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None) -> Phase:
+def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, small: bool) -> Phase:
     slots = [comer.what.slot if isinstance(comer.what, Join) else comer.what for comer in part]
     return Phase(
         tuple(slot for slot in slots if slot is not None), pattern.motion, pattern.does, pattern.tools, pattern.vessel,
         pattern.relation, pattern.appliance, pattern.source, end.label if end else "", end.states if end else (),
-        pattern.step, fries=all(comer.phase != _WET for comer in part),
+        pattern.step, small=small,
     )  # fmt: skip
 
 
@@ -304,8 +317,10 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     return parts
 
 
-def _needs_pan(facts: Food, fries: frozenset[str]) -> bool:
-    return facts.is_a("meat", "fish") and "ready" not in facts.traits or phase_of(facts) == _FRIES or facts.kind in fries
+def _needs_pan(facts: Food) -> bool:
+    """Whether a food is not done when eggs set around it."""
+    raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
+    return raw or phase_of(facts) == _FRIED or facts.is_a(*word_list("takes long in the pan"))
 
 
 def _same_place(one: Stage, other: Stage) -> bool:
@@ -318,18 +333,19 @@ def _is_bath(facts: Food) -> bool:
 
 def _seasons(facts: Food) -> bool:
     """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
-    return facts.is_a(*word_list("only flavours")) and not facts.is_a("ready", *word_list("is cooked in phases"))
+    more = facts.is_a("ready", *word_list("is cooked in phases")) or _is_bath(facts)
+    return facts.is_a(*word_list("only flavours")) and not more
 
 
 def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
     """Return in which phase a food joins where there is fat to fry in and a liquid to cook in, or not."""
     phase = phase_of(facts)
-    if phase in {_FRIES, _BINDS} and not fat:
+    if phase in {_FRIED, _BINDS} and not fat:
         return _WET
     if not bath and facts.is_a(*word_list("is boiled by itself")):
         return _WET  # it is done already
-    if phase == _WET and not bath and facts.is_a(*word_list("takes long to fry")):
-        return _FRIES
+    if phase == _WET and not bath and facts.is_a(*word_list("takes long in the pan")):
+        return _FRIED
     if phase == _WET and bath and fat and facts.is_a(*word_list("is toasted")):
         return _BINDS
     return phase
