@@ -90,12 +90,14 @@ class Alone:
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:
             return ("boil",)
-        done_there = heats and self._cooks_there(join, due)
+        done_there = heats and self._cooks_there(join, due) and not self._is_toasted(join)
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""
         want = join.want
+        if isinstance(join.spot.stage, Phase) and not join.spot.stage.bath:
+            return False
         bath = [stage for stage in heats if "dry" not in stage.does]
         by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
         drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
@@ -150,17 +152,22 @@ class Alone:
     def _warmed_first(self, join: Join) -> tuple[str, ...]:
         """Return how a food is made warm by itself where it is asked so (melted): not where it comes into the heat."""
         state = join.want.make
-        hot = not join.spot.stage.does.isdisjoint(HEATS)
-        toasted = (
-            isinstance(join.spot.stage, Phase) and join.want.facts.is_a("ready") and not join.want.facts.is_a("fat")
-        )
-        if not state or not self.known.state(state).needs_heat or (hot and not toasted):
+        hot = not join.spot.stage.does.isdisjoint(HEATS) and not self._is_toasted(join)
+        if not state or not self.known.state(state).needs_heat or hot:
             return ()
         ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & HEATS]
         found = self.bench.attest(
             [way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names
         )
         return (found.way[0],) if found is not None else ()
+
+    def _is_toasted(self, join: Join) -> bool:
+        """Whether a food that is eaten as it is would not turn out as asked among what is cooked there."""
+        return (
+            isinstance(join.spot.stage, Phase)
+            and join.want.facts.traits >= {"ready", "stock"}
+            and not (join.want.facts.is_a("fat"))
+        )
 
     def _pours(self, want: Want) -> bool:
         """Whether a food is opened over the dish and runs into it: such food is cooked as fast as anything."""

@@ -198,6 +198,7 @@ class Cooking:
         """Whether the next stage only goes on with what this one does: once is enough."""
         if (
             self.course.stage_alive(following)
+            or self._water(following)
             or stage.vessel != following.vessel
             or stage.appliance != following.appliance
         ):

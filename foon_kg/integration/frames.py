@@ -57,9 +57,11 @@ class Stage:
 class Phase(Stage):
     """A stage of a vessel over the heat of which nothing but the place is the video's: the plan orders its foods.
 
-    ``small``: it is eaten with a spoon or fork alone, so that meat and fish come in pieces.
+    ``bath``: there is a liquid in which things boil. ``small``: it is eaten with a spoon or fork alone, so that meat
+    comes in pieces.
     """
 
+    bath: bool = False
     small: bool = False
 
 

@@ -163,7 +163,7 @@ class _Phaser:
         beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
         joins += [join for line in beside for join in self._taken_out(line)]
         within = [*joins, *(join for line in beside for join in self._foods(line))]
-        savoury = any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in within)
+        savoury = self.plan.one_pot or any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in within)
         hot = [stage for stage in run if "heat" in stage.does]
         if not savoury or not hot or not self._is_over_heat(run[0]):
             return ()
@@ -276,7 +276,7 @@ class _Phaser:
             last = number == len(parts) - 1
             wet = bath and any(comer.phase == _WET and comer.is_solid for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
-            phase = _as_phase(pattern, part, run[-1] if last else None, small=small)
+            phase = _as_phase(pattern, part, run[-1] if last else None, bath=bath, small=small)
             if wet and simmers is None:
                 phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
             elif not last and not wet and stirs is None:
@@ -289,12 +289,12 @@ class _Phaser:
         return tuple(stages)
 
 
-def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, small: bool) -> Phase:
+def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, bath: bool, small: bool) -> Phase:
     slots = [comer.what.slot if isinstance(comer.what, Join) else comer.what for comer in part]
     return Phase(
         tuple(slot for slot in slots if slot is not None), pattern.motion, pattern.does, pattern.tools, pattern.vessel,
         pattern.relation, pattern.appliance, pattern.source, end.label if end else "", end.states if end else (),
-        pattern.step, small=small,
+        pattern.step, bath=bath, small=small,
     )  # fmt: skip
 
 

@@ -1,0 +1,82 @@
+"""What is cooked in one open vessel joins in the order in which a cook would do it."""
+
+from __future__ import annotations
+
+import pytest
+from integration.told import KITCHEN
+
+from foon_kg.demo import demo_folder
+from foon_kg.food import tables
+from foon_kg.integration.phases import phase_of
+from foon_kg.loaders import read_paths
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planning.planner import Planner
+from foon_kg.settings import PlanSettings
+from foon_kg.snapshot import Snapshot
+
+KNOWN = tables()
+
+
+@pytest.fixture(scope="module")
+def planner():
+    read = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]
+    snapshot = Snapshot.of(read, KITCHEN)
+    return Planner(snapshot, PlanSettings(KITCHEN, time_limit=None), snapshot.units)
+
+
+def planned(planner, dish_type, **foods):
+    asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
+    return planner.plan(Recipe(dish_type, asked, "x", None)).units
+
+
+def into_heat(units, *foods):
+    """Return the number of the first heating at which each food is there."""
+    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion_node).does]
+    names = [{node.label for node in unit.input_nodes} for unit in hot]
+    return [next((place for place, there in enumerate(names) if food in there), None) for food in foods]
+
+
+@pytest.mark.parametrize(
+    ("food", "phase"),
+    [
+        ("onion", "is fried"),
+        ("bacon", "is fried"),
+        ("garlic", "is stirred into the fat"),
+        ("flour", "is stirred into the fat"),
+        ("chicken broth", "cooks in the liquid"),
+        ("dried oregano", "cooks in the liquid"),
+        ("spinach", "is done soon"),
+        ("shrimp", "is done soon"),
+        ("heavy cream", "is stirred in last"),
+        ("cheddar", "is stirred in last"),
+    ],
+)
+def test_a_food_joins_by_its_kind(food, phase):
+    assert phase_of(KNOWN.foods.food(food)) == phase
+
+
+def test_onions_fry_before_the_liquid_comes_and_cream_comes_last(planner):
+    units = planned(
+        planner, "soup", potato="diced", onion="chopped", flour="powder", butter="stick", chicken_broth="liquid",
+        heavy_cream="liquid",
+    )  # fmt: skip
+    onion, flour, broth, cream = into_heat(units, "onion", "flour", "chicken broth", "heavy cream")
+    assert onion < flour < broth < cream
+
+
+def test_bacon_is_fried_before_it_is_boiled(planner):
+    units = planned(planner, "soup", potato="diced", bacon="chopped", onion="chopped", chicken_broth="liquid")
+    bacon, broth = into_heat(units, "bacon", "chicken broth")
+    assert bacon < broth
+
+
+def test_vegetables_fry_before_eggs_set_around_them(planner):
+    units = planned(planner, "omelette", egg="whole", onion="chopped", mushroom="sliced", butter="stick")
+    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion_node).does]
+    assert into_heat(units, "onion", "mushroom") == [0, 0]
+    assert not any("egg" in {node.label, *node.ingredients} for node in hot[0].input_nodes)
+
+
+def test_no_soup_is_made_without_a_liquid(planner):
+    units = planned(planner, "soup", beet="grated", potato="diced", carrot="grated", vinegar="liquid")
+    assert any(node.label == "water" for unit in units for node in unit.input_nodes)
