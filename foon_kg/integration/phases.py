@@ -45,7 +45,14 @@ class _Comer:
     @property
     def is_solid(self) -> bool:
         """Whether something comes that is cooked, and no mere fat or seasoning."""
+        if self.is_water:
+            return False
         return self.facts is None or not (self.facts.is_a("fat") or _seasons(self.facts))
+
+    @property
+    def is_water(self) -> bool:
+        """Whether it is water: to boil it is nothing to be told, but what joins it then is."""
+        return isinstance(self.what, Slot) or (self.facts is not None and self.facts.is_a("water"))
 
 
 def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
@@ -180,7 +187,7 @@ class _Phaser:
         ]
         if water is not None:
             comers.insert(0, _Comer(water, None, _WET))
-        parts = _parts(self._with_eggs(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
+        parts = _parts(self._as_a_whole(comers, within, bath=bath), _ORDER if bath else _DRY_ORDER)
         small = bath or any(one.want.facts.is_a("egg", *word_list("is eaten with a sauce")) for one in within)
         return self._stages(run, hot, parts, bath=bath, small=small)
 
@@ -202,7 +209,7 @@ class _Phaser:
         foods = self._foods(line)
         if any(not stage.does <= {"mix", "move", "whip"} for stage in line.stages):
             return []
-        batter = any(join.want.facts.is_a(*word_list("makes a batter")) for join in foods)
+        batter = any(join.want.facts.is_a(*word_list("is held together with eggs")) for join in foods)
         eggs = not batter and any(join.want.facts.is_a("egg") for join in foods)
         bath = any(
             _is_bath(join.want.facts) and not join.want.facts.is_a(*word_list("is beaten with eggs")) for join in foods
@@ -244,10 +251,10 @@ class _Phaser:
         asked = any(join.want.facts.is_a("water") for join in self.plan.joins)
         return slot if not asked and (not fat or boils or self.plan.one_pot) else None
 
-    def _with_eggs(self, comers: Sequence[_Comer], within: Sequence[Join], *, bath: bool) -> list[_Comer]:
-        """Let eggs come to what is fried: before rice and noodles; but where they make a sauce with cheese, after."""
+    def _as_a_whole(self, comers: Sequence[_Comer], within: Sequence[Join], *, bath: bool) -> list[_Comer]:
+        """Let grain come with the water; and eggs to what is fried: before rice and noodles; but where they make a sauce with cheese, after."""
         if bath:
-            return list(comers)
+            return _untoasted(comers)
         facts = [join.want.facts for join in within]
         first = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts) and not any(
             one.is_a(*word_list("makes a sauce with eggs")) for one in facts
@@ -274,7 +281,7 @@ class _Phaser:
         stages: list[Stage] = []
         for number, part in enumerate(parts):
             last = number == len(parts) - 1
-            wet = bath and any(comer.phase == _WET and comer.is_solid for comer in part)
+            wet = bath and any(comer.phase == _WET and (comer.is_solid or comer.is_water) for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
             phase = _as_phase(pattern, part, run[-1] if last else None, bath=bath, small=small)
             if wet and simmers is None:
@@ -298,6 +305,14 @@ def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, bath
     )  # fmt: skip
 
 
+def _untoasted(comers: Sequence[_Comer]) -> list[_Comer]:
+    """Let grain come with the water where nothing else comes with that: one cooking is told of both."""
+    if not all(one.is_water for one in comers if one.phase == _WET):
+        return list(comers)
+    toasted = word_list("is toasted")
+    return [replace(c, phase=_WET) if c.facts is not None and c.facts.is_a(*toasted) else c for c in comers]
+
+
 def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]:
     """Part what joins by its phases; what only seasons, and fat, makes no phase of its own."""
     parts: list[list[_Comer]] = []
@@ -305,10 +320,11 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     for name in order:
         here = sorted((comer for comer in comers if comer.phase == name), key=lambda comer: comer.rank)
         solid = [one for one in here if one.is_solid]
-        if solid:
+        water = [one for one in here if one.is_water]
+        if solid or 0 < len(water) < len(here):
             parts.append([*waiting, *here])
             waiting = []
-        elif parts:
+        elif parts and not water:
             parts[-1] += here
         else:
             waiting += here
@@ -328,7 +344,7 @@ def _same_place(one: Stage, other: Stage) -> bool:
 
 
 def _is_bath(facts: Food) -> bool:
-    return not facts.kinds.isdisjoint(word_list("is a bath")) and not facts.is_a("creamy")
+    return not facts.kinds.isdisjoint(word_list("is a bath")) and not facts.is_a(*word_list("is no bath"))
 
 
 def _seasons(facts: Food) -> bool:
