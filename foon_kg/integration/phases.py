@@ -252,7 +252,7 @@ class _Phaser:
         return slot if not asked and (not fat or boils or self.plan.one_pot) else None
 
     def _as_a_whole(self, comers: Sequence[_Comer], within: Sequence[Join], *, bath: bool) -> list[_Comer]:
-        """Let grain come with the water; and eggs to what is fried: before rice and noodles; but where they make a sauce with cheese, after."""
+        """Let grain come with water, and eggs before rice and noodles, but after them in a sauce with cheese."""
         if bath:
             return _untoasted(comers)
         facts = [join.want.facts for join in within]
