@@ -150,6 +150,9 @@ class Serving:
         """Mix what came to a dish that was done."""
         self.bench.work(vessel, self.work.stirring(foods_of(vessel)), self.plan.label, ("mixed",), with_device=False)
 
+    def _bring(self, join: Join, vessel: Vessel) -> None:
+        self.carry.bring(self.ready[join.want.number], vessel, None)
+
     def is_dressed(self, stage: Stage, vessel: Vessel | None, joins: Sequence[Join], later: Sequence[Stage]) -> bool:
         """Whether foods come to a dish that is done which are no topping and that nothing mixes in any more."""
         if not stage.does.isdisjoint(WORKS) or any(not one.does.isdisjoint(WORKS) for one in later):
