@@ -28,13 +28,13 @@ def coated_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, .
     seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
     seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid")]
     fat = [join for join in joins if join.want.facts.is_a("fat") and join.want.facts.is_a("liquid")]
-    crumbs, dip = Line((replace(_MIX),)), Line((replace(_MIX),))
-    bathed = replace(_MIX, adds=(dip,))
-    rolled = replace(_MIX, adds=(crumbs,))
+    powder, wash = Line((replace(_MIX),)), Line((replace(_MIX),))
+    bathed = replace(_MIX, adds=(wash,))
+    rolled = replace(_MIX, adds=(powder,))
     fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
     last = line.stages[-1]
     served = replace(last, adds=(*last.adds, Line((bathed, rolled, fried, turned, done))))
-    places = [(wet, dip.stages[0]), ([*dry, *seasons], crumbs.stages[0]), (flesh, bathed), (fat, fried)]
+    places = [(wet, wash.stages[0]), ([*dry, *seasons], powder.stages[0]), (flesh, bathed), (fat, fried)]
     after = (fried, turned, done, served)
     found = []
     for join in joins:

@@ -264,7 +264,8 @@ class Preparer:
 
     def cut_once_done(self, ready: Ready) -> None:
         """Have a food cut when it is cooked, unless it is in pieces or is cut anyway."""
-        whole = not any((self.known.state(state).fine or 0) > 0 for state in ready.stuff.states)
+        states = (*ready.stuff.states, ready.want.make) if ready.want.make else ready.stuff.states
+        whole = not any((self.known.state(state).fine or 0) > 0 for state in states)
         if whole and not ready.cut_later:
             ready.cut_later = self._usual_cut(ready.want)
 
