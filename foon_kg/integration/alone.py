@@ -188,26 +188,9 @@ class Alone:
             self._pan_cook(ready, method)
         if ready.whole_shell:
             ready.whole_shell = False
-            self._cool(ready)
+            self.preparer.rinse(ready, "washed")  # which cools it
             self.preparer.shelled(ready, join.slot.states if join.slot else ())
         self.preparer.cut_now(ready)
-
-    def _cool(self, ready: Ready) -> None:
-        place = ready.stuff.at
-        if place is None:
-            return
-        ways: list[Way] = [("rinse", ()), ("wash", ())]
-        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
-        if attested is None:
-            return
-        water = self.bench.fetch("water", ("liquid",), (), "faucet")
-        stuff = ready.stuff
-        states = tuple(sorted({*stuff.states, "washed"}))
-
-        def change() -> None:
-            stuff.states = states
-
-        self.bench.emit(attested, [place, stuff, water], change, [stuff])
 
     def _boil(self, ready: Ready) -> None:
         bench, want = self.bench, ready.want

@@ -34,6 +34,9 @@ _CANNED = "canned"
 _FROM_A_CAN = frozenset({"drain"})
 """What is done to what comes out of a can."""
 
+_RINSED = frozenset({"wash"})
+"""What a state says that was only rinsed: washed, cleaned, scrubbed."""
+
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
 
@@ -172,6 +175,8 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
     """Whether the asked state, that of ``row``, can be given to a food of such a form."""
     facts = want.facts
     ways = operators.giving.get(want.asked, ())
+    if row.earns == _RINSED:
+        return form in {"whole", "pieces"} or _CANNED in want.leaf
     if form in {"liquid", "powder", "soft"} and not any(operators.attested(w, want.names, act=True) for w in ways):
         return False
     if facts.is_a("fat", "creamy") and (row.fine or 0) >= _POWDER:
@@ -223,11 +228,10 @@ class Preparer:
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
-        if want.make and self.known.state(want.make).earns and self.known.state(want.make).earns <= ADVISED:
-            self._assume(ready, want.make)
         cut = self._cut_state(want, form, due, divided=divided)
         if self._comes_in_pieces(want, cut):
             self._assume(ready, cut)
+            self._advise(ready)
             return ready
         self._clean(ready, due)
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
@@ -236,6 +240,7 @@ class Preparer:
             return ready
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
+        self._advise(ready)
         if self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
@@ -275,12 +280,43 @@ class Preparer:
         if state:
             self._cut(ready, state)
 
+    def _advise(self, ready: Ready) -> None:
+        """Do what is only advised and yet asked (rinsed), or assume that it was done (soaked)."""
+        asked = ready.want.make
+        earns = self.known.state(asked).earns if asked else frozenset()
+        if not earns or not earns <= ADVISED or asked in ready.stuff.states:
+            return
+        if earns == _RINSED and self.rinse(ready, asked):
+            return
+        self._assume(ready, asked)
+
+    def rinse(self, ready: Ready, state: str) -> bool:
+        """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""
+        bench, stuff, foods = self.bench, ready.stuff, ready.want.names
+        ways: list[Way] = [("rinse", ()), ("wash", ())]
+        attested = bench.attest(ways, foods) or bench.far(ways, foods)
+        if attested is None:
+            return False
+        if stuff.at is None or stuff.at.storage:
+            bench.bring([stuff], bench.vessel("strainer"), bench.require([("pick-and-place", ()), ("pour", ())], foods))
+        places = [stuff.at] if stuff.at is not None else []
+        states = tuple(sorted({*stuff.states, state}))
+
+        def change() -> None:
+            stuff.states = states
+
+        bench.emit(attested, [*places, stuff, bench.fetch("water", ("liquid",), (), "faucet")], change, [stuff])
+        return True
+
     def _drain(self, ready: Ready) -> None:
-        """Pour what is sold in liquid into a strainer."""
+        """Pour what is sold in liquid into a strainer, which makes it drained where it is asked so."""
+        asked = ready.want.asked
+        drained = asked and self.known.state(asked).earns == _FROM_A_CAN
+        states = (*ready.stuff.states, asked) if drained else None
         ways = [("pour", ()), ("drain", ())]
         attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
         if attested is not None:
-            self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested)
+            self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
 
     def _squeeze(self, ready: Ready) -> None:
         """Halve the food and press its juice into a bowl."""

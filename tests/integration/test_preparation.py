@@ -49,6 +49,9 @@ PREPARED = [
     # --- from cans, boxes and bags ---
     ("bean", "canned", "drain", ""),
     ("chickpea", "canned", "drain", ""),
+    ("chickpea", "drained", "drain", ""),
+    ("chickpea", "rinsed", "drain, rinse", ""),
+    ("mushroom", "cleaned", "rinse, chop", ""),
     ("rice", "boiled", "boil, drain", ""),
     ("pasta", "boiled", "boil, drain", ""),
     ("walnut", "chopped", "chop", ""),
