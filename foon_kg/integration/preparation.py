@@ -221,15 +221,16 @@ class Preparer:
         ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
         blended). A food in a shell that is to be opened over a vessel comes as it is (``whole_shell``).
         """
-        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], want.storage))
         due = self._due(want)
+        cut = self._cut_state(want, form, due, divided=divided)
+        pieces = self._comes_in_pieces(want, cut)
+        ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], "" if pieces else want.storage))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready
-        cut = self._cut_state(want, form, due, divided=divided)
-        if self._comes_in_pieces(want, cut):
+        if pieces:
             self._assume(ready, cut)
             self._advise(ready)
             return ready
