@@ -325,7 +325,7 @@ class Cooking:
         return (
             main
             and not any(self._mixing(one) for one in works)
-            and not any(one.adds for one in later if self.course.stage_alive(one))
+            and not any(self.course.stage_alive(one) for one in later)
         )
 
     def _mixing(self, stage: Stage) -> bool:
