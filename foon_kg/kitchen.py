@@ -95,6 +95,10 @@ class Kitchen:
         """Whether a person named a food as being at hand in a state that otherwise somebody would have to make."""
         return False
 
+    def ready_in(self, _food: str, _state: str) -> str | None:
+        """Return in what a food is that stands ready (``""``: it lies free); ``None`` where it does not."""
+        return None
+
     def is_utensil(self, label: str) -> bool:
         """Whether ``label`` names a utensil, device, wrap or place; everything else is food."""
         return singular(label) in self.utensils

@@ -72,6 +72,13 @@ class StockedKitchen(Kitchen):
             _says(thing, state) for thing in self._foods_called(food)
         )
 
+    def ready_in(self, food: str, state: str) -> str | None:
+        """Return in what a food is that was named in a processed state (``""``: it lies free), or ``None``."""
+        if not self.stands_ready(food, state):
+            return None
+        thing = next(thing for thing in self._foods_called(food) if _says(thing, state))
+        return thing.container if thing.container is not None and self.is_storage(thing.container) else ""
+
     def has(self, node: ObjectNode) -> bool:
         """Whether the kitchen of a search has ``node``: named, and in the form that C6 asks or where it was named."""
         return not self.lacks(node) and (super().has(node) or self._is_named_here(node))

@@ -78,6 +78,9 @@ _STRANGE, _MOST_STRANGE = 0.12, 0.3
 _AWKWARD = 0.2
 """What a frame is less worth that makes a batter in an odd way."""
 
+_SAID, _MOST_SAID = 0.35, 0.6
+"""What a word counts that the title and the recorded dish share beside their type (fried, tomato), and all of them."""
+
 _DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be, or most of its foods are lost."""
 
@@ -163,6 +166,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
         elif is_of_dough(wants):
             own = _makes_dough(layout, known)
     score += 0.2 * named + (1.0 if own and (batter or _defined(joins, dish_type, known)) else 0.0)
+    score += min(_MOST_SAID, _SAID * sum(1 for _ in _said_alike(frame, wants, title, known)))
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
@@ -207,6 +211,14 @@ def _batter_score(layout: Layout, wants: Sequence[Want], title: str, known: Tabl
         - (3 * _AWKWARD if watered else 0.0)
         + (0.0 if not cut else 2 * _AWKWARD if is_to_be_cut else -2 * _AWKWARD)
     )
+
+
+def _said_alike(frame: Frame, wants: Sequence[Want], title: str, known: Tables) -> Iterator[str]:
+    """Yield the words by which both title and goal say how a dish is made (fried) or of which asked food (tomato)."""
+    foods = {word for want in wants for word in words(want.label)}
+    for word in set(words(frame.goal.label)) & set(words(title)) - set(words(frame.dish_type)):
+        if word in foods or word in known.states:
+            yield word
 
 
 def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -> float:

@@ -245,8 +245,8 @@ class _Phaser:
         if slot is None and self.plan.one_pot:
             slot = Slot("water", "water")  # there is no such dish without a liquid
         boils = any(
-            "boil" in join.want.facts.owes and not join.want.facts.is_a(*word_list("is boiled by itself"))
-            for join in joins
+            "boil" in one.facts.owes and not one.cooked and not one.facts.is_a(*word_list("is boiled by itself"))
+            for one in (join.want for join in joins)
         )
         asked = any(join.want.facts.is_a("water") for join in self.plan.joins)
         return slot if not asked and (not fat or boils or self.plan.one_pot) else None

@@ -207,11 +207,13 @@ def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
     return best.spot is layout.bound and fine < _SMALL and want.facts.is_a(*word_list("lies on patties"))
 
 
-def _where_it_is_stacked(layout: Layout, join: Join) -> Join:
-    """Let bread that nobody heats any more come when the rest is there: below it and on top of it."""
+def _where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
+    """Let bread that nobody heats any more come when all the rest does: below it and on top of it."""
     last = layout.spots[-1]
-    cold = join.slot is not None and not join.spot.heats_later and join.want.facts.is_a(*_SLICES)
-    return replace(join, spot=last) if cold and only_carries(last.stage) else join
+    cold = [join for join in joins if join.spot is not last and not join.spot.heats_later]
+    if not only_carries(last.stage) or any(not join.want.facts.is_a(*_SLICES) for join in cold):
+        return list(joins)
+    return [replace(join, spot=last) if join in cold else join for join in joins]
 
 
 class Matcher:
@@ -231,7 +233,7 @@ class Matcher:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
         found = [self._join(layout, want, stacked=stacked) for want in wants]
         if stacked:
-            found = [_where_it_is_stacked(layout, join) for join in found]
+            found = _where_it_is_stacked(layout, found)
         found = [_in_its_layer(layout, join) for join in _on_ready_dough(layout, found)]
         joins = _without_lone(layout, found)
         if layout.batter is None or not (is_of_batter(wants) or is_of_dough(wants)):

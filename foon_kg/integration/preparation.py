@@ -120,11 +120,12 @@ def _is_bought_so(row: State, state: str, operators: Operators) -> bool:
     return "cook" in row.earns and not row.needs_heat and not any(True for _ in operators.making(state))
 
 
-def as_there(want: Want, stands_ready: Callable[[str, str], bool]) -> Want:
-    """Return a food as a named kitchen has it: in the asked state, where a person said so."""
-    if want.make and stands_ready(want.label, want.make):
-        return replace(want, leaf=(want.make,), storage="", make="", cooked=False, squeezed=False, at_hand=True)
-    return want
+def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
+    """Return a food as a named kitchen has it: in the asked state and in what a person said."""
+    storage = ready_in(want.label, want.make) if want.make else None
+    if storage is None:
+        return want
+    return replace(want, leaf=(want.make,), storage=storage, make="", cooked=False, squeezed=False, at_hand=True)
 
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
@@ -139,6 +140,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     row = known.state(one.state)
     sold_so = row.sold or bool(row.sold_for and facts.is_a(*row.sold_for))
     if sold_so or not (row.earns or row.fine or row.half):
+        if one.state in word_list("only what was cooked is so") and {"cook", "boil"} & facts.owes.keys():
+            return replace(want, cooked=True)
         taken = _taken_at_its_word(want, plain, known, operators)
         return replace(want, leaf=(one.state,)) if taken else replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)
@@ -147,11 +150,9 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
-    by_others = _done_by_others(want, row, operators)
-    if by_others is not None:
-        return by_others
     can = _can_be_made(want, form, row, operators)
-    return replace(want, make=one.state) if can else replace(want, read_as=plain)
+    alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
+    return _done_by_others(want, row, operators) or alone
 
 
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:

@@ -169,7 +169,7 @@ class _Question:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
         foods = [want.label for want in self.wants]
         self.kitchen = planner.kitchen_for(foods)
-        self.wants = tuple(as_there(want, self.kitchen.stands_ready) for want in self.wants)
+        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in self.wants)
         times = Counter(singular(one.object) for one in asked)
         self.baked, self.parts = parts_of(
             self.wants,
