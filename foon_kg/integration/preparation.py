@@ -40,6 +40,9 @@ _RINSED = frozenset({"wash"})
 _JUICE = "juice"
 """The state of what is squeezed out of a fruit."""
 
+_BRINGS = frozenset({"fetch", "move", "scatter"})
+"""What a motion does that only brings a food somewhere, whatever state its video notes afterwards."""
+
 _RARE = 0.2
 """So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
 
@@ -175,7 +178,7 @@ def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operato
 def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> bool:
     """Whether the asked state, that of ``row``, can be given to a food of such a form."""
     facts = want.facts
-    ways = operators.giving.get(want.asked, ())
+    ways = [way for way in operators.giving.get(want.asked, ()) if not operators.known.motion(way[0]).does <= _BRINGS]
     if row.earns == _RINSED:
         return form in {"whole", "pieces"} or _CANNED in want.leaf
     if form in {"liquid", "powder", "soft"} and not any(operators.attested(w, want.names, act=True) for w in ways):
