@@ -91,6 +91,9 @@ def as_batter(batter: Batter, joins: Sequence[Join], known: Tables) -> list[Join
         spot = _spot(batter, join, known) if join.spot.heats_later and "heat" not in join.spot.stage.does else join.spot
         kept = spot is join.spot
         found.append(join if kept else replace(join, spot=spot, slot=None))
+    fats = [join for join in found if join.want.facts.is_a("fat")]
+    if fats and all("heat" in join.spot.stage.does for join in fats):  # the tin takes some of it, and not all
+        found = [replace(join, spot=batter.fat, slot=None) if join in fats else join for join in found]
     alone = [join for join in found if join.spot is batter.dry]
     if len(alone) == 1 and batter.dry is not batter.whole:
         found[found.index(alone[0])] = replace(alone[0], spot=batter.whole)

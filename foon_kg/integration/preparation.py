@@ -43,6 +43,8 @@ _JUICE = "juice"
 _BRINGS = frozenset({"fetch", "move", "scatter"})
 """What a motion does that only brings a food somewhere, whatever state its video notes afterwards."""
 
+_GRATE = "grate"
+
 _RARE = 0.2
 """So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
 
@@ -490,12 +492,23 @@ class Preparer:
     def _way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
+        grating = [way for way in ways if self._has_tool_to(_GRATE, way)]
+        if grating and (hard or state in word_list("only grates")):
+            return self._nearest_cut(grating, want, state) or self._nearest_cut(ways, want, state)
+        return self._nearest_cut(ways, want, state)
+
+    def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:
         usual = self._usual_ways(ways, state)
         tools = {way[1] for way in usual}
         attested = self.bench.attest([way for way in ways if way[1] in tools], want.names, act=True)
         if attested is None or attested.nearness > Nearness.FOOD:
             attested = self.bench.attest(usual, want.names, act=True) or (self._far(usual, want) if usual else None)
         return attested or self.bench.attest(ways, want.names, act=True) or self._far(ways, want)
+
+    def _has_tool_to(self, work: str, way: Way) -> bool:
+        rows = (self.known.utensil(tool) for tool in way[1])
+        return any(row is not None and work in row.can for row in rows)
 
     def _cut(self, ready: Ready, state: str) -> None:
         want = ready.want
