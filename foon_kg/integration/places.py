@@ -207,6 +207,14 @@ def _lies_on(layout: Layout, want: Want, best: Join, known: Tables) -> bool:
     return best.spot is layout.bound and fine < _SMALL and want.facts.is_a(*word_list("lies on patties"))
 
 
+def _in_the_pan(layout: Layout, join: Join) -> Join:
+    """Let what a video fries by itself and brings to the dish when that is done fry in the dish's own pan."""
+    late = join.slot is not None and bool(join.slot.cooked) and join.spot.post[1] == "before"
+    due = {"cook", "boil"} & join.want.facts.owes.keys()
+    hot = next((spot for spot in layout.spots if not spot.side and "heat" in spot.stage.does), None)
+    return replace(join, spot=hot, slot=None) if late and not due and hot is not None else join
+
+
 def _where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     """Let bread that nobody heats any more come when all the rest does: below it and on top of it."""
     last = layout.spots[-1]
@@ -245,6 +253,8 @@ class Matcher:
         if ready_made is not None:
             return ready_made
         best = self._natural(layout, want)
+        if best is not None:
+            best = _in_the_pan(layout, best)
         if stacked and (best is None or _lies_on(layout, want, best, self.known)) and self._is_stacked(layout, want):
             return Join(want, layout.spots[-1], NATURAL - 0.01)
         if layout.turned is not None and want.facts.is_a(*_SERVED_WITH) and (best is None or best.fit < _SURELY):
