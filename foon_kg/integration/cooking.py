@@ -85,7 +85,7 @@ class Cooking:
             taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
             self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True))
             return
-        ready = self.preparer.prepare(want, form, divided=not blended)
+        ready = self.preparer.prepare(want, form, divided=not blended, alone=bool(first))
         if first:
             ready = self._cut_once_done(ready)
         self.ready[want.number] = ready

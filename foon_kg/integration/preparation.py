@@ -221,11 +221,12 @@ class Preparer:
         self.known = bench.known
         self.operators = bench.operators
 
-    def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True) -> Ready:
+    def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, alone: bool = True) -> Ready:
         """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
 
         ``form`` are states in which such a food joins elsewhere. ``divided``: it has to be in pieces (not where it is
-        blended). A food in a shell that is to be opened over a vessel comes as it is (``whole_shell``).
+        blended); ``alone``: it is cooked by itself before it joins. A food in a shell that is to be opened over a
+        vessel comes as it is (``whole_shell``).
         """
         due = self._due(want)
         cut = self._cut_state(want, form, due, divided=divided)
@@ -248,7 +249,9 @@ class Preparer:
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
         self._advise(ready)
-        if self.is_mashed_raw(want):
+        if self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
+            self._cut(ready, self._usual_cut(want))  # it falls into shreds only once it is cooked
+        elif self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
