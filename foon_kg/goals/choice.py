@@ -84,7 +84,7 @@ _SAID, _MOST_SAID = 0.35, 0.6
 _DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be, or most of its foods are lost."""
 
-_UNTOLD_OVEN = 0.25
+_UNTOLD_OVEN = 0.8
 """What a frame is less worth that bakes a dish which nobody calls baked."""
 
 _MIXED = 0.4
@@ -396,7 +396,8 @@ def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: 
     grilled = stacked and any(dish.grilled for dish in dishes)
     if stacked and _base_is_heated_alone(layout, known):
         yield f"what it is laid on is heated by itself in {frame.goal.label}"
-    if unbaked and bakes:
+    in_a_pan = not word_list("is cooked in a pan").isdisjoint(words(title)) and not _is_baked(dish_type, "", known)
+    if (unbaked or in_a_pan) and bakes:
         yield f"it is not to be baked, and {frame.goal.label} is"
     for dish in known.dishes_named(dish_type, title) if not unbaked else ():
         unheated = (join.want for join in joins if not join.spot.heats_later and join.want.facts.is_a(*_BAKED_ON))
