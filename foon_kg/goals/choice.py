@@ -272,8 +272,9 @@ def _bakes(layout: Layout) -> bool:
 
 
 def _is_damaged(frame: Frame) -> bool:
-    """Whether half of what is in the goal was lost when its video was followed."""
-    return 2 * len(frame.weak) >= len(frame.goal.ingredients) > 0
+    """Whether half of what is in the goal was lost when its video was followed, or the video ends before the dish."""
+    ends_early = not word_list("is not done").isdisjoint(frame.goal.states)
+    return ends_early or 2 * len(frame.weak) >= len(frame.goal.ingredients) > 0
 
 
 def _is_of_verb(word: str, verb: str) -> bool:
@@ -370,6 +371,8 @@ def _vetoes(layout: Layout, joins: Sequence[Join], dish_type: str, title: str, k
             yield f"{join.want.label} would run off"
         if join.slot is None and join.spot.post[0] in {"knead", "shape"} and not join.want.facts.is_a(*_WORKED_IN):
             yield f"{join.want.label} would be worked into it"
+        if join.slot is None and join.spot.post[0] == "blend" and join.want.facts.is_a(*word_list("is flesh")):
+            yield f"{join.want.label} would be blended"
 
 
 def _is_only_poured(layout: Layout, known: Tables) -> bool:

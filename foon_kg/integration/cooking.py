@@ -402,8 +402,8 @@ class Cooking:
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if later and heats and all(self._is_only_made_hot(food) for food in foods):
             return True
-        rises = stage.motion in word_list("rises")
-        if rises and not any(food.is_a(*word_list("makes dough rise")) for food in foods):
+        flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
+        if flat or ("cut" in stage.does and not heats and self._is_in_pieces(vessel)):
             return True
         needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
         if single and mixes and not heats and needless:
@@ -412,6 +412,12 @@ class Cooking:
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         return not mixes and not heats and "wait" not in stage.does and single and not rolled
+
+    def _is_in_pieces(self, vessel: Vessel) -> bool:
+        """Whether there is nothing to cut in what a dish is cooked in: all of it is small, or one with the rest."""
+        row = self.known.utensil(vessel.label)
+        fine = all(s.mixed or any((self.known.state(t).fine or 0) > 0 for t in s.states) for s in vessel.contents)
+        return row is not None and bool(row.can & {"heat", "cook"}) and fine and len(vessel.contents) > 1
 
     def _is_shaped(self, vessel: Vessel) -> bool:
         """Whether dough was bought rolled out."""
