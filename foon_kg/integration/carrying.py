@@ -159,7 +159,7 @@ class Carrier:
         if vessel.label == tin:
             return tin
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
-        batter = [stuff for stuff in mixed if binds(stuff.foods, self.known)]
+        batter = [stuff for stuff in mixed if binds(stuff.foods, self.known) and not self._is_sauce(stuff)]
         in_portions = row.group == "tins"
         runs = any(self.is_wet(stuff) for stuff in batter)
         if tin and batter and (in_portions or runs):
@@ -170,6 +170,11 @@ class Carrier:
         )
         plain = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
         return _DEEP if is_flat(label) and wet and not plain and not batter else label
+
+    def _is_sauce(self, stuff: Stuff) -> bool:
+        """Whether what flour binds is a sauce with something in it, and no batter."""
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        return any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
 
     def deep_for(self, label: str, wants: Sequence[Want]) -> str:
         """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""
