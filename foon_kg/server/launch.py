@@ -37,8 +37,6 @@ def launched(
     with _interrupts_held() as let_go:
         child = processes.spawn(command, place.console_log, place.root)
         try:
-            import neo4j  # noqa: F401, PLC0415 - slow: done while the server starts, and here, since an import can lose a Ctrl-C
-
             let_go()
             yield child, settings
         except BaseException:

@@ -94,9 +94,14 @@ def test_a_start_without_room_says_so_and_the_next_one_works(place):
     up()
 
 
+HEEDING = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+"""What lets a command be interrupted though the tests run in the background, where a shell has it ignore Ctrl-C."""
+
+
 def test_a_start_that_is_interrupted_leaves_no_server_behind(place):
     stop()
-    command = subprocess.Popen(START, stderr=subprocess.DEVNULL)
+    *python, code = START
+    command = subprocess.Popen([*python, HEEDING + code], stderr=subprocess.DEVNULL)
     while command.poll() is None and not servers_of(place):
         os.sched_yield()
     command.send_signal(signal.SIGINT)
