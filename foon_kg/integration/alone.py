@@ -70,6 +70,10 @@ class Alone:
         ways.sort(key=lambda way: "whip" not in motion(way[0]).does)
         return self.bench.attest(ways, want.names)
 
+    def is_asked_done(self, want: Want) -> bool:
+        """Whether a recipe begins with meat or fish that was cooked before: then it is boiled by itself, and cut."""
+        return want.make in word_list("begins cooked") and want.facts.is_a(*word_list("is flesh"))
+
     def cooked_first(self, join: Join) -> tuple[str, ...]:
         """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
         want, spot = join.want, join.spot
@@ -82,7 +86,7 @@ class Alone:
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
         if self._is_cut_of_its_shell(want):
             told = ("boil",)
-        if told or want.then or self.preparer.is_mashed_raw(want):
+        if told or want.then or self.preparer.is_mashed_raw(want) or (due and self.is_asked_done(want)):
             return told or ("boil",)
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
         if self._is_boiled_there(join, heats, due):

@@ -7,6 +7,7 @@ is cooked; then the lines of the frame are carried out, each heat block uninterr
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
@@ -79,6 +80,8 @@ class Cooking:
             form = (*form, "sliced")
         if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
             form = (*form, "chopped")
+        if not want.make and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
+            want = replace(want, make="mashed")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
@@ -93,9 +96,15 @@ class Cooking:
         if want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
 
+    def _is_shaped_later(self, join: Join) -> bool:
+        """Whether the mass that a food joins is shaped, and then cooked: patties."""
+        places = [place for place, stage in enumerate(join.spot.after) if "shape" in stage.does]
+        return bool(places) and any("heat" in stage.does for stage in join.spot.after[places[0] :])
+
     def _cut_once_done(self, ready: Ready) -> Ready:
         """Have what is eaten in pieces cut when it is cooked."""
-        if self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked")):
+        pieces = self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked"))
+        if pieces or self.alone.is_asked_done(ready.want):
             self.preparer.cut_once_done(ready)
         return ready
 
