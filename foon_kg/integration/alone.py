@@ -94,7 +94,8 @@ class Alone:
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
         if boiled or "boil" in due:
             return ("boil",)
-        done_there = heats and self._cooks_there(join, due) and not self._is_toasted(join)
+        thick = self.plan.laid and want.facts.is_a(*word_list("is flesh"))  # it would be raw when the dough is done
+        done_there = heats and self._cooks_there(join, due) and not self._is_toasted(join) and not thick
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:

@@ -104,7 +104,8 @@ class Cooking:
     def _cut_once_done(self, ready: Ready) -> Ready:
         """Have what is eaten in pieces cut when it is cooked."""
         pieces = self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked"))
-        if pieces or self.alone.is_asked_done(ready.want):
+        thick = self.plan.laid and ready.want.facts.is_a(*word_list("is flesh"))
+        if pieces or thick or self.alone.is_asked_done(ready.want):
             self.preparer.cut_once_done(ready)
         return ready
 

@@ -21,7 +21,8 @@ class Plan:
     their own in this FOON; foods of the kinds in ``eased`` may stay raw in such a dish. ``tin`` is what the batter
     or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end;
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
-    ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork.
+    ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
+    ``laid``: it lies on dough, and bakes no longer than that.
     """
 
     label: str
@@ -36,6 +37,7 @@ class Plan:
     flat: bool = False
     grilled: bool = False
     in_pieces: bool = False
+    laid: bool = False
 
 
 class Course:

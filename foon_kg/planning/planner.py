@@ -260,6 +260,7 @@ class _Question:
             flat=not word_list("is rolled out").isdisjoint(told),
             grilled=stacked and any(dish.grilled for dish in named),
             in_pieces=any(dish.dressed for dish in named),
+            laid=any(dish.laid for dish in named),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
