@@ -130,6 +130,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("laid", False),
         row.get("dressed", False),
         row.get("mashed", False),
+        row.get("coated", False),
     )
 
 

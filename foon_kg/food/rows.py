@@ -141,8 +141,8 @@ class Dish:
     comes out of an oven, and what is fried in a pan is another dish. ``tin``: what its batter or dough is baked in.
     ``stacked``: it is put together on bread, and what needs no cooking only then.
     ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
-    ``dressed``: a dressing comes over it. ``mashed``: it is
-    boiled and mashed with the rest, and done.
+    ``dressed``: a dressing comes over it. ``mashed``: it is boiled and mashed with the rest, and done. ``coated``: with
+    crumbs it is flesh in a crust.
     """
 
     name: str
@@ -157,3 +157,4 @@ class Dish:
     laid: bool = False
     dressed: bool = False
     mashed: bool = False
+    coated: bool = False

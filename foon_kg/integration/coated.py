@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import owed
 
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
@@ -15,6 +17,28 @@ _WET = word_list("coats wet")
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
 _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
+
+
+_BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
+_TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
+
+
+def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh in crumbs is made that is the dish: coated, fried, and baked under what melts on it.
+
+    Nothing changes where there is no such flesh, or where something else has to be cooked too.
+    """
+    facts = [join.want.facts for join in joins]
+    shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
+    flesh = [join for join in joins if join.want.facts.is_a(*word_list("is coated")) and not join.want.cooked]
+    crumbs = any(one.is_a(*word_list("coats in crumbs")) for one in facts)
+    others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
+    if shaped or len(flesh) != 1 or not crumbs or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
+        return line, tuple(joins)
+    melts = any(one.is_a(*word_list("melts on top")) for one in facts)
+    top = replace(_BAKE if melts else _TOP)
+    rest = [replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None) for join in joins]
+    return coated_apart(Line((top,)), rest)
 
 
 def coated_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:

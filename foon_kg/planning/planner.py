@@ -21,7 +21,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.coated import coated_apart
+from foon_kg.integration.coated import coated_alone, coated_apart
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -250,7 +250,7 @@ class _Question:
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        line, joins = _put_together(line, joins, named)
+        line, joins = _put_together(line, joins, named, self.known)
         stacked = any(dish.stacked for dish in named)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
@@ -347,13 +347,17 @@ class _Question:
         )
 
 
-def _put_together(line: Line, joins: Sequence[Join], dishes: Sequence[Dish]) -> tuple[Line, tuple[Join, ...]]:
+def _put_together(
+    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
     if any(dish.mashed for dish in dishes):
         line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):
         line, joins = coated_apart(line, joins)
+    elif any(dish.coated for dish in dishes):
+        line, joins = coated_alone(line, joins, known)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 
