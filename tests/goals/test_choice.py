@@ -122,6 +122,14 @@ def test_a_dish_is_baked_only_where_it_is_called_so():
     assert any("not to be baked" in why for why in chosen(asked, "soup", "stovetop supper", cake)[0].vetoes)
 
 
+def test_what_is_called_so_is_cooked_in_a_pan_and_flesh_is_blended_nowhere():
+    cake = [layout("plain_cake")]
+    (fit,) = chosen(wants(egg="whole", butter="stick"), "soup", "egg curry", cake)
+    assert any("not to be baked" in why for why in fit.vetoes)
+    (fit,) = chosen(wants(banana="whole", chicken="raw"), "drinks", "", [layout("banana_drink")])
+    assert "chicken would be blended" in fit.vetoes
+
+
 def test_a_frame_that_lost_half_of_its_goal_scores_lower():
     sound = layout("mixed_salad")
     damaged = replace(sound, frame=replace(sound.frame, weak=sound.frame.goal.ingredients))

@@ -10,7 +10,7 @@ from integration.school import SNAPSHOT, planned
 from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
-from foon_kg.integration.coated import coated_apart
+from foon_kg.integration.coated import coated_alone, coated_apart
 from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
@@ -89,6 +89,21 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
         ("", {"bun", "lettuce"}),
     ]
     assert all("heat" in line.stages[0].adds[0].stages[number].does for number in (2, 4))
+
+
+def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
+    line, joins = coated_alone(line, joins, tables())
+    assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
+    assert told(line, joins)[1:3] == [("mix", {"chicken breast"}), ("mix", {"flour", "breadcrumb"})]
+
+
+def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooked():
+    line = Line((stage("mix", {"mix"}),))
+    for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
+        joins = joins_at(line, 0, *foods)
+        assert coated_alone(line, joins, tables()) == (line, joins)
 
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
