@@ -24,16 +24,16 @@ _TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
 
 
 def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
-    """Return how flesh in a crust is made that is the dish: coated, fried, and baked under what melts on it.
+    """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
 
     Nothing changes where there is no such flesh, or where something else has to be cooked too.
     """
     facts = [join.want.facts for join in joins]
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
     flesh = [join for join in joins if join.want.facts.is_a(*word_list("is coated")) and not join.want.cooked]
-    crust = any(one.is_a(*word_list("coats as a crust")) for one in facts)
+    rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
     others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
-    if shaped or len(flesh) != 1 or not crust or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
+    if shaped or len(flesh) != 1 or not rough or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
     top = replace(_BAKE if melts else _TOP)
