@@ -13,8 +13,12 @@ _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 
 
 def known_units(row: KnownUnitsRow) -> Iterator[KnownUnit]:
-    """Answer the units, in no order, each written as its first sighting has it, as the snapshot does."""
-    return map(_Writing(row.nodes).unit, row.units)
+    """Answer the units, in no order, each written as its first sighting has it, as the snapshot does.
+
+    A unit that somebody removed while the database answered comes without anything, and is left out.
+    """
+    there = (unit for unit in row.units if unit[0] is not None and unit[-1])
+    return map(_Writing([node for node in row.nodes if node[0] is not None]).unit, there)
 
 
 class _Writing:
