@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import cast
 
 from foon_kg.food import singular
 from foon_kg.integration.bench import Bench, Done, Stuff
 from foon_kg.integration.cooking import Cooking
-from foon_kg.integration.operators import Likes, Nearness
+from foon_kg.integration.operators import Nearness
 from foon_kg.integration.preparation import Want
 from foon_kg.model import ObjectNode
 from foon_kg.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
@@ -34,14 +34,18 @@ class FinalTree:
     assumptions: tuple[Assumption, ...]
 
 
-def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want]) -> FinalTree:
+Others = Callable[[str, str], Sequence[tuple[str, float]]]
+"""Answers which known foods may stand for a food instead of the one that was chosen, the likest first."""
+
+
+def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want], others: Others) -> FinalTree:
     """Return what happened on ``bench`` until ``dish`` was made."""
     units = tuple(map(_unit, bench.done))
     return FinalTree(
         bench.mention(dish).node,
         units,
         tuple(_leaves(units)),
-        (*_objects(bench), *_motions(bench), *_states(bench, cooking, wants)),
+        (*_objects(bench, others), *_motions(bench), *_states(bench, cooking, wants)),
         tuple(_assumptions(bench, cooking)),
     )
 
@@ -73,7 +77,7 @@ def _leaves(units: Sequence[PlannedUnit]) -> Iterator[ObjectNode]:
         there.update(unit.output_nodes)
 
 
-def _objects(bench: Bench) -> Iterator[Substitution]:
+def _objects(bench: Bench, others: Others) -> Iterator[Substitution]:
     """Yield each food that is handled like another one, with the next best."""
     told: set[tuple[str, str]] = set()
     for done in bench.done:
@@ -82,12 +86,8 @@ def _objects(bench: Bench) -> Iterator[Substitution]:
         food, like, confidence = done.attested.like
         if (singular(food), like) not in told:
             told.add((singular(food), like))
-            yield Substitution("object", food, food, like, round(confidence, 4), _others(bench.likes, food, like))
-
-
-def _others(likes: Likes, food: str, chosen: str) -> tuple[Alternative, ...]:
-    others = [(name, sure) for name, sure in likes(food) if name != chosen]
-    return tuple(Alternative(name, round(sure, 4)) for name, sure in others[:MOST_ALTERNATIVES])
+            rest = tuple(Alternative(name, round(sure, 4)) for name, sure in others(food, like)[:MOST_ALTERNATIVES])
+            yield Substitution("object", food, food, like, round(confidence, 4), rest)
 
 
 def _motions(bench: Bench) -> Iterator[Substitution]:

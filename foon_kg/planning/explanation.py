@@ -84,6 +84,7 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     prepared = [unit for _, unit in own if unit.phase == "prepare"]
     how: How = "assumed" if ready.assumptions else "played" if join.slot else "made" if prepared else "sold"
     like, sure = _handled_like(attempt, want.label)
+    chosen = bool(like) and singular(want.label) in likes.instead
     renamed = tuple(
         (one.required, one.equivalent)
         for one in attempt.result.substitutions
@@ -92,12 +93,11 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     step, motion = _joining(own, number)
     joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
     others = tuple(
-        PassedOver(name, "", round(confidence, 4), "less sure")
-        for name, confidence in likes(want.label)
-        if name != like
+        PassedOver(name, "", round(confidence, 4), "you chose another" if chosen else "less sure")
+        for name, confidence in likes.others(want.label, like)
     )
     return Explanation(
-        asked, how, like or want.label, sure, sure == 1.0 and bool(like), renamed,
+        asked, how, like or want.label, sure, chosen, renamed,
         tuple(_videos(unit for _, unit in own)), joining, others[:MOST_OTHERS],
     )  # fmt: skip
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.errors import UsageError
 from foon_kg.food import singular
+from foon_kg.integration.operators import LIKE_AT_ALL
 from foon_kg.integration.preparation import Want
 from foon_kg.names import canonical
 from foon_kg.recent import Recent
@@ -65,6 +66,13 @@ class FoodLikes:
             self._likes[food] = found
         return found
 
+    def others(self, food: str) -> list[tuple[str, float]]:
+        """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
+        self.learn([food])
+        row = self._rows.find(food) or {}
+        found = [(name, sure) for name, sure in row.items() if sure >= LIKE_AT_ALL and name != food]
+        return sorted(found, key=lambda pair: (-pair[1], pair[0]))
+
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
         """Return the likes for one recipe, in which a word with two meanings means what it does there."""
         return RecipeLikes(self, wants)
@@ -105,6 +113,16 @@ class RecipeLikes:
         if not read or name in {canonical(food) for food in self._likes.chosen}:
             return found
         return (*((meant, _READ) for meant in read), *(pair for pair in found if pair[0] not in read))
+
+    def others(self, food: str, chosen: str) -> list[tuple[str, float]]:
+        """Return the known foods, the likest first, that a person may choose for a food instead of the chosen one."""
+        fair = list(self(food))
+        found = [*fair, *(pair for pair in self._likes.others(singular(food)) if pair[0] not in dict(fair))]
+        return [pair for pair in found if pair[0] != chosen]
+
+    def stands_for(self, food: str, other: str) -> float:
+        """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""
+        return float(self._likes.similarity.matrix([singular(food)], [singular(other)])[0, 0])
 
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""

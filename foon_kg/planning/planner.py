@@ -201,7 +201,7 @@ class _Question:
                 return attempt
         if attempts:
             least = min(attempts, key=lambda one: len(one.missing))
-            raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.alike)
+            raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.stands_for)
         raise self._no_way(troubles)
 
     @cached_property
@@ -264,7 +264,7 @@ class _Question:
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
-        tree = final_tree(bench, cooking, dish, self.wants)
+        tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(_as_tree(result), free=self.kitchen.free_foods)

@@ -60,7 +60,7 @@ def goal(case: Case) -> Iterator[Finding]:
 
 def _name(case: Case, node: ObjectNode) -> Iterator[Finding]:
     label, types = singular(node.label), case.dish_types
-    bare = {singular(word) for dish_type in types or DISH_TYPES for word in (dish_type, *dish_type.split())}
+    bare = {singular(word) for dish_type in types or DISH_TYPES for word in (dish_type, *words(dish_type))}
     products = case.foon.end_products if case.foon else {}
     recorded = {singular(product) for t in types or products for product in products.get(t, ())}
     if label not in recorded and not set(words(label)[-1:]) & bare:

@@ -80,10 +80,6 @@ def test_a_food_that_foon_has_not_seen_names_what_it_is_made_like_and_what_was_p
     assert "potato" in {other.label for other in kohlrabi.passed_over}
 
 
-@pytest.mark.xfail(
-    reason="a chosen substitute is told as entirely sure, and only where the FOON lacks the food's own unit",
-    strict=True,
-)
 def test_a_choice_is_said_to_be_one_and_others_are_passed_over_for_it():
     _, told = explain(SALAD, ("kohlrabi", "onion"))
     kohlrabi = told["kohlrabi"]

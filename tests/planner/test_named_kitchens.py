@@ -75,7 +75,6 @@ def test_a_missing_food_is_named_with_what_to_do_and_nothing_is_assumed():
     assert error.hint.startswith("Buy tomato")
 
 
-@pytest.mark.xfail(reason="only foods that the FOON knows are proposed", strict=True)
 def test_a_food_at_hand_that_is_like_the_missing_one_is_proposed():
     assert "or ask for leek instead (0.80 like it)" in refused("leek", "tomato", "salt").hint
     assert "instead" not in refused("egg", "tomato", "salt").hint

@@ -41,7 +41,6 @@ def test_nearly_every_goal_has_a_tree_from_its_own_foods(answers):
     assert len(trees) >= LEAST_MADE * len(answers), [one.recipe.id for one in failures(answers)]
 
 
-@pytest.mark.xfail(strict=True, reason="some foods are assumed washed or sifted though units wash and sift; a stir-fry")
 def test_no_such_tree_has_a_fatal_finding(answers, snapshot):
     assert faults(answers, snapshot) == []
 
