@@ -42,6 +42,8 @@ class Alone:
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
+        if ready.want.foamed:
+            self._beat_to_foam(ready)
         if not ready.whole_shell:
             return
         stage, want = join.spot.stage, join.want
@@ -63,6 +65,18 @@ class Alone:
         if attested is not None:
             self.bench.work(bowl, attested, want.label, (state,), with_device=False)
             ready.stuff = bowl.contents[0]
+
+    def _beat_to_foam(self, ready: Ready) -> None:
+        """Pour a liquid into a bowl of its own and whip it."""
+        want, bowl = ready.want, self.bench.vessel("bowl")
+        ways = [way for way in self.bench.operators.making(want.make) if "whip" in self.known.motion(way[0]).does]
+        attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)
+        if attested is None:
+            ready.assumptions.append(f"no step of this FOON makes {want.label} {want.make}: it is bought so")
+            return
+        self.bench.bring([ready.stuff], bowl, self.bench.require([("pour", ())], want.names))
+        self.bench.work(bowl, attested, want.label, (want.make,), with_device=False)
+        ready.stuff = bowl.contents[0]
 
     def _beating(self, want: Want, state: str) -> Attested | None:
         motion = self.known.motion

@@ -60,6 +60,7 @@ class Want:
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
+    ``foamed``: it is a liquid that is whipped.
     """
 
     number: int
@@ -75,6 +76,7 @@ class Want:
     bought_so: bool = False
     then: str = ""
     at_hand: bool = False
+    foamed: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -140,8 +142,9 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
-    if not one.state or facts.sold_as == one.state:
-        return replace(want, leaf=(one.state,) if one.state else want.leaf)
+    foamed = _foamed(want, known.foods.food(one.object))
+    if foamed is not None or not one.state or facts.sold_as == one.state:
+        return foamed or replace(want, leaf=(one.state,) if one.state else want.leaf)
     row = known.state(one.state)
     sold_so = row.sold or bool(row.sold_for and facts.is_a(*row.sold_for))
     if sold_so or not (row.earns or row.fine or row.half):
@@ -158,6 +161,13 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     can = _can_be_made(want, form, row, operators)
     alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
+
+
+def _foamed(want: Want, before: Food) -> Want | None:
+    """Return a liquid that is asked whipped, ``before`` being what is known of it as it is sold."""
+    if want.asked not in word_list("is beaten to a foam") or before.sold_as == want.asked or not before.is_a("liquid"):
+        return None
+    return replace(want, leaf=(before.sold_as,), storage=before.sold_in, make=want.asked, foamed=True)
 
 
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
@@ -234,6 +244,8 @@ class Preparer:
         ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], "" if pieces else want.storage))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
+        if want.foamed:
+            return ready
         if "shell" in due and self.opening(want) is not None:
             ready.whole_shell = True
             return ready

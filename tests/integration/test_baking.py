@@ -114,6 +114,15 @@ def test_a_cake_is_covered_when_it_has_cooled(planner):
     assert motions[-1] == "spread"
 
 
+def test_cream_asked_whipped_is_whipped_by_itself_and_comes_onto_the_cake_when_it_has_cooled(planner):
+    told = steps(planner, "cake", "cream cake", CAKE | {"heavy cream": "whipped"})
+    motions = [motion for motion, _, _ in told]
+    whipped = next(n for n, (motion, into, _) in enumerate(told) if motion == "beat" and "heavy cream" in into)
+    assert told[whipped][1] - {"heavy cream"} == {"bowl", "whisk"}
+    assert "heavy cream" in told[-1][1]
+    assert motions.index("cool down") < len(told) - 1
+
+
 def test_a_bake_comes_into_the_oven_with_its_crumbs_on_top(planner):
     foods = {"rice": "", "broccoli": "chopped", "milk": "", "butter": "", "cheddar cheese": "grated"}
     told = steps(planner, "rice", "broccoli rice bake", foods)
