@@ -345,6 +345,8 @@ class Bench:
             inputs.insert(1, extra)
         parts = list(vessel.contents)
         heats = not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
+        if heats and with_device and device is not None and not self.is_running(vessel):
+            raise RefusedError(f"the {device.label} under the {vessel.label} is off")
         same = next((stuff for stuff in parts if stuff.label == label), None)
         if len(parts) == 1 and same is not None:
             whole = same

@@ -257,7 +257,6 @@ def test_food_does_not_come_out_of_a_covered_vessel():
     cook.refuses(lambda: cook.bench.bring(list(pot.contents), bowl, cook.way("pour", foods_of(pot))))
 
 
-@pytest.mark.xfail(strict=True, reason="the bench cooks over a stove that is off")
 def test_nothing_is_cooked_over_a_stove_that_is_off():
     cook, pot = pot_of_potatoes(on=False)
     cook.refuses(lambda: cook.bench.work(pot, cook.way("boil", foods_of(pot)), "stew", ("cooked",)))
