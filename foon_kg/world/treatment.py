@@ -6,6 +6,7 @@ cooked. Mixing in a hot pot does not cook.
 
 from __future__ import annotations
 
+from foon_kg.food.lists import word_list
 from foon_kg.world import power
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Said
@@ -67,7 +68,9 @@ def _treat(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None
         for treatment in GIVES.get(name, ()):
             part.done.setdefault(treatment, happening.number)
         part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
-    if happening.does("separate") and supply.reader.tables.foods.food(lump.label, lump.states).is_a("liquid"):
+    became = supply.reader.tables.foods.food(lump.label, lump.states)
+    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off a fruit"))
+    if comes_off or (happening.does("separate") and became.is_a("liquid")):
         for treatment in GIVES["squeeze"]:
             part.done.setdefault(treatment, happening.number)
     if happening.does("cut"):
