@@ -253,15 +253,18 @@ class Carrier:
         return [(slot.motion, slot.tools)] if alike else []
 
     def _fitting(self, ways: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
-        """Return the ways that suit a thing: nothing in one piece is poured, and only what is in a can is sprayed."""
+        """Return the ways that suit a thing: nothing in one piece is poured, nor what runs picked up; cans spray."""
         row = self.known.utensil(source.label) if source is not None else None
         slices = self.known.foods.food(stuff.label).is_a(*word_list("carries what is stacked"))
         poured = word_list("lies in one piece").isdisjoint(stuff.states) and not slices
+        runs = form_of(self.known, stuff.label, stuff.states) == "liquid"
         sprayed = row is not None and source is not None and source.label in word_list("sprays")
         return [
             way
             for way in ways
-            if (poured or not _POUR & set(way[0].split())) and (sprayed or way[0] not in word_list("is sprayed by"))
+            if (poured or not _POUR & set(way[0].split()))
+            and (sprayed or way[0] not in word_list("is sprayed by"))
+            and not (runs and way[0] in word_list("picks up"))
         ]
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
