@@ -10,6 +10,7 @@ from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, Course
 from foon_kg.integration.frames import Phase, Stage
+from foon_kg.integration.layouts import Spot
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
@@ -50,7 +51,7 @@ class Alone:
         beaten = [
             s
             for s in (want.make, *(join.slot.states if join.slot else ()))
-            if s and "shell" in self.known.state(s).earns
+            if s and "shell" in self.known.state(s).earns and not self.known.state(s).needs_heat
         ]
         heats = not stage.does.isdisjoint(HEATS)
         mixes = not stage.does.isdisjoint(MIXES) and not heats
@@ -98,10 +99,13 @@ class Alone:
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
+        if self.is_fried_open(want) and not self._cooks_such(spot):
+            return ("cook",)
         if self._is_cut_of_its_shell(want):
             told = ("boil",)
         if told or want.then or self.preparer.is_mashed_raw(want) or (due and self.is_asked_done(want)):
-            return told or ("boil",)
+            fried = want.facts.is_a(*word_list("is fried rather than boiled")) and not want.then
+            return told or (("cook",) if fried else ("boil",))
         heats = [stage for stage in (spot.stage, *spot.after) if "heat" in stage.does]
         if self._is_boiled_there(join, heats, due):
             return ()
@@ -121,6 +125,14 @@ class Alone:
         by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot
         drained = any("liquid" in stage.does and "water" in {s.food for s in stage.slots} for stage in heats)
         return "boil" in due and bool(bath) and self.course.has_liquid(bath) and (drained or not by_itself)
+
+    def is_fried_open(self, want: Want) -> bool:
+        """Whether a food that runs out of its shell is asked done as only a pan does it."""
+        return want.make in word_list("is done in a pan") and self._pours(want)
+
+    def _cooks_such(self, spot: Spot) -> bool:
+        """Whether the dish itself cooks what joins there."""
+        return any(not stage.does.isdisjoint(HEATS) for stage in (spot.stage, *spot.after))
 
     def _is_the_same(self, join: Join) -> bool:
         """Whether a food is so much like that of its slot that it is cooked as that one is."""
@@ -195,6 +207,9 @@ class Alone:
     def cook_first(self, join: Join, method: Sequence[str]) -> None:
         """Cook a prepared food by itself with the first of these motions that suits it, and open it where it is due."""
         ready = self.ready[join.want.number]
+        if self.is_fried_open(join.want):
+            self._pan_cook(ready, method)
+            return
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
         liquid = (
             liquid
@@ -253,9 +268,9 @@ class Alone:
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)
+        stuff = ready.stuff
         ways = [way for motion in (*method, "cook") for way in bench.operators.ways_of(motion)]
         attested = bench.require(ways, want.names)
-        stuff = ready.stuff
         states = self._cooked_states(stuff, want, attested.way)
 
         def change() -> None:

@@ -201,8 +201,7 @@ class Carrier:
         source = stuff.at
         if source is vessel:
             return
-        fats = self._pan_fat(stuff, source)
-        self.bench.bring([stuff, *fats], vessel, self._way_of(ready, slot))
+        self.bench.bring([stuff], vessel, self._way_of(ready, slot))
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food that is in pieces into or onto a vessel."""
@@ -232,13 +231,6 @@ class Carrier:
         if attested is None:
             attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
         return attested
-
-    def _pan_fat(self, stuff: Stuff, source: Vessel | None) -> list[Stuff]:
-        """Return the fat in which a food was fried: it comes along."""
-        if source is None or source.storage:
-            return []
-        others = [one for one in source.contents if one is not stuff]
-        return others if all(self.known.foods.food(one.label).is_a("fat") for one in others) else []
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
         """Return how the video brings this very food in such a form."""

@@ -25,6 +25,8 @@ from foon_kg.integration.serving import Serving
 from foon_kg.integration.utensils import Utensils
 from foon_kg.integration.working import Worker
 
+_GRATED = 4
+
 
 class Cooking:
     """One dish in the making on a bench."""
@@ -84,7 +86,8 @@ class Cooking:
             want = replace(want, make="mashed")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
-        if first and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
+        whole = first and not self.alone.is_fried_open(want)
+        if whole and "shell" in want.facts.owes and form_of(self.known, want.label, want.leaf) != "liquid":
             taken = self.bench.fetch(want.label, want.leaf, [want.number], want.storage)
             self.ready[want.number] = self._cut_once_done(Ready(want, taken, whole_shell=True))
             return
@@ -105,7 +108,8 @@ class Cooking:
         """Have what is eaten in pieces cut when it is cooked."""
         pieces = self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked"))
         thick = self.plan.laid and ready.want.facts.is_a(*word_list("is flesh"))
-        if pieces or thick or self.alone.is_asked_done(ready.want):
+        flat = self.plan.stacked and ready.want.facts.is_a(*word_list("is fried rather than boiled"))
+        if pieces or thick or (self.alone.is_asked_done(ready.want) and not flat):
             self.preparer.cut_once_done(ready)
         return ready
 
@@ -383,6 +387,7 @@ class Cooking:
         # what is only browned at last, by no video's step, is done before
         finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
+        label = label or (self._fried(vessel) if heats and finished else "")
         product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
         states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
         if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
@@ -395,6 +400,11 @@ class Cooking:
             self.work.work_each(vessel, attested, states, with_device=bool(device))
         if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):
             self.bench.heat_off(vessel)
+
+    def _fried(self, vessel: Vessel) -> str:
+        """Return what the only food is called that was fried in nothing but fat: what of that clings is one with it."""
+        foods = [stuff for stuff in vessel.contents if not self.known.foods.food(stuff.label).is_a("fat")]
+        return foods[0].label if len(foods) == 1 < len(vessel.contents) else ""
 
     def _is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""
@@ -435,9 +445,12 @@ class Cooking:
         return not word_list("dough that is shaped").isdisjoint(names)
 
     def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
-        """Whether one food is as a stage would make it: beaten when it came, or dough that was bought."""
+        """Whether one food is as a stage would make it: beaten when it came, in small bits, or dough that was bought."""
         facts = self.known.foods.food(stuff.label)
         beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
+        small = any((self.known.state(state).fine or 0) >= _GRATED for state in stuff.states)
+        if "blend" in stage.does and small:
+            return True
         return beaten or ("knead" in stage.does and facts.is_a("dough"))
 
     def _is_only_made_hot(self, food: Food) -> bool:
