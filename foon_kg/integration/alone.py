@@ -99,10 +99,10 @@ class Alone:
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
-        if self.is_fried_open(want) and not self._cooks_such(spot):
-            return ("cook",)
         if self._is_cut_of_its_shell(want):
             told = ("boil",)
+        if self.is_fried_open(want) and not self._cooks_such(spot):
+            told = ("cook",)
         if told or want.then or self.preparer.is_mashed_raw(want) or (due and self.is_asked_done(want)):
             fried = want.facts.is_a(*word_list("is fried rather than boiled")) and not want.then
             return told or (("cook",) if fried else ("boil",))

@@ -445,11 +445,12 @@ class Cooking:
         return not word_list("dough that is shaped").isdisjoint(names)
 
     def _is_done_so(self, stage: Stage, stuff: Stuff) -> bool:
-        """Whether one food is as a stage would make it: beaten when it came, in small bits, or dough that was bought."""
+        """Whether one food is as a stage would make it: beaten before, in small bits, or dough that was bought."""
         facts = self.known.foods.food(stuff.label)
         beaten = "whip" in stage.does and not self.known.motion(stage.motion).gives.isdisjoint(stuff.states)
         small = any((self.known.state(state).fine or 0) >= _GRATED for state in stuff.states)
-        if "blend" in stage.does and small:
+        small = small or form_of(self.known, stuff.label, stuff.states) == "powder"
+        if small and not stage.does.isdisjoint({"blend", "whip"}):
             return True
         return beaten or ("knead" in stage.does and facts.is_a("dough"))
 

@@ -204,15 +204,15 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
     return bool(row.fine) or bool(row.earns & facts.owes.keys())
 
 
-def _comes_off_a_fruit(label: str, facts: Food, known: Tables) -> bool:
-    """Whether what is asked is only grated off a fruit of that name."""
-    return facts.is_a(*word_list("is grated off a fruit")) and known.foods.food(label).kind != facts.kind
+def _is_grated_off(label: str, facts: Food, known: Tables) -> bool:
+    """Whether what is asked is only grated off the whole of that name."""
+    return facts.is_a(*word_list("is grated off the whole")) and known.foods.food(label).kind != facts.kind
 
 
 def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
     """Return the state in which a shop sells the food, such that its name still means the same food."""
     row = known.state(asked)
-    if asked in word_list("is so by a grater") and _comes_off_a_fruit(label, facts, known):
+    if asked in word_list("is so by a grater") and _is_grated_off(label, facts, known):
         return "whole"
     candidates = [facts.sold_as, "whole", "whole veg", "raw", "fresh", "ground"]
     if row.sold or not (row.earns or row.fine or row.half):
@@ -279,7 +279,7 @@ class Preparer:
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
-        if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off a fruit")):
+        if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off the whole")):
             return set()
         earns = self.known.state(want.make).earns if want.make else frozenset()
         return owed(want, self.known) | (earns & set(_BY_HAND))

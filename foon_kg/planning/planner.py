@@ -32,6 +32,7 @@ from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
+from foon_kg.integration.warmed import is_warmed, steeps, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -251,6 +252,8 @@ class _Question:
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
         line, joins = _put_together(line, joins, named, self.known)
+        if dish_type in word_list("is drunk") and (is_warmed(joins, told) or steeps(joins)):
+            line, joins = warmed(joins, whole=is_warmed(joins, told))
         stacked = any(dish.stacked for dish in named)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,

@@ -69,7 +69,7 @@ def _treat(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None
             part.done.setdefault(treatment, happening.number)
         part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
     became = supply.reader.tables.foods.food(lump.label, lump.states)
-    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off a fruit"))
+    comes_off = happening.does("grate") and became.is_a(*word_list("is grated off the whole"))
     if comes_off or (happening.does("separate") and became.is_a("liquid")):
         for treatment in GIVES["squeeze"]:
             part.done.setdefault(treatment, happening.number)

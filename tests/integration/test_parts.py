@@ -19,6 +19,7 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
+from foon_kg.integration.warmed import is_warmed, steeps, warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.settings import PlanSettings
@@ -144,3 +145,27 @@ def test_bread_lies_below_and_above():
     assert "bread" in foods[0]
     assert "bread" in foods[-1]
     assert "butter" in foods[1]
+
+
+def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
+    joins = joins_at(Line((stage("blend", {"blend", "mix"}),)), 0, "milk", "cocoa powder", "whipped cream")
+    assert is_warmed(joins, frozenset({"hot", "chocolate"}))
+    line, joins = warmed(joins, whole=True)
+    assert told(line, joins) == [
+        ("cook and stir", {"milk", "cocoa powder"}),
+        ("stir", set()),
+        ("", {"whipped cream"}),
+    ]
+
+
+def test_of_a_cold_drink_only_what_steeps_is_heated():
+    joins = joins_at(Line((stage("stir", {"mix"}),)), 0, "tea bag", "water", "sugar", "ice")
+    assert not is_warmed(joins, frozenset({"hot", "tea"}))
+    assert steeps(joins)
+    line, joins = warmed(joins, whole=False)
+    assert told(line, joins) == [("cook and stir", {"tea bag", "water"}), ("stir", {"sugar", "ice"}), ("", set())]
+
+
+@pytest.mark.parametrize("title", ["iced tea", "strawberry smoothie", "lemonade"])
+def test_what_is_called_cold_is_not_heated(title):
+    assert not is_warmed((), frozenset(title.split()))

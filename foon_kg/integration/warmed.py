@@ -1,0 +1,47 @@
+"""A hot drink is heated in a pot and poured into a glass; of a cold one, what has to steep is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.places import NATURAL, Join
+
+_POT = Stage(
+    (), "cook and stir", frozenset({"heat", "mix"}), ("spoon",), "pot", "in", "stove", "heat", "mixture", (), 0
+)
+_GLASS = replace(_POT, motion="stir", does=frozenset({"mix"}), tools=("spoon",), vessel="drinking glass")
+_GLASS = replace(_GLASS, appliance="", source="", label="")
+_TOP = replace(_GLASS, motion="", does=frozenset(), tools=())
+
+
+def is_warmed(joins: Sequence[Join], told: frozenset[str]) -> bool:
+    """Whether what is drunk is hot, by the words of its title: not where something frozen floats in it."""
+    iced = any(join.want.facts.is_a(*word_list("is frozen water")) for join in joins)
+    return not iced and word_list("is drunk cold").isdisjoint(told) and not word_list("is drunk hot").isdisjoint(told)
+
+
+def steeps(joins: Sequence[Join]) -> bool:
+    """Whether something among these has to steep in hot water."""
+    facts = [join.want.facts for join in joins]
+    return any(one.is_a(*word_list("is steeped")) for one in facts) and any(one.is_a("water") for one in facts)
+
+
+def warmed(joins: Sequence[Join], *, whole: bool) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that heats a drink in a pot (``whole``), or only what steeps, and pours it into a glass."""
+    pot, top = replace(_POT), replace(_TOP)
+    glass = replace(_GLASS, adds=(Line((pot,)),))
+    found = []
+    for join in joins:
+        facts = join.want.facts
+        on_top = whole and facts.is_a(*word_list("is put on what is drunk hot"))
+        steeped = facts.is_a(*word_list("is steeped")) or (
+            facts.is_a("water") and not facts.is_a(*word_list("is frozen water"))
+        )
+        stage = top if on_top else pot if whole or steeped else glass
+        after = {id(pot): (glass, top), id(glass): (top,), id(top): ()}[id(stage)]
+        spot = replace(join.spot, stage=stage, after=after, side=stage is pot)
+        found.append(Join(join.want, spot, min(join.fit, NATURAL)))
+    return Line((glass, top)), tuple(found)
