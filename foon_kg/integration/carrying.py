@@ -52,13 +52,15 @@ class Carrier:
                 self.bench.bring(stuffs, target, onto)
                 return
         states = {state for stuff in stuffs for state in stuff.states}
-        shaped = whole or not word_list("keeps its shape").isdisjoint(states)
+        solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
+        uncut = len(solids) == 1 and self._is_uncut(solids[0])
+        shaped = whole or uncut or not word_list("keeps its shape").isdisjoint(states)
         runs = (len(stuffs) > 1 and not shaped) or any(
             not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
             for stuff in stuffs
         )
-        solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
-        one_piece = len(solids) == 1 and (solids[0].mixed or shaped) and not runs and not self._is_loose(solids[0])
+        holds = len(solids) == 1 and (solids[0].mixed or shaped)
+        one_piece = holds and not runs and not self._is_loose(solids[0])
         form = "liquid" if runs else "whole" if one_piece else "pieces"
         usual = self.bench.operators.brings(form, "vessel")
         ways: list[Way] = []
@@ -71,6 +73,12 @@ class Carrier:
             ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def _is_uncut(self, stuff: Stuff) -> bool:
+        """Whether a food is flesh that nobody cut."""
+        facts = self.known.foods.food(stuff.label)
+        cut = any((self.known.state(state).fine or 0) > 0 for state in stuff.states)
+        return not cut and facts.is_a(*word_list("is coated")) and not facts.is_a(*word_list("patties are made of"))
 
     def _is_loose(self, stuff: Stuff) -> bool:
         """Whether a mixture is only of dry foods, that nothing holds together."""

@@ -17,7 +17,7 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.frames import Line, Phase, Stage
-from foon_kg.integration.operators import form_of
+from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready
@@ -372,8 +372,6 @@ class Cooking:
     ) -> None:
         if not stage.motion or stage.does.isdisjoint(WORKS) or self._is_idle(stage, vessel, later):
             return
-        mixes = not stage.does.isdisjoint(MIXES)
-        heats = not stage.does.isdisjoint(HEATS)
         if device and not relation:
             self._by_hand_device(stage, vessel, device, later, main=main)
             return
@@ -384,27 +382,38 @@ class Cooking:
         attested = self.work.way(stage, vessel)
         if attested is None:
             return
-        # what is only browned at last, by no video's step, is done before
-        finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
-        label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
-        label = label or (self._fried(vessel) if heats and finished else "")
-        product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
-        states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
-        if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
-            return
-        if product:
-            self.bench.work(vessel, attested, label or "mixture", states, with_device=bool(device))
-            if mixes and not heats and not any(one.does & MIXES and self.course.stage_alive(one) for one in later):
-                self.work.let_rise(vessel, [stage, *later])
-        else:
-            self.work.work_each(vessel, attested, states, with_device=bool(device))
+        self._work(stage, vessel, attested, later, with_device=bool(device), main=main)
         if vessel.device is not None and vessel.relation != "on" and not self._stays_in(vessel, later):
             self.bench.heat_off(vessel)
 
-    def _fried(self, vessel: Vessel) -> str:
-        """Return what the only food is called that was fried in nothing but fat: what of that clings is one with it."""
-        foods = [stuff for stuff in vessel.contents if not self.known.foods.food(stuff.label).is_a("fat")]
-        return foods[0].label if len(foods) == 1 < len(vessel.contents) else ""
+    def _work(
+        self, stage: Stage, vessel: Vessel, attested: Attested, later: Sequence[Stage], *, with_device: bool, main: bool
+    ) -> None:
+        mixes = not stage.does.isdisjoint(MIXES)
+        heats = not stage.does.isdisjoint(HEATS)
+        # what is only browned at last, by no video's step, is done before
+        finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
+        label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
+        fried = self._fried(vessel) if heats and finished and not label else None
+        label = label if fried is None else fried.label
+        product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
+        states = self.work.states(stage, vessel, attested.way, product=product, finished=finished)
+        if fried is not None:
+            states = tuple(sorted({*states, *(s for s in fried.states if not self.alone.says_raw(s))}))
+        if product and [(stuff.label, stuff.states) for stuff in vessel.contents] == [(label or "mixture", states)]:
+            return
+        if product:
+            self.bench.work(vessel, attested, label or "mixture", states, with_device=with_device)
+            if mixes and not heats and not any(one.does & MIXES and self.course.stage_alive(one) for one in later):
+                self.work.let_rise(vessel, [stage, *later])
+        else:
+            self.work.work_each(vessel, attested, states, with_device=with_device)
+
+    def _fried(self, vessel: Vessel) -> Stuff | None:
+        """Return the only food that is fried in a vessel: the fat and the spices that cling to it are one with it."""
+        clings = word_list("clings to what is fried")
+        foods = [stuff for stuff in vessel.contents if not self.known.foods.food(stuff.label).is_a(*clings)]
+        return foods[0] if len(foods) == 1 < len(vessel.contents) else None
 
     def _is_drained_next(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether the water in which foods are cooked is poured away then: until then it is no part of anything."""

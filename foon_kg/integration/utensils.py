@@ -27,6 +27,8 @@ class Utensils:
             row = self.known.utensil("oven" if "dry" in stage.does else "stove")
         if row is None or row.role != "appliance":
             return "", ""
+        if row.source == "heat" and row.holds == "on" and stage.vessel == stage.appliance:
+            row = self.known.utensil("stove") or row  # food lies on it in the video; in a pan it comes on a stove
         if row.source == "power":
             used = (self.known.utensil(label) for label in self.bench.devices)
             row = next((other for other in used if other is not None and other.group == row.group), row)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.operators import Operators
 from foon_kg.integration.places import NATURAL, Join
 
 _POT = Stage(
@@ -23,14 +24,30 @@ def is_warmed(joins: Sequence[Join], told: frozenset[str]) -> bool:
     return not iced and word_list("is drunk cold").isdisjoint(told) and not word_list("is drunk hot").isdisjoint(told)
 
 
-def steeps(joins: Sequence[Join]) -> bool:
-    """Whether something among these has to steep in hot water."""
+def is_heated(line: Line) -> bool:
+    """Whether the video itself heats something on an appliance, or takes something that was heated."""
+    heats = any("heat" in stage.does and stage.source == "heat" for stage in line.all_stages())
+    return heats or any(slot.cooked for slot in line.all_slots())
+
+
+def can_be_warmed(operators: Operators) -> bool:
+    """Whether any video stirs something over the heat."""
+    return (_POT.motion, _POT.tools) in operators.ways.get("heat", ())
+
+
+def _steeps(joins: Sequence[Join]) -> bool:
     facts = [join.want.facts for join in joins]
     return any(one.is_a(*word_list("is steeped")) for one in facts) and any(one.is_a("water") for one in facts)
 
 
-def warmed(joins: Sequence[Join], *, whole: bool) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that heats a drink in a pot (``whole``), or only what steeps, and pours it into a glass."""
+def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that heats in a pot what is drunk hot, or only what has to steep, and pours it into a glass.
+
+    ``told`` are the words of the dish's type and title. What is not heated at all is made as its video makes it.
+    """
+    whole = is_warmed(joins, told)
+    if not whole and not _steeps(joins):
+        return line, tuple(joins)
     pot, top = replace(_POT), replace(_TOP)
     glass = replace(_GLASS, adds=(Line((pot,)),))
     found = []

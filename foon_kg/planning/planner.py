@@ -21,7 +21,8 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.coated import coated_alone, coated_apart
+from foon_kg.integration.bodies import made_apart
+from foon_kg.integration.coated import coated_alone
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
@@ -32,7 +33,7 @@ from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.warmed import is_warmed, steeps, warmed
+from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -251,9 +252,9 @@ class _Question:
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        line, joins = _put_together(line, joins, named, self.known)
-        if dish_type in word_list("is drunk") and (is_warmed(joins, told) or steeps(joins)):
-            line, joins = warmed(joins, whole=is_warmed(joins, told))
+        line, joins = _put_together(line, joins, named, told, self.known)
+        if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
+            line, joins = warmed(line, joins, told)
         stacked = any(dish.stacked for dish in named)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
@@ -351,14 +352,14 @@ class _Question:
 
 
 def _put_together(
-    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], known: Tables
+    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
     if any(dish.mashed for dish in dishes):
         line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):
-        line, joins = coated_apart(line, joins)
+        line, joins = made_apart(line, joins, told, known)
     elif any(dish.coated for dish in dishes):
         line, joins = coated_alone(line, joins, known)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)

@@ -10,6 +10,7 @@ from integration.school import SNAPSHOT, planned
 from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.food import tables
+from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone, coated_apart
 from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.frames import Line, Stage
@@ -19,7 +20,7 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
-from foon_kg.integration.warmed import is_warmed, steeps, warmed
+from foon_kg.integration.warmed import warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.settings import PlanSettings
@@ -148,24 +149,56 @@ def test_bread_lies_below_and_above():
 
 
 def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
-    joins = joins_at(Line((stage("blend", {"blend", "mix"}),)), 0, "milk", "cocoa powder", "whipped cream")
-    assert is_warmed(joins, frozenset({"hot", "chocolate"}))
-    line, joins = warmed(joins, whole=True)
-    assert told(line, joins) == [
+    line = Line((stage("blend", {"blend", "mix"}),))
+    joins = joins_at(line, 0, "milk", "cocoa powder", "whipped cream")
+    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
         ("cook and stir", {"milk", "cocoa powder"}),
         ("stir", set()),
         ("", {"whipped cream"}),
     ]
 
 
-def test_of_a_cold_drink_only_what_steeps_is_heated():
-    joins = joins_at(Line((stage("stir", {"mix"}),)), 0, "tea bag", "water", "sugar", "ice")
-    assert not is_warmed(joins, frozenset({"hot", "tea"}))
-    assert steeps(joins)
-    line, joins = warmed(joins, whole=False)
-    assert told(line, joins) == [("cook and stir", {"tea bag", "water"}), ("stir", {"sugar", "ice"}), ("", set())]
+@pytest.mark.parametrize("title", ["hot tea", "iced tea"])
+def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
+    line = Line((stage("stir", {"mix"}),))
+    joins = joins_at(line, 0, "tea bag", "water", "sugar", "ice")
+    assert told(*warmed(line, joins, frozenset(title.split()))) == [
+        ("cook and stir", {"tea bag", "water"}),
+        ("stir", {"sugar", "ice"}),
+        ("", set()),
+    ]
 
 
-@pytest.mark.parametrize("title", ["iced tea", "strawberry smoothie", "lemonade"])
+@pytest.mark.parametrize("title", ["iced coffee", "strawberry smoothie", "hot lemonade punch"])
 def test_what_is_called_cold_is_not_heated(title):
-    assert not is_warmed((), frozenset(title.split()))
+    line = Line((stage("stir", {"mix"}),))
+    joins = joins_at(line, 0, "milk", "sugar")
+    assert warmed(line, joins, frozenset(title.split())) == (line, joins)
+
+
+def laid(*foods, title="burger"):
+    line = Line((stage("", set(), vessel="plate"),))
+    return told(*made_apart(line, joins_at(line, 0, *foods), frozenset(title.split()), tables()))
+
+
+def test_a_mass_is_mixed_shaped_and_fried_and_what_is_fried_for_it_by_itself():
+    found = laid("ground beef", "egg", "onion/chopped", "mushroom/sliced", "tomato/sliced", "bun", "olive oil")
+    assert found == [
+        ("mix", {"ground beef", "egg", "onion"}),
+        ("shape", set()),
+        ("cook", {"olive oil"}),
+        ("flip", set()),
+        ("cook", set()),
+        ("cook and stir", {"mushroom"}),
+        ("", {"bun", "tomato"}),
+    ]
+
+
+def test_flesh_in_one_piece_is_fried_whole():
+    found = laid("chicken", "paprika", "mayonnaise", "bun")
+    assert found == [("cook", {"chicken", "paprika"}), ("flip", set()), ("cook", set()), ("", {"bun", "mayonnaise"})]
+
+
+def test_loose_meat_is_stirred_with_its_sauce():
+    found = laid("ground beef", "ketchup", "lettuce", "bun", title="sandwich")
+    assert found == [("cook and stir", {"ground beef", "ketchup"}), ("", {"bun", "lettuce"})]

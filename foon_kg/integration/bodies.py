@@ -1,0 +1,117 @@
+"""Of a dish that is put together on bread, what has to be cooked is made by itself: patties, flesh, what lies on it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.coated import coated_apart
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import owed
+
+_MIX = Stage((), "mix", frozenset({"mix"}), ("spatula",), "mixing bowl", "in", "", "", "mixture", (), 0)
+_SHAPE = replace(_MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")
+_HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
+_HEAT = replace(_HEAT, appliance="stove", source="heat")
+_TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
+_STIR = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
+_TOP = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="plate", relation="on", label="")
+_SMALL = 3
+
+
+def made_apart(
+    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that lays on bread what it makes before; ``told`` are the words of the dish's type and title.
+
+    A mass is mixed, shaped and fried; flesh in one piece is coated, where something coats it, and fried. Nothing
+    changes where there is no bread, or nothing raw to lie on it.
+    """
+    if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
+        return coated_apart(line, joins)
+    body = _Body(joins, told, known)
+    if not body.main:
+        return coated_apart(line, joins)
+    return body.line()
+
+
+class _Body:
+    def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
+        self.joins = joins
+        self.known = known
+        raw = [join for join in joins if self._is_raw(join)]
+        mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
+        self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
+        flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
+        fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
+        self.loose = bool(mass) and not self.shaped
+        self.main = mass or (flesh if len(flesh) == 1 else [])
+        if not self.main and not raw and fried:
+            self.main, fried = fried, []
+        self.fried = [join for join in fried if join not in self.main]
+
+    def _is_raw(self, join: Join) -> bool:
+        return bool({"cook", "boil"} & owed(join.want, self.known)) and not join.want.cooked
+
+    def line(self) -> tuple[Line, tuple[Join, ...]]:
+        """Return the line and where its foods join."""
+        dry = [join for join in self.joins if join.want.facts.is_a(*word_list("coats dry"))]
+        top = replace(_TOP)
+        if dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated")):
+            rest = [self._at(join, top, ()) for join in self.joins if join not in self.fried]
+            line, found = coated_apart(Line((top,)), rest)
+            return self._with_fried(line, found)
+        mix, heat, turn, done = replace(_MIX), replace(_HEAT), replace(_TURN), replace(_HEAT)
+        stages = (mix, replace(_SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
+        if self.loose:
+            heat = replace(_STIR, label="mixture")
+            stages = (heat,)
+        top = replace(top, adds=(Line(stages),))
+        found = tuple(
+            self._at(join, stage, (*stages[stages.index(stage) + 1 :], top))
+            if (stage := self._stage_of(join, mix if self.shaped else heat, heat)) is not None
+            else self._at(join, top, ())
+            for join in self.joins
+            if join not in self.fried
+        )
+        return self._with_fried(Line((top,)), found)
+
+    def _with_fried(self, line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+        """Return a line with a pan in which is fried what lies on the rest."""
+        if not self.fried:
+            return line, tuple(joins)
+        pan, before = replace(_STIR), line.stages[-1]
+        top = replace(before, adds=(*before.adds, Line((pan,))))
+        moved = [
+            replace(join, spot=replace(join.spot, stage=top)) if join.spot.stage is before else join for join in joins
+        ]
+        return Line((*line.stages[:-1], top)), (*moved, *(self._at(join, pan, (top,)) for join in self.fried))
+
+    def _stage_of(self, join: Join, body: Stage, heat: Stage) -> Stage | None:
+        """Return where a food joins what is made, ``None`` where it lies on the bread by itself."""
+        want = join.want
+        if join in self.main:
+            return body
+        if self.loose:
+            return None if want.facts.is_a(*word_list("lies on what is loose")) else body
+        if want.facts.is_a(*word_list("is smeared on it")):
+            return None
+        if want.facts.is_a("fat"):
+            return heat if self._is_first_fat(join) else None
+        if want.facts.is_a(*word_list("seasons a body")):
+            return body
+        cut = max((self.known.state(state).fine or 0 for state in (want.make, *want.leaf) if state), default=0)
+        binds = want.facts.is_a(*word_list("binds a mass")) or (cut >= _SMALL and want.facts.is_a("vegetable"))
+        return body if self.shaped and binds and not want.facts.is_a(*word_list("lies on patties")) else None
+
+    def _is_first_fat(self, join: Join) -> bool:
+        fats = [one for one in self.joins if one.want.facts.is_a("fat")]
+        return min(fats, key=lambda one: not one.want.facts.is_a("liquid")) is join
+
+    @staticmethod
+    def _at(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+        spot = replace(join.spot, stage=stage, after=after, side=bool(after))
+        return Join(join.want, spot, min(join.fit, NATURAL))
