@@ -140,7 +140,8 @@ def fits(layouts: Iterable[Layout], wants: Sequence[Want], dish_type: str, title
 
 def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
     known, frame = matcher.known, layout.frame
-    stacked = any(dish.stacked for dish in known.dishes_named(dish_type, title))
+    named_so = known.dishes_named(dish_type, title)
+    stacked, dressed = any(dish.stacked for dish in named_so), any(dish.dressed for dish in named_so)
     joins = matcher.joins(layout, wants, stacked=stacked)
     vetoes = tuple(_vetoes(layout, joins, dish_type, title, known))
     weights = [weight(want, known) for want in wants]
@@ -150,7 +151,8 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score = 0.3 * (sum(carried) / len(carried) if carried else 0.7) + 0.5 * built + 0.1 * other + 0.25 * natural
     spoilt = sum(
         w for w, join in zip(weights, joins, strict=True)
-        if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
+        if (join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0]))
+        or (dressed and join.spot.post[0] == "blend" and _is_in_pieces(join.want, known))
     )  # fmt: skip
     score -= 0.6 * spoilt / sum(weights)
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
@@ -174,12 +176,20 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
         score -= _UNTOLD_OVEN
     if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_base(joins):
         score -= _HEATED
-    laid = any(dish.laid for dish in known.dishes_named(dish_type, title))
+    if not stacked and any(dish.stacked for dish in known.dishes_named(frame.dish_type, frame.goal.label)):
+        score -= _HEATED
+    laid = any(dish.laid for dish in named_so)
     score -= _MIXED if laid and layout.laid is None else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
+
+
+def _is_in_pieces(want: Want, known: Tables) -> bool:
+    """Whether a food is asked cut, and is nothing that only gives its taste."""
+    fine = known.state(want.asked).fine or 0 if want.asked else 0
+    return fine > 0 and not want.facts.is_a(*_SEASONS, *word_list("only flavours"))
 
 
 def _is_cold(dish_type: str, title: str, known: Tables) -> bool:
@@ -233,8 +243,9 @@ def _same_foods(frame: Frame, joins: Sequence[Join], weights: Sequence[float]) -
 def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -> list[str]:
     """Return what no dish of that type and title can do without, and the recipe has not."""
     found = []
+    there = {singular(want.label) for want in wants}
     for dish in known.dishes_named(dish_type, title):
-        for needs in dish.needs:
+        for needs in dish.needs if dish.name not in there else ():
             if not any(meets(need, want.facts, known) for need in needs for want in wants):
                 names = " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
                 found.append(f"no {dish.name} without {names}")

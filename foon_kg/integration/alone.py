@@ -96,6 +96,7 @@ class Alone:
         if not due and not want.cooked:
             return self._warmed_first(join)
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
+        in_turn = in_turn and not self._is_cut_of_its_shell(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -11,6 +11,7 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import owed
 
+_COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
 
@@ -30,21 +31,24 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
     """
     facts = [join.want.facts for join in joins]
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
-    flesh = [join for join in joins if join.want.facts.is_a(*word_list("is coated")) and not join.want.cooked]
     rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
+    kinds = (*word_list("is coated"), *word_list("is coated in crumbs")) if rough else tuple(word_list("is coated"))
+    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
+    dusted = any(one.is_a("flour") for one in facts) and not any(one.is_a("cooking liquid") for one in facts)
+    rough = rough or (dusted and any(one.is_a("fat") for one in facts))
     others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
     if shaped or len(flesh) != 1 or not rough or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
     top = replace(_BAKE if melts else _TOP)
     rest = [replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None) for join in joins]
-    return coated_apart(Line((top,)), rest)
+    return coated_apart(Line((top,)), rest, kinds)
 
 
-def coated_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
-    flesh = [join for join in joins if join.want.facts.is_a(*word_list("is coated")) and not join.want.cooked]
+    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
     if shaped or len(flesh) != 1 or not dry:
         return line, tuple(joins)

@@ -139,7 +139,8 @@ class Serving:
         stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
         small = [
             join for join in joins
-            if any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
+            if join.want.facts.is_a(*word_list("falls apart"))
+            or any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
         ]  # fmt: skip
         creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
         seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and join not in creamy]
