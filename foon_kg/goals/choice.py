@@ -151,9 +151,10 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score = 0.3 * (sum(carried) / len(carried) if carried else 0.7) + 0.5 * built + 0.1 * other + 0.25 * natural
     spoilt = sum(
         w for w, join in zip(weights, joins, strict=True)
-        if (join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0]))
-        or (dressed and join.spot.post[0] == "blend" and _is_in_pieces(join.want, known))
+        if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
     )  # fmt: skip
+    ground = dressed and any(join.spot.post[0] == "blend" and _is_in_pieces(join.want, known) for join in joins)
+    score -= _HEATED if ground else 0.0
     score -= 0.6 * spoilt / sum(weights)
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)

@@ -55,7 +55,8 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
     seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
     seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid")]
-    fat = [join for join in joins if join.want.facts.is_a("fat") and join.want.facts.is_a("liquid")]
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    fat = [join for join in fats if join.want.facts.is_a("liquid")] or fats
     powder, wash = Line((replace(_MIX),)), Line((replace(_MIX),))
     bathed = replace(_MIX, adds=(wash,))
     rolled = replace(_MIX, adds=(powder,))

@@ -231,7 +231,12 @@ class _Phaser:
         return [] if drained else foods
 
     def _phase_of_line(self, line: Line, *, bath: bool) -> str:
-        """Return when what is made beside the vessel joins: with the first of its foods that does not only fry."""
+        """Return when what is made beside the vessel joins: with the first of its foods that does not only fry.
+
+        What was boiled and drained is done, and only gets hot again.
+        """
+        if self._strains(line.stages[-1]):
+            return _SOON if bath else _WET
         facts = [join.want.facts for join in self._foods(line)]
         if any(one.is_a(*word_list("is flesh")) for one in facts):
             return _FRIED

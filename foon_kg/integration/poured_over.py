@@ -65,7 +65,7 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
             found.append(replace(join, spot=replace(join.spot, stage=over, after=(tossed,), side=True), fit=fit))
         elif still is not None:
             found.append(replace(join, spot=replace(join.spot, stage=still)))
-        elif id(stage) in cold:
+        elif id(stage) in cold or (join.slot is None and "blend" in stage.does):
             found.append(_apart(join, gathered, (tossed, *line.stages[place + 1 :])))
         else:
             found.append(join)

@@ -31,6 +31,7 @@ from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
@@ -356,11 +357,15 @@ def _put_together(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
+    if is_never_heated(dishes, joins, known):
+        line, joins = unheated(line, joins)
+    elif not word_list("boils in the dish").isdisjoint(told):
+        line, joins = blended_when_done(line, joins)
     if any(dish.mashed for dish in dishes):
         line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known)
-    elif any(dish.coated for dish in dishes):
+    elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
         line, joins = coated_alone(line, joins, known)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 

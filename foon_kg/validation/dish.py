@@ -23,7 +23,8 @@ def defined(case: Case) -> Iterator[Finding]:
     title = case.recipe.title or "" if case.recipe else ""
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
-    for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title):
+    cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
+    for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title) if not cold else ():
         if dish.heated and not is_unbaked(title) and not any(part.heated is not None for part in case.parts):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):

@@ -17,6 +17,7 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
+from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
@@ -202,3 +203,28 @@ def test_flesh_in_one_piece_is_fried_whole():
 def test_loose_meat_is_stirred_with_its_sauce():
     found = laid("ground beef", "ketchup", "lettuce", "bun", title="sandwich")
     assert found == [("cook and stir", {"ground beef", "ketchup"}), ("", {"bun", "lettuce"})]
+
+
+def raw_soup():
+    blend, heat = stage("blend", {"blend", "mix"}), stage("simmer", {"heat", "liquid"}, vessel="pot", appliance="stove")
+    return Line((blend, heat, stage("", set())))
+
+
+def test_a_soup_is_cooked_before_it_is_blended():
+    line = raw_soup()
+    joins = (*joins_at(line, 0, "tomato", "onion"), *joins_at(line, 2, "parsley"))
+    assert told(*blended_when_done(line, joins)) == [
+        ("simmer", {"tomato", "onion"}),
+        ("blend", set()),
+        ("", {"parsley"}),
+    ]
+
+
+def test_a_soup_that_is_called_cold_is_not_heated():
+    line = raw_soup()
+    joins = (*joins_at(line, 0, "tomato"), *joins_at(line, 1, "olive oil"))
+    dishes = tables().dishes_named("soup", "gazpacho")
+    assert is_never_heated(dishes, joins, tables())
+    assert told(*unheated(line, joins)) == [("blend", {"tomato", "olive oil"}), ("", set())]
+    assert not is_never_heated(tables().dishes_named("soup"), joins, tables())
+    assert not is_never_heated(dishes, joins_at(line, 0, "chicken"), tables())
