@@ -32,7 +32,9 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
     facts = [join.want.facts for join in joins]
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
     rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
-    kinds = (*word_list("is coated"), *word_list("is coated in crumbs")) if rough else tuple(word_list("is coated"))
+    kinds = (
+        (*word_list("is coated"), *word_list("is coated where it is rough")) if rough else tuple(word_list("is coated"))
+    )
     flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
     dusted = any(one.is_a("flour") for one in facts) and not any(one.is_a("cooking liquid") for one in facts)
     rough = rough or (dusted and any(one.is_a("fat") for one in facts))

@@ -391,9 +391,11 @@ class Preparer:
         asked = self.known.state(want.make) if want.make else None
         if asked is not None and (asked.fine or 0) > 0:
             return want.make
-        bones = want.facts.is_a(*word_list("is flesh")) and not word_list("has bones").isdisjoint(words(want.label))
+        hard = want.facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
+            words(want.label)
+        )
         rows = [self.known.state(state) for state in want.leaf]
-        if bones or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
+        if hard or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""
         if form_of(self.known, want.label, want.leaf) not in {"whole", "pieces"} or want.facts.is_a("stock"):
             return ""
