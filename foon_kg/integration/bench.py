@@ -288,15 +288,21 @@ class Bench:
             stuff.at = None
 
     def bring(
-        self, stuffs: Sequence[Stuff], target: Vessel, attested: Attested, states: tuple[str, ...] | None = None
+        self,
+        stuffs: Sequence[Stuff],
+        target: Vessel,
+        attested: Attested,
+        states: tuple[str, ...] | None = None,
+        *,
+        onto: Sequence[Stuff] = (),
     ) -> None:
-        """Bring foods of one place into or onto ``target``."""
+        """Bring foods of one place into or onto ``target``; ``onto`` is what there they are spread on."""
         if target.lid:
             raise RefusedError(f"the {target.label} is covered")
         source = stuffs[0].at
         if source is not None and source.lid:
             raise RefusedError(f"the {source.label} is covered")
-        inputs: list[Thing] = [target, *([source] if source is not None else []), *stuffs]
+        inputs: list[Thing] = [target, *([source] if source is not None else []), *stuffs, *onto]
 
         def change() -> None:
             for stuff in stuffs:
@@ -307,7 +313,7 @@ class Bench:
                 if states is not None:
                     stuff.states = states
 
-        outputs: list[Thing] = [target, *stuffs]
+        outputs: list[Thing] = [target, *stuffs, *onto]
         if source is not None and not source.storage and len(stuffs) == len(source.contents):
             source_out: list[Thing] = [source]
         else:

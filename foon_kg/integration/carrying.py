@@ -49,7 +49,7 @@ class Carrier:
         if "coat" in stage.does and stage.motion in word_list("greases"):
             onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
             if onto is not None and target.contents:
-                self.bench.bring(stuffs, target, onto)
+                self.bench.bring(stuffs, target, onto, onto=list(target.contents))
                 return
         states = {state for stuff in stuffs for state in stuff.states}
         solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]

@@ -34,6 +34,7 @@ from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
+from foon_kg.integration.spread import spread_and_baked
 from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -367,6 +368,8 @@ def _put_together(
         line, joins = made_apart(line, joins, told, known)
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
         line, joins = coated_alone(line, joins, known)
+    else:
+        line, joins = spread_and_baked(line, joins)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 
