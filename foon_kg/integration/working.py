@@ -100,8 +100,12 @@ class Worker:
             [] if kneads else [([way for way in self.bench.operators.ways.get("knead", ()) if not way[1]], "kneaded")]
         )
         works.append(([way for motion in rises for way in self.bench.operators.ways_of(motion)], "rested"))
+        if self.plan.portioned:
+            works.append(([way for way in self.bench.operators.ways.get("cut", ()) if way[1]], "cut in pieces"))
         if self.plan.flat:
             works.append(([("press", ())], "flattened"))
+        elif not any("shape" in stage.does for stage in stages):
+            works.append(([("shape", ())], "shaped"))
         for ways, state in works:
             attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
             whole = vessel.contents[0]

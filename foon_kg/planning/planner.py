@@ -34,7 +34,7 @@ from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.spread import spread_and_baked
+from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -267,6 +267,8 @@ class _Question:
             grilled=stacked and any(dish.grilled for dish in named),
             in_pieces=any(dish.dressed for dish in named),
             laid=any(dish.laid for dish in named),
+            portioned=not word_list("is portioned").isdisjoint(told),
+            folded=not word_list("is folded").isdisjoint(told) and word_list("is not folded").isdisjoint(told),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
@@ -369,7 +371,7 @@ def _put_together(
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
         line, joins = coated_alone(line, joins, known)
     else:
-        line, joins = spread_and_baked(line, joins)
+        line, joins = smeared_and_baked(line, joins)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 

@@ -166,3 +166,17 @@ def test_what_is_not_to_be_baked_sets_in_the_cold(planner):
 def test_a_batter_without_flour_is_set_on_a_tray_with_a_spoon(planner, foods):
     told = steps(planner, "cookie", "", foods)
     assert any(motion == "scoop and pour" and "baking tray" in into for motion, into, _ in told)
+
+
+@pytest.mark.parametrize(("title", "cuts"), [("white loaf", False), ("dinner rolls", True)])
+def test_a_dough_is_shaped_and_rolls_are_cut_before(planner, title, cuts):
+    foods = {"flour": "", "yeast": "", "water": "", "salt": "", "olive oil": ""}
+    motions = [motion for motion, _, _ in steps(planner, "bread", title, foods)]
+    assert motions.index("shape") < motions.index("bake")
+    assert ("cut" in motions) == cuts
+
+
+def test_an_omelette_is_folded_and_scrambled_eggs_are_not(planner):
+    foods = {"egg": "", "butter": "", "salt": ""}
+    assert "fold" in [motion for motion, _, _ in steps(planner, "omelette", "plain omelette", foods)]
+    assert "fold" not in [motion for motion, _, _ in steps(planner, "omelette", "scrambled eggs", foods)]

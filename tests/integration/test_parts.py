@@ -21,6 +21,7 @@ from foon_kg.integration.pots import blended_when_done, is_never_heated, unheate
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
+from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.warmed import warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
@@ -228,3 +229,16 @@ def test_a_soup_that_is_called_cold_is_not_heated():
     assert told(*unheated(line, joins)) == [("blend", {"tomato", "olive oil"}), ("", set())]
     assert not is_never_heated(tables().dishes_named("soup"), joins, tables())
     assert not is_never_heated(dishes, joins_at(line, 0, "chicken"), tables())
+
+
+def test_what_is_soft_is_smeared_on_slices_before_they_are_baked():
+    line = Line((stage("bake", {"dry", "heat"}, vessel="baking tray", appliance="oven"),))
+    joins = joins_at(line, 0, "baguette", "butter", "garlic", "parmesan")
+    assert told(*smeared_and_baked(line, joins)) == [
+        ("", {"baguette"}),
+        ("mix", {"butter", "garlic"}),
+        ("spread", set()),
+        ("bake", {"parmesan"}),
+    ]
+    soaked = joins_at(line, 0, "bread", "butter", "egg", "milk")
+    assert smeared_and_baked(line, soaked) == (line, soaked)
