@@ -173,7 +173,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
-    if title and named < _BY_TITLE and _bakes(layout) and not _is_baked(dish_type, title, known):
+    if title and named < _BY_TITLE and _bakes(layout) and not is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
     if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_base(joins):
         score -= _HEATED
@@ -269,7 +269,7 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
             yield word
 
 
-def _is_baked(dish_type: str, title: str, known: Tables) -> bool:
+def is_baked(dish_type: str, title: str, known: Tables) -> bool:
     """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin."""
     if any(dish.baked for dish in known.dishes_named(dish_type, title)):
         return True
@@ -411,7 +411,7 @@ def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: 
     grilled = stacked and any(dish.grilled for dish in dishes)
     if stacked and _base_is_heated_alone(layout, known):
         yield f"what it is laid on is heated by itself in {frame.goal.label}"
-    in_a_pan = not word_list("is cooked in a pan").isdisjoint(words(title)) and not _is_baked(dish_type, "", known)
+    in_a_pan = not word_list("is cooked in a pan").isdisjoint(words(title)) and not is_baked(dish_type, "", known)
     if (unbaked or in_a_pan) and bakes:
         yield f"it is not to be baked, and {frame.goal.label} is"
     for dish in known.dishes_named(dish_type, title) if not unbaked else ():

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import NATURAL, Join
-from foon_kg.integration.preparation import owed
+from foon_kg.integration.preparation import Want, owed
 
 _COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
+_WHOLE = word_list("is strewn whole")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
@@ -22,6 +23,8 @@ _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",
 
 _BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
 _TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
+_SAUCE = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
+_BESIDE = word_list("is served with what is fried")
 
 
 def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
@@ -36,15 +39,37 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
         (*word_list("is coated"), *word_list("is coated where it is rough")) if rough else tuple(word_list("is coated"))
     )
     flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
-    dusted = any(one.is_a("flour") for one in facts) and not any(one.is_a("cooking liquid") for one in facts)
+    wet = any(one.is_a("cooking liquid") and not one.is_a(*_WET) for one in facts)
+    whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
+    dusted = any(one.is_a("flour") for one in facts) and (whole or not wet)
     rough = rough or (dusted and any(one.is_a("fat") for one in facts))
     others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
     if shaped or len(flesh) != 1 or not rough or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
-    top = replace(_BAKE if melts else _TOP)
-    rest = [replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None) for join in joins]
-    return coated_apart(Line((top,)), rest, kinds)
+    if melts:
+        baked = replace(_BAKE)
+        return coated_apart(Line((baked,)), [_at(join, baked) for join in joins], kinds)
+    top = replace(_TOP)
+    sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=()) if wet else replace(_SAUCE)
+    over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
+    rest = [join for join in joins if join not in over]
+    made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
+    if not any(join.spot.stage is made.stages[-1] for join in found):
+        made, found = coated_apart(Line((top,)), [_at(join, top) for join in joins], kinds)
+        return made, found
+    return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
+
+
+def is_portion(want: Want, known: Tables) -> bool:
+    """Whether flesh comes in portions and is not asked cut."""
+    fine = known.state(want.make).fine or 0 if want.make else 0
+    minced = want.facts.is_a(*word_list("patties are made of"))
+    return not minced and fine == 0 and not word_list("is a portion").isdisjoint(words(want.label))
+
+
+def _at(join: Join, stage: Stage) -> Join:
+    return replace(join, spot=replace(join.spot, stage=stage, after=(), side=False), slot=None)
 
 
 def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
@@ -56,7 +81,7 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
         return line, tuple(joins)
     wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
     seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
-    seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid")]
+    seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     fat = [join for join in fats if join.want.facts.is_a("liquid")] or fats
     powder, wash = Line((replace(_MIX),)), Line((replace(_MIX),))

@@ -19,7 +19,7 @@ from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.goals.choice import Fit, fits, is_truly, missing_core, refusals, shortlisted, unexplained
+from foon_kg.goals.choice import Fit, fits, is_baked, is_truly, missing_core, refusals, shortlisted, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
@@ -31,6 +31,7 @@ from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.portions import in_portions
 from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
@@ -254,7 +255,8 @@ class _Question:
         told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        line, joins = _put_together(line, joins, named, told, self.known)
+        baked = is_baked(dish_type, self.recipe.title or "", self.known)
+        line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
         stacked = any(dish.stacked for dish in named)
@@ -356,7 +358,7 @@ class _Question:
 
 
 def _put_together(
-    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables
+    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
@@ -369,7 +371,8 @@ def _put_together(
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known)
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
-        line, joins = coated_alone(line, joins, known)
+        made, found = coated_alone(line, joins, known)
+        line, joins = in_portions(line, joins, told, known, baked=baked) if made is line else (made, found)
     else:
         line, joins = smeared_and_baked(line, joins)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)

@@ -17,6 +17,7 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
+from foon_kg.integration.portions import in_portions
 from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
@@ -242,3 +243,32 @@ def test_what_is_soft_is_smeared_on_slices_before_they_are_baked():
     ]
     soaked = joins_at(line, 0, "bread", "butter", "egg", "milk")
     assert smeared_and_baked(line, soaked) == (line, soaked)
+
+
+def portioned(*foods, title="", baked=False):
+    line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
+    return told(*in_portions(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), baked=baked))
+
+
+def test_flesh_in_portions_is_fried_on_both_sides_before_its_sauce_comes():
+    assert portioned("salmon fillet", "olive oil", "salt", "garlic", "white wine", "parsley") == [
+        ("cook", {"salmon fillet", "olive oil", "salt"}),
+        ("flip", set()),
+        ("simmer", {"garlic", "white wine"}),
+        ("", {"parsley"}),
+    ]
+
+
+def test_what_is_called_baked_lies_in_a_dish_under_what_is_mixed_for_it():
+    assert portioned("salmon fillet", "olive oil", "mustard", "parsley", baked=True) == [
+        ("", {"salmon fillet"}),
+        ("mix", {"olive oil", "mustard"}),
+        ("", set()),
+        ("bake", set()),
+        ("", {"parsley"}),
+    ]
+
+
+@pytest.mark.parametrize(("food", "title"), [("salmon fillet/cubed", ""), ("salmon fillet", "fish curry")])
+def test_flesh_in_pieces_is_cooked_as_its_video_does(food, title):
+    assert portioned(food, "olive oil", title=title) == [("cook and stir", {"olive oil", food.partition("/")[0]})]
