@@ -90,6 +90,9 @@ _UNTOLD_OVEN = 0.8
 _MIXED = 0.4
 """What a frame is less worth that mixes what should lie on dough."""
 
+_GROUND = 0.6
+"""What a frame is less worth that blends a food which is asked cut, where the dish need not be smooth."""
+
 _HEATED = 0.6
 """What a frame is less worth that heats the whole of what is only stacked."""
 
@@ -141,7 +144,7 @@ def fits(layouts: Iterable[Layout], wants: Sequence[Want], dish_type: str, title
 def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matcher: Matcher) -> Fit:
     known, frame = matcher.known, layout.frame
     named_so = known.dishes_named(dish_type, title)
-    stacked, dressed = any(dish.stacked for dish in named_so), any(dish.dressed for dish in named_so)
+    stacked = any(dish.stacked for dish in named_so)
     joins = matcher.joins(layout, wants, stacked=stacked)
     vetoes = tuple(_vetoes(layout, joins, dish_type, title, known))
     weights = [weight(want, known) for want in wants]
@@ -153,8 +156,9 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
         w for w, join in zip(weights, joins, strict=True)
         if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
     )  # fmt: skip
-    ground = dressed and any(join.spot.post[0] == "blend" and _is_in_pieces(join.want, known) for join in joins)
-    score -= _HEATED if ground else 0.0
+    smooth = not word_list("may be blended").isdisjoint(words(f"{dish_type} {title}"))
+    ground = [join for join in joins if join.spot.post[0] == "blend" and _is_in_pieces(join.want, known)]
+    score -= 0.0 if smooth else _GROUND * min(len(ground), 2)
     score -= 0.6 * spoilt / sum(weights)
     score -= 0.4 * sum(1 for _ in unlike_the_title(layout, title, known))
     named = named_alike(frame.goal.label, dish_type, title)
@@ -188,9 +192,9 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
 
 
 def _is_in_pieces(want: Want, known: Tables) -> bool:
-    """Whether a food is asked cut, and is nothing that only gives its taste."""
+    """Whether a food is asked cut, and is no powder."""
     fine = known.state(want.asked).fine or 0 if want.asked else 0
-    return fine > 0 and not want.facts.is_a(*_SEASONS, *word_list("only flavours"))
+    return fine > 0 and not want.facts.is_a("spice", "stock")
 
 
 def _is_cold(dish_type: str, title: str, known: Tables) -> bool:

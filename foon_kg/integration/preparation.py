@@ -403,11 +403,18 @@ class Preparer:
             due = due | {"cut"}  # nobody serves it in one piece, though it could be eaten so
         first = not want.cooked or want.facts.is_a(*word_list("is split"))  # what is toasted is cut before
         for state in form if first else ():
+            if state in word_list("is a shape of some foods") and not self._comes_so(want, state):
+                continue
             if (self.known.state(state).fine or 0) > 0 and ("cut" in want.facts.owes or "cut" in due):
                 return state
         if "cut" in due:
             return self._usual_cut(want)
         return ""
+
+    def _comes_so(self, want: Want, state: str) -> bool:
+        """Whether any video has this food, or one of its very kind, in such a state."""
+        names = (singular(want.label), want.facts.taken_for, f"kind:{want.facts.kind}")
+        return any(state in self.operators.states.get(name, ()) for name in names)
 
     def _usual_cut(self, want: Want) -> str:
         """Return the state into which the FOON most often cuts such a food."""
