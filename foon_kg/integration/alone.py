@@ -232,6 +232,8 @@ class Alone:
         pot = bench.vessel("pot")
         self.carry.add_water(pot)
         device = bench.place(pot, "stove", "on")
+        if want.facts.is_a(*word_list("comes when it boils")):
+            self.carry.boil_water(pot)
         bench.switch(pot, device, on=True)
         self.carry.bring(ready, pot, None)
         attested = bench.require([("boil", ()), ("cook", ()), ("simmer", ())], want.names)

@@ -200,6 +200,23 @@ class Carrier:
         attested = self.bench.require([("pour", ()), ("fill", ())], ("water",))
         self.bench.bring([water], vessel, attested)
 
+    def boil_water(self, pot: Vessel) -> None:
+        """Bring the water in a pot that stands over the heat to the boil, where nothing but salt is in it."""
+        water = next((stuff for stuff in pot.contents if self.known.foods.food(stuff.label).is_a("water")), None)
+        foods = (self.known.foods.food(stuff.label) for stuff in pot.contents)
+        if water is None or pot.device is None or any(not one.is_a(*word_list("goes into the water")) for one in foods):
+            return
+        boils = self.bench.attest([("boil", ()), ("heat", ())], ("water",))
+        if boils is None or "boiling" in water.states:
+            return
+        self.bench.switch(pot, pot.device, on=True)
+
+        def change() -> None:
+            water.states = tuple(sorted({*water.states, "boiling"}))
+            pot.hot = True
+
+        self.bench.emit(boils, [pot, (pot.device, pot), *pot.contents], change, [pot, water])
+
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
         """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
         if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):

@@ -16,6 +16,7 @@ from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
+from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import Line, Phase, Stage
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
@@ -28,14 +29,18 @@ from foon_kg.integration.working import Worker
 _GRATED = 4
 
 
+_BY_ITSELF = word_list("is boiled by itself")
+
+
 class Cooking:
     """One dish in the making on a bench."""
 
     def __init__(self, bench: Bench, line: Line, plan: Plan) -> None:
         self.bench = bench
         self.known: Tables = bench.known
-        self.line, self.plan = line, plan = in_phases(line, plan, self.known)
+        self.line, self.plan = line, plan = in_phases(*crowned(line, plan, self.known), self.known)
         self.ready: dict[int, Ready] = {}
+        self.boiled_late: dict[int, Sequence[str]] = {}  # how it is cooked when the sauce is ready
         self.course = Course(line, plan)
         self.preparer = Preparer(bench)
         self.carry = Carrier(bench, self.preparer)
@@ -54,7 +59,9 @@ class Cooking:
         self.bench.phase = "heat"
         for join in self.course.in_order():
             method = self.alone.cooked_first(join)
-            if method:
+            if method and self._waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
+                self.boiled_late[join.want.number] = method
+            elif method:
                 self.alone.cook_first(join, method)
         vessel = self._run(self.line, main=True)
         if vessel is None:
@@ -120,7 +127,8 @@ class Cooking:
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
             for add in stage.adds:
-                if isinstance(add, Line) and self.course.alive(add):
+                late = self._waits_for_sauce(stage) and isinstance(add, Line) and self._is_drained(add)
+                if isinstance(add, Line) and self.course.alive(add) and not late:
                     made = self._run(add, after=(stage, *later))
                     if made is not None:
                         subs[id(add)] = made
@@ -145,10 +153,35 @@ class Cooking:
             ):
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
+            self._boil_now(stage, vessel, subs, later)
             vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
+
+    def _waits_for_sauce(self, stage: Stage) -> bool:
+        """Whether what is boiled and drained joins a sauce that cooks before: it is boiled when that is ready."""
+        return isinstance(stage, Phase) and stage.bath and not self.plan.one_pot
+
+    def _is_drained(self, line: Line) -> bool:
+        row = self.known.utensil(line.stages[-1].vessel) if line.stages[-1].vessel else None
+        return row is not None and "strain" in row.can
+
+    def _boil_now(self, stage: Stage, vessel: Vessel | None, subs: dict[int, Vessel], later: Sequence[Stage]) -> None:
+        """Boil what waited for the sauce that it joins now; meanwhile that is off the heat."""
+        if not self._waits_for_sauce(stage):
+            return
+        beside = [add for add in stage.adds if isinstance(add, Line) and self._is_drained(add)]
+        lines = [line for line in beside if id(line) not in subs and self.course.alive(line)]
+        joins = [join for join in self.course.ordered(stage) if join.want.number in self.boiled_late]
+        if vessel is not None and (lines or joins):
+            self.bench.heat_off(vessel)
+        for line in lines:
+            made = self._run(line, after=(stage, *later))
+            if made is not None:
+                subs[id(line)] = made
+        for join in joins:
+            self.alone.cook_first(join, self.boiled_late.pop(join.want.number))
 
     def _preheats(self, label: str) -> bool:
         row = self.known.utensil(label)
@@ -303,6 +336,8 @@ class Cooking:
                     self._grease(vessel, one)
                 self.carry.transfer(one, vessel, stage)
             else:
+                if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
+                    self.carry.boil_water(vessel)
                 self.carry.bring(self.ready[one.want.number], vessel, one.slot)
             if merge and self.work.lies_unmixed(vessel):
                 attested = self.work.stirring(foods_of(vessel))

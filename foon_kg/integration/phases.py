@@ -91,7 +91,7 @@ class _Phaser:
         """Return a line that boils and drains with a pan in which that is tossed with what it is eaten with."""
         for place, stage in enumerate(line.stages[1:], start=1):
             rest = line.stages[place:]
-            joins = [join for join in self.at.get(id(stage), ()) if not join.want.facts.is_a("topping", "herb")]
+            joins = [join for join in self.at.get(id(stage), ()) if not _is_strewn(join)]
             if not self._strains(line.stages[place - 1]) or any(not one.does.isdisjoint(WORKS) for one in rest):
                 continue
             if self.plan.cold or all(join.slot is not None for join in joins):
@@ -336,6 +336,12 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     if waiting:
         parts.append(waiting)
     return parts
+
+
+def _is_strewn(join: Join) -> bool:
+    """Whether a food is strewn on what is done; leaves that give their taste only by and by are not."""
+    facts = join.want.facts
+    return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == _LAST)
 
 
 def _needs_pan(facts: Food) -> bool:

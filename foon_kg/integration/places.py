@@ -52,7 +52,8 @@ NATURAL = 0.5
 class Join:
     """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
 
-    ``layer`` is its place among others that are laid on dough: from below to above.
+    ``layer`` is its place among others that are laid on dough: from below to above. ``on_top``: it only
+    lies on the dish.
     """
 
     want: Want
@@ -60,6 +61,7 @@ class Join:
     fit: float
     slot: Slot | None = None
     layer: int = 0
+    on_top: bool = False
 
 
 _FACTORS = 3

@@ -165,4 +165,4 @@ class Serving:
     @staticmethod
     def lies_on_top(join: Join) -> bool:
         """Whether a food only lies on a dish that is done, or beside it."""
-        return join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))
+        return join.on_top or join.want.facts.is_a("topping", "herb", *word_list("is served with what is fried"))

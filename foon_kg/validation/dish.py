@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import Match, is_unbaked, singular, words
+from foon_kg.food.lists import word_list
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
@@ -134,8 +135,9 @@ def _left_out(case: Case, part: Part, last: int) -> bool:
     if part.joined is None or part.joined <= last:
         return False
     baked_on = any(h.does("dry") and h.number > part.joined for h in case.happenings)  # as what lies on a pizza
+    crowns = word_list("lies on what is cooked") | word_list("lies on what is eaten with a spoon")
     return not baked_on and not part.food.is_a(
-        "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
+        *crowns, "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
     )
 
 

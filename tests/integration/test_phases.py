@@ -80,3 +80,9 @@ def test_vegetables_fry_before_eggs_set_around_them(planner):
 def test_no_soup_is_made_without_a_liquid(planner):
     units = planned(planner, "soup", beet="grated", potato="diced", carrot="grated", vinegar="liquid")
     assert any(node.label == "water" for unit in units for node in unit.input_nodes)
+
+
+def test_no_knife_goes_through_a_bone(planner):
+    units = planned(planner, "soup", ham_hock="raw", lentil="dried", onion="chopped", water="liquid")
+    cuts = [unit for unit in units if "cut" in KNOWN.motion(unit.motion_node).does]
+    assert not any(node.label == "ham hock" for unit in cuts for node in unit.input_nodes)

@@ -1,0 +1,61 @@
+"""What lies on a dish that comes out of a pot or pan: nobody cooks it, whatever its video does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.integration.course import HEATS, WORKS, Plan
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.places import Join
+
+_POWDER = 5
+
+
+def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
+    """Return how a dish is made whose nuts, wedges and the like come on it when it is done.
+
+    That is so where the last that is done to the dish is to cook it over the heat.
+    """
+    hot = [place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)]
+    if not hot or plan.stacked or plan.cold or plan.laid or plan.in_pieces or plan.tin:
+        return line, plan
+    last, rest = line.stages[hot[-1]], line.stages[hot[-1] + 1 :]
+    if "dry" in last.does or any(not stage.does.isdisjoint(WORKS) for stage in rest):
+        return line, plan
+    tops = [join for join in plan.joins if not join.spot.side and _lies_on_it(join, plan.joins, known)]
+    if not tops or len(tops) == len(plan.joins):
+        return line, plan
+    if rest:
+        top = rest[-1]
+    else:
+        top = Stage((), "", frozenset(), (), "bowl", "in", "", "", last.label, last.states, last.step)
+        line = Line((*line.stages, top))
+    joins = [_ending(join, top, on_top=join in tops) for join in plan.joins]
+    return line, replace(plan, joins=joins)
+
+
+def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:
+    """Return a food that joins before ``top``, or there."""
+    spot = join.spot
+    if on_top:
+        return replace(join, spot=replace(spot, stage=top, after=()), on_top=True)
+    there = spot.stage is top or any(stage is top for stage in spot.after)
+    return join if there else replace(join, spot=replace(spot, after=(*spot.after, top)))
+
+
+def _lies_on_it(join: Join, joins: Sequence[Join], known: Tables) -> bool:
+    """Whether a food is eaten on a dish of these foods, in the form in which it is asked."""
+    facts, want = join.want.facts, join.want
+    if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
+        return False
+    if facts.is_a(*word_list("lies on what is cooked")):
+        return True
+    others = [one.want.facts for one in joins if one is not join]
+    wet = any(one.is_a(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
+    if facts.is_a(*word_list("lies on what is eaten with a spoon")):
+        return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
+    bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)
+    return facts.is_a(*word_list("is grated over it")) and wet and not bound
