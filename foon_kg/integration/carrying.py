@@ -75,7 +75,10 @@ class Carrier:
         self.bench.bring(stuffs, target, attested)
 
     def _is_uncut(self, stuff: Stuff) -> bool:
-        """Whether a food is flesh that nobody cut."""
+        """Whether a food is flesh that nobody cut, and no stew that is called by it."""
+        foods = [self.known.foods.food(food) for food in stuff.foods]
+        if stuff.mixed and any(f"kind:{food.kind}" in word_list("stays liquid") for food in foods):
+            return False
         facts = self.known.foods.food(stuff.label)
         cut = any((self.known.state(state).fine or 0) > 0 for state in stuff.states)
         return not cut and facts.is_a(*word_list("is coated")) and not facts.is_a(*word_list("patties are made of"))
@@ -182,7 +185,9 @@ class Carrier:
     def _is_sauce(self, stuff: Stuff) -> bool:
         """Whether what flour binds is a sauce with something in it, and no batter."""
         foods = [self.known.foods.food(food) for food in stuff.foods]
-        return any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
+        thin = any(food.is_a(*word_list("is a bath")) for food in foods)
+        other = any(food.is_a("leaven", *word_list("makes no sauce of flour")) for food in foods)
+        return (thin and not other) or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
 
     def deep_for(self, label: str, wants: Sequence[Want]) -> str:
         """Return in what foods are baked that come into it one by one: nothing that runs on a tray."""

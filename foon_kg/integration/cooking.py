@@ -510,7 +510,8 @@ class Cooking:
         (stuff,) = vessel.contents
         if not stuff.mixed:
             return form_of(self.known, stuff.label, stuff.states) in {"powder", "liquid"}
-        return not self.course.stage_alive(stage) and not {"mixed", "blended"}.isdisjoint(stuff.states)
+        done = {"blended"} if "blend" in stage.does else {"mixed", "blended"}
+        return not self.course.stage_alive(stage) and not done.isdisjoint(stuff.states)
 
     def _stays_in(self, vessel: Vessel, later: Sequence[Stage]) -> bool:
         """Whether a vessel stays in its appliance: the next heating is there, and nothing joins before."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables
+from foon_kg.food import Food, Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import Join
 
+_MELTS = word_list("melts on what is hot")
+_MILKY = word_list("is beaten with eggs")
 _POWDER = 5
 
 
@@ -25,7 +27,7 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     last, rest = line.stages[hot[-1]], line.stages[hot[-1] + 1 :]
     if "dry" in last.does or any(not stage.does.isdisjoint(WORKS) for stage in rest):
         return line, plan
-    tops = [join for join in plan.joins if not join.spot.side and _lies_on_it(join, plan.joins, known)]
+    tops = [join for join in plan.joins if not join.spot.side and _lies_on_it(join, plan, known)]
     if not tops or len(tops) == len(plan.joins):
         return line, plan
     if rest:
@@ -46,16 +48,27 @@ def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:
     return join if there else replace(join, spot=replace(spot, after=(*spot.after, top)))
 
 
-def _lies_on_it(join: Join, joins: Sequence[Join], known: Tables) -> bool:
+def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     """Whether a food is eaten on a dish of these foods, in the form in which it is asked."""
     facts, want = join.want.facts, join.want
+    others = [one.want.facts for one in plan.joins if one is not join]
+    if plan.one_pot and _floats(facts, others):
+        return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
     if facts.is_a(*word_list("lies on what is cooked")):
         return True
-    others = [one.want.facts for one in joins if one is not join]
     wet = any(one.is_a(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
     bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)
     return facts.is_a(*word_list("is grated over it")) and wet and not bound
+
+
+def _floats(facts: Food, others: Sequence[Food]) -> bool:
+    """Whether a food floats on what is boiled: bread, what melts on that, and what nothing else thickens."""
+    floats = word_list("floats on top")
+    if facts.is_a(*floats) or (facts.is_a(*_MELTS) and any(one.is_a(*floats) for one in others)):
+        return True
+    thick = any(one.is_a("flour", *_MILKY) for one in others)
+    return not thick and facts.is_a(*word_list("is spooned onto it"))

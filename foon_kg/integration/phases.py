@@ -17,6 +17,7 @@ from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Phase, Slot, Stage
 from foon_kg.integration.places import Join
 
+_BATHS = tuple(word_list("is a bath"))
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}
 _ORDER = ("is fried", "is stirred into the fat", "cooks in the liquid", "is done soon", "is stirred in last")
 _FRIED, _BINDS, _WET, _SOON, _LAST = _ORDER
@@ -91,7 +92,7 @@ class _Phaser:
         """Return a line that boils and drains with a pan in which that is tossed with what it is eaten with."""
         for place, stage in enumerate(line.stages[1:], start=1):
             rest = line.stages[place:]
-            joins = [join for join in self.at.get(id(stage), ()) if not _is_strewn(join)]
+            joins = [join for join in self.at.get(id(stage), ()) if not is_strewn(join)]
             if not self._strains(line.stages[place - 1]) or any(not one.does.isdisjoint(WORKS) for one in rest):
                 continue
             if self.plan.cold or all(join.slot is not None for join in joins):
@@ -171,12 +172,13 @@ class _Phaser:
         joins += [join for line in beside for join in self._taken_out(line)]
         within = [*joins, *(join for line in beside for join in self._foods(line))]
         savoury = self.plan.one_pot or any(join.want.facts.is_a(*word_list("is cooked in phases")) for join in within)
+        savoury = savoury or _makes_a_sauce(within)
         hot = [stage for stage in run if "heat" in stage.does]
         if not savoury or not hot or not self._is_over_heat(run[0]):
             return ()
         lines = [line for line in beside if self._foods(line)]
         fats = [join for join in self.plan.joins if join.want.facts.is_a(*word_list("gives fat"))]
-        fat = any(join in within or join.want.facts.is_a("liquid") for join in fats)
+        fat = any(join in within or join.want.facts.is_a("stock") for join in fats)
         bath = any(_is_bath(one.want.facts) for one in (*joins, *(j for line in lines for j in self._bath_of(line))))
         water = None if bath else self._water(run, joins, fat=fat)
         bath = bath or water is not None
@@ -338,7 +340,7 @@ def _parts(comers: Sequence[_Comer], order: Sequence[str]) -> list[list[_Comer]]
     return parts
 
 
-def _is_strewn(join: Join) -> bool:
+def is_strewn(join: Join) -> bool:
     """Whether a food is strewn on what is done; leaves that give their taste only by and by are not."""
     facts = join.want.facts
     return join.on_top or (facts.is_a("topping", "herb") and phase_of(facts) == _LAST)
@@ -348,6 +350,13 @@ def _needs_pan(facts: Food) -> bool:
     """Whether a food is not done when eggs set around it."""
     raw = facts.is_a(*word_list("is flesh")) and not facts.is_a("ready")
     return raw or phase_of(facts) == _FRIED or facts.is_a(*word_list("takes long in the pan"))
+
+
+def _makes_a_sauce(joins: Sequence[Join]) -> bool:
+    """Whether flour is stirred into fat, and something is poured on it."""
+    facts = [join.want.facts for join in joins]
+    other = any(one.is_a("leaven", *word_list("makes no sauce of flour")) for one in facts)
+    return not other and all(any(one.is_a(*names) for one in facts) for names in (("flour",), ("fat",), _BATHS))
 
 
 def _same_place(one: Stage, other: Stage) -> bool:

@@ -1,4 +1,4 @@
-"""What a video does in another order than the dish asks for by its name: blended once it is done, or never heated."""
+"""What a video heats though the dish is called so that it is cold."""
 
 from __future__ import annotations
 
@@ -30,28 +30,6 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
         last = stage if stage in kept else last
         became[id(stage)] = last
     return Line(kept), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), kept) for join in joins)
-
-
-def blended_when_done(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that cooks what its video blends raw, and blends it then."""
-    stages = line.stages
-    blend = next((n for n, stage in enumerate(stages) if "blend" in stage.does), None)
-    heat = next((n for n, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS)), None)
-    if blend is None or heat is None or heat < blend:
-        return line, tuple(joins)
-    ends = max(n for n, stage in enumerate(stages) if not stage.does.isdisjoint(HEATS))
-    first = replace(stages[heat], adds=(*stages[blend].adds, *stages[heat].adds))
-    mixed = replace(stages[blend], adds=(), step=stages[ends].step)
-    order = (
-        *stages[:blend],
-        *stages[blend + 1 : heat],
-        first,
-        *stages[heat + 1 : ends + 1],
-        mixed,
-        *stages[ends + 1 :],
-    )
-    became = {id(stages[blend]): first, id(stages[heat]): first}
-    return Line(order), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), order) for join in joins)
 
 
 def _at(join: Join, stage: Stage, stages: Sequence[Stage]) -> Join:

@@ -198,15 +198,20 @@ class Worker:
             return {"cooked" if finished else "partly cooked"}
         return {"heated"} if "warm" in motion.does and "heat" not in motion.does else set()
 
+    def _stays_so(self, stage: Stage, stuff: Stuff) -> set[str]:
+        """Return the states that a mixture keeps whatever is done to it: mixed, and what is blended stays cooked."""
+        blends = "blend" in stage.does
+        done = {s for s in stuff.states if s in {"mixed", "blended"} or (blends and self.known.state(s).needs_heat)}
+        return done if stuff.mixed else set()
+
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
         """Return in which states the foods of a vessel are after a stage; ``finished``: it is not heated any more."""
         does = self.known.motion(way[0]).does
         states: set[str] = set()
-        kept = {s for stuff in vessel.contents if stuff.mixed for s in stuff.states if s in {"mixed", "blended"}}
         if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
         if product and len(vessel.contents) == 1 and "dry" not in does:
-            states |= kept
+            states |= self._stays_so(stage, vessel.contents[0])
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
         elif not does.isdisjoint({"mix", "whip"}):

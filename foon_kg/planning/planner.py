@@ -32,10 +32,12 @@ from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.portions import in_portions
-from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
+from foon_kg.integration.pots import is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
+from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.smeared import smeared_and_baked
+from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
@@ -259,11 +261,19 @@ class _Question:
         line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
+        if not tin:
+            line, joins = sauce_apart(line, joins)
+        boiled = not word_list("boils in the dish").isdisjoint(told)
+        one_pot = boiled or is_stewed(self.recipe.title or "", named)
+        if boiled:
+            line, joins = blended_when_done(line, joins, told, cold=is_never_heated(named, joins, self.known))
+        elif one_pot:
+            line, joins = stewed(joins)
         stacked = any(dish.stacked for dish in named)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
             stacked=stacked,
-            one_pot=not word_list("boils in the dish").isdisjoint(told),
+            one_pot=one_pot,
             cold=not word_list("is served cold").isdisjoint(told),
             flat=not word_list("is rolled out").isdisjoint(told),
             grilled=stacked and any(dish.grilled for dish in named),
@@ -364,8 +374,6 @@ def _put_together(
     joins = tuple(joins)
     if is_never_heated(dishes, joins, known):
         line, joins = unheated(line, joins)
-    elif not word_list("boils in the dish").isdisjoint(told):
-        line, joins = blended_when_done(line, joins)
     if any(dish.mashed for dish in dishes):
         line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):

@@ -18,7 +18,7 @@ from foon_kg.integration.layouts import Spot
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
 from foon_kg.integration.portions import in_portions
-from foon_kg.integration.pots import blended_when_done, is_never_heated, unheated
+from foon_kg.integration.pots import is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
@@ -210,16 +210,6 @@ def test_loose_meat_is_stirred_with_its_sauce():
 def raw_soup():
     blend, heat = stage("blend", {"blend", "mix"}), stage("simmer", {"heat", "liquid"}, vessel="pot", appliance="stove")
     return Line((blend, heat, stage("", set())))
-
-
-def test_a_soup_is_cooked_before_it_is_blended():
-    line = raw_soup()
-    joins = (*joins_at(line, 0, "tomato", "onion"), *joins_at(line, 2, "parsley"))
-    assert told(*blended_when_done(line, joins)) == [
-        ("simmer", {"tomato", "onion"}),
-        ("blend", set()),
-        ("", {"parsley"}),
-    ]
 
 
 def test_a_soup_that_is_called_cold_is_not_heated():

@@ -50,3 +50,42 @@ def test_what_lies_on_noodles_comes_when_nothing_is_cooked_any_more(snapshot):
     hot = places(done, does={"heat"})
     assert not any({"peanut", "lime", "green onion"} & done[number][1] for number in hot)
     assert all(places(done, food)[-1] > hot[-1] for food in ("peanut", "lime", "green onion"))
+
+
+def test_a_soup_is_blended_when_it_is_soft_and_one_with_pieces_is_not(snapshot):
+    squash = steps(
+        snapshot, "soup", "Squash Soup", butternut_squash="cubed", onion="chopped", vegetable_broth="liquid",
+        butter="stick",
+    )  # fmt: skip
+    assert places(squash, does={"heat"})[-1] < places(squash, does={"blend"})[0]
+    pasta = steps(
+        snapshot, "soup", "Minestrone", canned_tomato="canned", onion="chopped", vegetable_broth="liquid", ditalini="",
+    )  # fmt: skip
+    assert not places(pasta, does={"blend"})
+
+
+def test_a_cold_soup_is_not_heated(snapshot):
+    done = steps(
+        snapshot, "soup", "Gazpacho", tomato="chopped", cucumber="chopped", olive_oil="liquid", tomato_juice="liquid"
+    )
+    assert places(done, does={"blend"})
+    assert not places(done, does={"heat"})
+
+
+def test_a_stew_is_cooked_in_one_pot_whatever_a_like_dish_does(snapshot):
+    done = steps(
+        snapshot, "beef", "Beef Stew", beef="cubed", onion="chopped", potato="cubed", beef_broth="liquid",
+        flour="powder", oil="liquid",
+    )  # fmt: skip
+    assert not places(done, does={"shape"})
+    first = [places(done, food, does={"heat"})[0] for food in ("beef", "flour", "beef broth")]
+    assert first == sorted(set(first))
+
+
+def test_flour_is_stirred_into_the_fat_before_milk_comes_though_the_dish_is_baked(snapshot):
+    done = steps(
+        snapshot, "potatoes", "Scalloped Potatoes", potato="sliced", butter="stick", flour="powder", milk="liquid",
+        cheddar_cheese="shredded",
+    )  # fmt: skip
+    first = [places(done, food, does={"heat"})[0] for food in ("flour", "milk", "cheddar cheese")]
+    assert first == sorted(set(first))
