@@ -65,7 +65,7 @@ class _Body:
             line, found = coated_apart(Line((top,)), rest)
             return self._with_fried(line, found)
         mix, heat, turn, done = replace(_MIX), replace(_HEAT), replace(_TURN), replace(_HEAT)
-        stages = (mix, replace(_SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
+        stages: tuple[Stage, ...] = (mix, replace(_SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
         if self.loose:
             heat = replace(_STIR, label="mixture")
             stages = (heat,)

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import words
+from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
@@ -16,6 +16,9 @@ from foon_kg.integration.places import Join
 
 _JOINED = frozenset({"and", "con", "in", "on", "over", "with"})
 """After these words a title says no more what a dish is."""
+
+_LEAST = 2
+"""Of so many foods that run a sauce is made."""
 
 _BLENDED = Stage((), "blend", frozenset({"blend", "mix"}), (), "blender jar", "in", "blender", "power", "", (), 0)
 _SERVED = Stage((), "", frozenset(), (), "bowl", "in", "", "", "", (), 0)
@@ -49,11 +52,26 @@ def blended_when_done(
     return line, tuple(joins)
 
 
-def is_stewed(title: str, dishes: Collection[Dish]) -> bool:
-    """Whether a title says at its end that all is cooked together in a pot: chicken curry with rice."""
+def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
+    """Whether all is cooked together in a pot: a title ends so, or flesh in pieces is asked with a sauce."""
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))
     other = any(dish.stacked or dish.dressed or dish.laid or dish.baked for dish in dishes)
-    return not other and bool(head) and head[-1] in word_list("is cooked in one pot")
+    named = bool(head) and head[-1] in word_list("is cooked in one pot")
+    return not other and (named or _is_in_sauce(joins, words(title), known))
+
+
+def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> bool:
+    """Whether flesh that is asked in pieces has a sauce to be cooked in, and nothing says that it is made otherwise."""
+    if not told or any(known.state(word).needs_heat for word in told if word in known.states):
+        return False
+    facts = [join.want.facts for join in joins]
+    pieces = any(
+        join.want.facts.is_a(*word_list("is flesh")) and (known.state(join.want.make).fine or 0) > 0
+        for join in joins
+        if join.want.make and "cook" in join.want.facts.owes
+    )
+    sauce = sum(one.is_a(*word_list("is cooked in for long")) for one in facts) >= _LEAST
+    return pieces and sauce and not any(one.is_a(*word_list("is in no stew")) for one in facts)
 
 
 def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:

@@ -264,7 +264,7 @@ class _Question:
         if not tin:
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
-        one_pot = boiled or is_stewed(self.recipe.title or "", named)
+        one_pot = boiled or is_stewed(self.recipe.title or "", named, joins, self.known)
         if boiled:
             line, joins = blended_when_done(line, joins, told, cold=is_never_heated(named, joins, self.known))
         elif one_pot:

@@ -89,3 +89,11 @@ def test_flour_is_stirred_into_the_fat_before_milk_comes_though_the_dish_is_bake
     )  # fmt: skip
     first = [places(done, food, does={"heat"})[0] for food in ("flour", "milk", "cheddar cheese")]
     assert first == sorted(set(first))
+
+
+def test_meat_in_pieces_is_cooked_in_its_sauce_though_the_likest_dish_bakes(snapshot):
+    done = steps(
+        snapshot, "chicken", "Butter Chicken", chicken_thigh="cubed", onion="chopped", tomato_puree="sauce",
+        heavy_cream="liquid", butter="stick", garam_masala="ground",
+    )  # fmt: skip
+    assert not places(done, does={"dry"})
