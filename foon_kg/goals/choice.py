@@ -87,6 +87,9 @@ _DAMAGED = 0.5
 _UNTOLD_OVEN = 0.8
 """What a frame is less worth that bakes a dish which nobody calls baked."""
 
+_UNASKED_PART = 0.8
+"""What a frame is less worth that makes a part with a machine by which nobody calls the dish (pesto)."""
+
 _MIXED = 0.4
 """What a frame is less worth that mixes what should lie on dough."""
 
@@ -176,6 +179,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score += min(_MOST_SAID, _SAID * sum(1 for _ in _said_alike(frame, wants, title, known)))
     if title:
         score -= min(_MOST_STRANGE, _STRANGE * len(unexplained(frame, wants, dish_type, title)))
+        score -= _UNASKED_PART if _blends_beside(layout) and _has_strange_part(frame, wants, title, known) else 0.0
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
     if title and named < _BY_TITLE and _bakes(layout) and not is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
@@ -195,6 +199,18 @@ def _is_in_pieces(want: Want, known: Tables) -> bool:
     """Whether a food is asked cut, and is no powder."""
     fine = known.state(want.asked).fine or 0 if want.asked else 0
     return fine > 0 and not want.facts.is_a("spice", "stock")
+
+
+def _blends_beside(layout: Layout) -> bool:
+    """Whether a machine makes a part of a hot dish, by which that is called: a pesto."""
+    return layout.heats and any(spot.side and "blend" in spot.stage.does for spot in layout.spots)
+
+
+def _has_strange_part(frame: Frame, wants: Sequence[Want], title: str, known: Tables) -> bool:
+    """Whether a goal is called by a food of which the recipe has none, and that its title does not name."""
+    kinds = {want.facts.kind for want in wants}
+    others = set(words(frame.goal.label)) - set(words(title))
+    return any(known.foods.is_listed(word) and known.foods.food(word).kind not in kinds for word in others)
 
 
 def _is_cold(dish_type: str, title: str, known: Tables) -> bool:

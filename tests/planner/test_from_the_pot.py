@@ -97,3 +97,11 @@ def test_meat_in_pieces_is_cooked_in_its_sauce_though_the_likest_dish_bakes(snap
         heavy_cream="liquid", butter="stick", garam_masala="ground",
     )  # fmt: skip
     assert not places(done, does={"dry"})
+
+
+def test_no_machine_makes_a_part_by_which_nobody_calls_the_dish(snapshot):
+    done = steps(
+        snapshot, "pasta", "Linguine with Clams", linguine="uncooked", clam="raw", garlic="sliced", olive_oil="liquid",
+        parsley="chopped", lemon="juice",
+    )  # fmt: skip
+    assert not places(done, does={"blend"})
