@@ -71,7 +71,7 @@ def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> b
         if join.want.make and "cook" in join.want.facts.owes
     )
     sauce = sum(one.is_a(*word_list("is cooked in for long")) for one in facts) >= _LEAST
-    return pieces and sauce and not any(one.is_a(*word_list("is in no stew")) for one in facts)
+    return pieces and sauce and not any(one.is_a(*word_list("is never in a pot so")) for one in facts)
 
 
 def stewed(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
