@@ -143,7 +143,7 @@ class Carrier:
 
     def is_wet(self, stuff: Stuff) -> bool:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
-        if not stuff.mixed:
+        if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
             return False
         foods = [self.known.foods.food(food) for food in stuff.foods]
         liquids = word_list("stays liquid")

@@ -292,8 +292,6 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], fresh, join.slot)
             self.course.at[id(stage)].remove(join)
             joins.remove(join)  # type: ignore[attr-defined]
-        if is_flat(fresh.label):
-            self._fold(vessel)
         self.carry.transfer(vessel, fresh, stage)
         return fresh
 
@@ -555,20 +553,9 @@ class Cooking:
             return vessel
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
-        self._fold(vessel)
         target = self.bench.vessel("bowl" if self.carry.is_wet(vessel.contents[0]) else "plate")
         try:
             self.carry.transfer(vessel, target, self.line.stages[-1])
         except RefusedError:  # nobody of this FOON serves such a dish
             return vessel
         return target
-
-    def _fold(self, vessel: Vessel) -> None:
-        """Fold what was cooked before it is served, where the FOON folds such a thing and the video has not."""
-        if not self.plan.folded or not vessel.hot or len(vessel.contents) != 1:
-            return
-        (stuff,) = vessel.contents
-        attested = self.bench.attest([way for way in self.bench.operators.ways_of("fold") if way[1]], stuff.foods)
-        done = word_list("is turned or folded")
-        if attested is not None and done.isdisjoint(stuff.states):
-            self.bench.work(vessel, attested, stuff.label, (*stuff.states, "folded"), with_device=False)

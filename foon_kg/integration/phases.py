@@ -148,7 +148,8 @@ class _Phaser:
         """Yield the stages in groups: those of one vessel over the heat together, each other one by itself."""
         run: list[Stage] = []
         for stage in line.stages:
-            if run and not (self._is_over_heat(stage) and self._is_over_heat(run[-1]) and _same_place(run[-1], stage)):
+            together = self._is_over_heat(stage) and not isinstance(stage, Phase)
+            if run and not (together and self._is_over_heat(run[-1]) and _same_place(run[-1], stage)):
                 yield run
                 run = []
             run.append(stage)
@@ -167,6 +168,8 @@ class _Phaser:
     # --- phases ---
 
     def _phases(self, run: Sequence[Stage], adds: Mapping[int, Line]) -> tuple[Stage, ...]:
+        if isinstance(run[0], Phase):
+            return ()  # it has its place already
         joins = [join for stage in run for join in self.at.get(id(stage), ())]
         beside = [add for stage in run for add in stage.adds if isinstance(add, Line)]
         joins += [join for line in beside for join in self._taken_out(line)]

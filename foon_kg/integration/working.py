@@ -214,7 +214,7 @@ class Worker:
             states |= self._stays_so(stage, vessel.contents[0])
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
-        elif not does.isdisjoint({"mix", "whip"}):
+        elif not does.isdisjoint({"mix", "whip"}) and stage.does != {"shape"}:
             states.add("mixed")
         if "knead" in does:
             states.add("kneaded")

@@ -26,6 +26,7 @@ from foon_kg.integration.coated import coated_alone
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
+from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
@@ -259,6 +260,8 @@ class _Question:
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
         baked = is_baked(dish_type, self.recipe.title or "", self.known)
         line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
+        if is_folded(joins, words(self.recipe.title or frame.goal.label)):
+            line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
         if not tin:
@@ -280,7 +283,6 @@ class _Question:
             in_pieces=any(dish.dressed for dish in named),
             laid=any(dish.laid for dish in named),
             portioned=not word_list("is portioned").isdisjoint(told),
-            folded=not word_list("is folded").isdisjoint(told) and word_list("is not folded").isdisjoint(told),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()

@@ -13,6 +13,7 @@ from foon_kg.food import tables
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone, coated_apart
 from foon_kg.integration.course import Course, Plan
+from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
 from foon_kg.integration.mashed import mashed_only
@@ -262,3 +263,20 @@ def test_what_is_called_baked_lies_in_a_dish_under_what_is_mixed_for_it():
 @pytest.mark.parametrize(("food", "title"), [("salmon fillet/cubed", ""), ("salmon fillet", "fish curry")])
 def test_flesh_in_pieces_is_cooked_as_its_video_does(food, title):
     assert portioned(food, "olive oil", title=title) == [("cook and stir", {"olive oil", food.partition("/")[0]})]
+
+
+def test_an_omelette_sets_over_what_fills_it_and_is_folded():
+    line = Line((stage("cook", {"heat"}, vessel="frying pan", appliance="stove"),))
+    joins = joins_at(line, 0, "egg", "milk", "butter", "mushroom", "cheese", "parsley")
+    assert is_folded(joins, {"mushroom", "omelette"})
+    assert told(*folded(joins)) == [
+        ("cook and stir", {"butter", "mushroom"}),
+        ("whisk", {"egg", "milk"}),
+        ("cook", set()),
+        ("cook", {"cheese"}),
+        ("fold", set()),
+        ("", {"parsley"}),
+    ]
+    assert not is_folded(joins, {"baked", "omelette"})
+    assert not is_folded(joins, {"mushroom", "frittata"})
+    assert not is_folded(joins_at(line, 0, "egg", "potato", "oil"), {"omelette"})
