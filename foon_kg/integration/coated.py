@@ -51,7 +51,10 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
         baked = replace(_BAKE)
         return coated_apart(Line((baked,)), [_at(join, baked) for join in joins], kinds)
     top = replace(_TOP)
-    sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=()) if wet else replace(_SAUCE)
+    if wet:
+        sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
+    else:  # a fried piece that is stirred falls to pieces
+        sauce = replace(_HEAT) if whole else replace(_SAUCE)
     over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)

@@ -105,6 +105,13 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     assert told(line, joins)[1:3] == [("mix", {"chicken breast"}), ("mix", {"flour", "breadcrumb"})]
 
 
+def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
+    line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
+    joins = joins_at(line, 0, "sole fillet", "flour", "butter", "lemon juice")
+    made, _ = coated_alone(line, joins, tables())
+    assert [one.motion for one in made.stages] == ["cook", ""]
+
+
 def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooked():
     line = Line((stage("mix", {"mix"}),))
     for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
