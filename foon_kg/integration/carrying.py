@@ -46,7 +46,7 @@ class Carrier:
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
         foods = foods_of(source)
-        if "coat" in stage.does and stage.motion in word_list("greases"):
+        if "coat" in stage.does and stage.motion in word_list("greases") and not whole:
             onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
             if onto is not None and target.contents:
                 self.bench.bring(stuffs, target, onto, onto=list(target.contents))

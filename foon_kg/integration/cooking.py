@@ -116,6 +116,7 @@ class Cooking:
         pieces = self.plan.in_pieces and ready.want.facts.is_a(*word_list("is cut once it is cooked"))
         thick = self.plan.laid and ready.want.facts.is_a(*word_list("is flesh"))
         flat = self.plan.stacked and ready.want.facts.is_a(*word_list("is fried rather than boiled"))
+        pieces = pieces or (self.plan.stacked and ready.want.facts.is_a(*word_list("is cut to be stacked")))
         if pieces or thick or (self.alone.is_asked_done(ready.want) and not flat):
             self.preparer.cut_once_done(ready)
         return ready
@@ -269,7 +270,8 @@ class Cooking:
         self, stage: Stage, label: str, vessel: Vessel | None, lines: list[Vessel], joins: Sequence[Join]
     ) -> Vessel:
         if vessel is None:
-            if lines and lines[0].label == label and lines[0].device is None:
+            device, _ = self.utensils.device_for(stage)
+            if lines and lines[0].label == label and (lines[0].device is None or lines[0].device.label == device):
                 return lines.pop(0)
             for join in joins:
                 own = self.ready[join.want.number].stuff.at

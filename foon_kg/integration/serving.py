@@ -59,6 +59,7 @@ class Serving:
         if len(mixed) > 1:
             self.bench.work(bowl, self.work.stirring(foods_of(bowl)), _MIXED, ("mixed",), with_device=False)
         below = [*lines, vessel] if plate is not vessel else [*lines]
+        mixed += self._stirred_in([one for one in below if one is not None], [j for j in rest if j not in mixed])
         closing = [join for join in slices if self._lay_below(join, plate)]
         smeared = [join for join in rest if join not in mixed and self._is_smeared(join)]
         for join in smeared:
@@ -136,16 +137,30 @@ class Serving:
 
     def _bound(self, joins: Sequence[Join]) -> list[Join]:
         """Return what is mixed to be spread: small pieces with something creamy, and what seasons them."""
-        stuffs = {join.want.number: self.ready[join.want.number].stuff for join in joins}
-        small = [
-            join for join in joins
-            if join.want.facts.is_a(*word_list("falls apart"))
-            or any((self.known.state(state).fine or 0) >= _SMALL for state in stuffs[join.want.number].states)
-        ]  # fmt: skip
+        small = [join for join in joins if self._is_small(join)]
         creamy = [join for join in joins if join.want.facts.is_a(*_CREAMY)]
         seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and join not in creamy]
         pieces = [j for j in small if j not in seasons and j not in creamy and not j.want.facts.is_a(*_LAYERS)]
         return [*pieces, *creamy, *(join for join in seasons if join not in pieces)] if pieces and creamy else []
+
+    def _stirred_in(self, made: Sequence[Vessel], joins: Sequence[Join]) -> list[Join]:
+        """Stir small pieces into the creamy mixture that a video makes, and return what was stirred in."""
+        bowls = [
+            one for one in made if not one.hot and any(self.known.foods.food(f).is_a(*_CREAMY) for f in foods_of(one))
+        ]
+        small = [join for join in joins if self._is_small(join) and not join.want.facts.is_a(*_LAYERS)]
+        seasons = [join for join in joins if join.want.facts.is_a(*_SEASONS) and not self._is_smeared(join)]
+        found = [*small, *(join for join in seasons if join not in small)] if bowls else []
+        for join in found:
+            self._bring(join, bowls[0])
+        if found:
+            self.bench.work(bowls[0], self.work.stirring(foods_of(bowls[0])), _MIXED, ("mixed",), with_device=False)
+        return found
+
+    def _is_small(self, join: Join) -> bool:
+        states = self.ready[join.want.number].stuff.states
+        fine = any((self.known.state(state).fine or 0) >= _SMALL for state in states)
+        return fine or join.want.facts.is_a(*word_list("falls apart"))
 
     def dress(self, vessel: Vessel) -> None:
         """Mix what came to a dish that was done."""
