@@ -16,6 +16,7 @@ _POT = Stage(
 _GLASS = replace(_POT, motion="stir", does=frozenset({"mix"}), tools=("spoon",), vessel="drinking glass")
 _GLASS = replace(_GLASS, appliance="", source="", label="")
 _TOP = replace(_GLASS, motion="", does=frozenset(), tools=())
+_SLICES = word_list("is a slice on a glass")
 
 
 def is_warmed(joins: Sequence[Join], told: frozenset[str]) -> bool:
@@ -62,3 +63,20 @@ def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Lin
         spot = replace(join.spot, stage=stage, after=after, side=stage is pot)
         found.append(Join(join.want, spot, min(join.fit, NATURAL)))
     return Line((glass, top)), tuple(found)
+
+
+def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line at whose end slices and leaves come on top of what is drunk, where nothing says they are in it."""
+    last = line.stages[-1]
+    found = [join for join in joins if _is_garnish(join)]
+    if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:
+        return line, tuple(joins)
+    top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
+    at_top = (replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None) for join in found)
+    rest = [join for join in joins if join not in found]
+    return Line((*line.stages, top)), (*rest, *at_top)
+
+
+def _is_garnish(join: Join) -> bool:
+    cut = join.want.asked in word_list("garnishes a glass")
+    return join.want.facts.is_a(*word_list("is a leaf on a glass")) or (cut and join.want.facts.is_a(*_SLICES))

@@ -39,7 +39,7 @@ from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import can_be_warmed, is_heated, warmed
+from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -264,6 +264,8 @@ class _Question:
             line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
+        if dish_type in word_list("is drunk"):
+            line, joins = garnished(line, joins, told)
         if not tin:
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)

@@ -24,7 +24,7 @@ from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
 from foon_kg.integration.smeared import smeared_and_baked
-from foon_kg.integration.warmed import warmed
+from foon_kg.integration.warmed import garnished, warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.settings import PlanSettings
@@ -287,3 +287,16 @@ def test_an_omelette_sets_over_what_fills_it_and_is_folded():
     assert not is_folded(joins, {"baked", "omelette"})
     assert not is_folded(joins, {"mushroom", "frittata"})
     assert not is_folded(joins_at(line, 0, "egg", "potato", "oil"), {"omelette"})
+
+
+def test_slices_and_leaves_come_last_into_a_glass_unless_they_are_muddled():
+    line = Line(
+        (stage("mash", {"mash", "mix"}, vessel="highball glass"), stage("stir", {"mix"}, vessel="highball glass"))
+    )
+    joins = (*joins_at(line, 0, "lime/sliced", "mint"), *joins_at(line, 1, "gin", "tonic water"))
+    assert told(*garnished(line, joins, frozenset({"gin", "tonic"}))) == [
+        ("mash", set()),
+        ("stir", {"gin", "tonic water"}),
+        ("", {"lime", "mint"}),
+    ]
+    assert garnished(line, joins, frozenset({"mojito"})) == (line, joins)
