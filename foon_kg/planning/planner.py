@@ -32,7 +32,7 @@ from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
-from foon_kg.integration.portions import in_portions
+from foon_kg.integration.portions import in_portions, roasted
 from foon_kg.integration.pots import is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
@@ -385,8 +385,8 @@ def _put_together(
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
         made, found = coated_alone(line, joins, known)
         line, joins = in_portions(line, joins, told, known, baked=baked) if made is line else (made, found)
-    else:
-        line, joins = smeared_and_baked(line, joins)
+    elif not any(dish.dressed for dish in dishes):
+        line, joins = roasted(*smeared_and_baked(line, joins), told)
     return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 

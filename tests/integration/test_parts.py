@@ -18,7 +18,7 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions
+from foon_kg.integration.portions import in_portions, roasted
 from foon_kg.integration.pots import is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
@@ -300,3 +300,14 @@ def test_slices_and_leaves_come_last_into_a_glass_unless_they_are_muddled():
         ("", {"lime", "mint"}),
     ]
     assert garnished(line, joins, frozenset({"mojito"})) == (line, joins)
+
+
+def test_what_is_called_roasted_is_tossed_and_baked():
+    line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
+    joins = joins_at(line, 0, "broccoli", "olive oil", "parmesan", "parsley")
+    assert told(*roasted(line, joins, frozenset({"roasted", "broccoli"}))) == [
+        ("mix", {"broccoli", "olive oil"}),
+        ("bake", {"parmesan"}),
+        ("", {"parsley"}),
+    ]
+    assert roasted(line, joins, frozenset({"broccoli"})) == (line, joins)
