@@ -240,7 +240,11 @@ class Cooking:
         elif label != comes.label:
             label = self.carry.tin_for(label, comes, self.plan.tin, in_oven=relation == "in")
         runs = vessel is not None and vessel.hot and any(self.carry.is_wet(stuff) for stuff in vessel.contents)
-        return "bowl" if (dressed or runs) and is_flat(label) else label
+        return "bowl" if (dressed or runs) and is_flat(label) and not self._lies_baked(vessel) else label
+
+    def _lies_baked(self, vessel: Vessel | None) -> bool:
+        """Whether a dish that lies on its dough comes out of the oven in one piece, however wet what lies on it."""
+        return self.plan.laid and vessel is not None and any("baked" in stuff.states for stuff in vessel.contents)
 
     def _goes_on(self, stage: Stage, following: Stage) -> bool:
         """Whether the next stage only goes on with what this one does: once is enough."""
@@ -294,7 +298,7 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], fresh, join.slot)
             self.course.at[id(stage)].remove(join)
             joins.remove(join)  # type: ignore[attr-defined]
-        self.carry.transfer(vessel, fresh, stage)
+        self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel))
         return fresh
 
     def _grease(self, fresh: Vessel, vessel: Vessel) -> None:
