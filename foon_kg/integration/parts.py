@@ -90,11 +90,11 @@ class _Parted:
             yield Part(cover, _motion("covers what is baked"))
         elif coat:
             yield Part(coat, "")
-        elif self.fine and self.sweet:
-            yield Part((self.fine[0],), _motion("dusts what is baked"))
         tops = self._are("is put on what is baked")
         if tops:
             yield Part(tuple(tops), _motion("covers what is baked"), mixed=False)
+        if not cover and not coat and self.fine and self.sweet:
+            yield Part((self.fine[0],), _motion("dusts what is baked"))
 
     def _second(self, want: Want) -> Want:
         """Return a second portion of a food."""
