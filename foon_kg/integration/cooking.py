@@ -89,7 +89,8 @@ class Cooking:
             form = (*form, "sliced")
         if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
             form = (*form, "chopped")
-        if not want.make and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
+        cut = bool(want.make) and (self.known.state(want.make).fine or 0) > 0
+        if not cut and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             want = replace(want, make="mashed")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)

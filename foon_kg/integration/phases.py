@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Phase, Slot, Stage
@@ -187,7 +187,7 @@ class _Phaser:
         bath = bath or water is not None
         if not fat and not bath:
             return ()
-        comers = [_Comer(join, join.want.facts, _suited(join.want.facts, fat=fat, bath=bath)) for join in joins] + [
+        comers = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath)) for join in joins] + [
             _Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines
         ]
         if water is not None:
@@ -374,6 +374,16 @@ def _seasons(facts: Food) -> bool:
     """Whether a food only seasons what is cooked: cheese and bacon are salty, yet more than that."""
     more = facts.is_a("ready", *word_list("is cooked in phases")) or _is_bath(facts)
     return facts.is_a(*word_list("only flavours")) and not more
+
+
+def _phase_in(join: Join, *, fat: bool, bath: bool) -> str:
+    """Return in which phase an asked food joins: flesh on the bone takes as long as anything in the liquid."""
+    facts = join.want.facts
+    bones = facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
+        words(join.want.label)
+    )
+    late = phase_of(facts) in {_SOON, _LAST}
+    return _WET if bath and bones and late else _suited(facts, fat=fat, bath=bath)
 
 
 def _suited(facts: Food, *, fat: bool, bath: bool) -> str:

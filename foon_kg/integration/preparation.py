@@ -175,7 +175,7 @@ def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None
     canned = operators.known.foods.food(want.label, [_CANNED])
     if row.earns & _FROM_A_CAN and canned.kind != want.facts.kind and canned.sold_as == _CANNED:
         return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
-    if row.earns and row.earns <= ADVISED and "boil" in want.facts.owes:
+    if row.earns and row.earns <= ADVISED and row.earns != _RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
     return replace(want, leaf=(want.asked,), bought_so=True) if _is_bought_so(row, want.asked, operators) else None
 
@@ -526,7 +526,7 @@ class Preparer:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
         grating = [way for way in ways if self._has_tool_to(_GRATE, way)]
-        if grating and (hard or state in word_list("only grates")):
+        if grating and (hard or state in word_list("only grates") | word_list("is so by a grater")):
             return self._nearest_cut(grating, want, state) or self._nearest_cut(ways, want, state)
         return self._nearest_cut(ways, want, state)
 
