@@ -377,13 +377,13 @@ def _seasons(facts: Food) -> bool:
 
 
 def _phase_in(join: Join, *, fat: bool, bath: bool) -> str:
-    """Return in which phase an asked food joins: flesh on the bone takes as long as anything in the liquid."""
+    """Return in which phase an asked food joins: what no knife cuts takes as long as anything in the liquid."""
     facts = join.want.facts
-    bones = facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
+    hard = facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
         words(join.want.label)
     )
     late = phase_of(facts) in {_SOON, _LAST}
-    return _WET if bath and bones and late else _suited(facts, fat=fat, bath=bath)
+    return _WET if bath and hard and late else _suited(facts, fat=fat, bath=bath)
 
 
 def _suited(facts: Food, *, fat: bool, bath: bool) -> str:
