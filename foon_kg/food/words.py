@@ -31,6 +31,9 @@ def singular_word(word: str) -> str:
     """Return one word, in lower case already, in the singular."""
     if word in _IRREGULAR:
         return _IRREGULAR[word]
+    one = word.removesuffix("s")
+    if one.endswith("ie") and one in word_list("ends in ie"):
+        return one
     for ending, one in _PLURALS:
         if word.endswith(ending) and len(word) > max(_SHORT, len(ending) + 1) and not word.endswith(_NO_PLURAL):
             word = word[: -len(ending)] + one

@@ -23,7 +23,7 @@ _CARRIES = word_list("a dish is built on")
 _BAKED_ON = frozenset({"dough", *word_list("carries what is stacked")})
 _SEASONS = word_list("only seasons")
 _WORKED_IN = word_list("is worked in")
-
+_BLENDED = word_list("is called blended")
 
 _CHANGES = frozenset({"blend", "knead", "shape"})
 """Work after which a food is no longer what it was."""
@@ -159,7 +159,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
         w for w, join in zip(weights, joins, strict=True)
         if join.slot is None and join.spot.post[0] in _CHANGES and matcher.posts.never(join.want, join.spot.post[0])
     )  # fmt: skip
-    smooth = not word_list("may be blended").isdisjoint(words(f"{dish_type} {title}"))
+    smooth = not (word_list("may be blended") | _BLENDED).isdisjoint(words(f"{dish_type} {title}"))
     ground = [join for join in joins if join.spot.post[0] == "blend" and _is_in_pieces(join.want, known)]
     score -= 0.0 if smooth else _GROUND * min(len(ground), 2)
     score -= 0.6 * spoilt / sum(weights)
@@ -281,6 +281,8 @@ def unlike_the_title(layout: Layout, title: str, known: Tables) -> Iterator[str]
         done |= {"fat" for food in slots if food.is_a("fat")}
         done |= {"liquid" for food in slots if food.is_a("liquid", "water")}
     for word in words(title):
+        if word in _BLENDED and "blend" not in done:
+            yield word
         if word not in known.states:
             continue
         rows = [row for motion, row in known.motion_words.items() if _is_of_verb(word, motion) and word in row.gives]

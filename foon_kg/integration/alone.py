@@ -17,6 +17,7 @@ from foon_kg.integration.preparation import Preparer, Ready, Want, owed
 
 _MUCH_ALIKE = 0.8
 _POWDER = 5
+_BOILED = word_list("is so by boiling")
 
 
 class Alone:
@@ -214,6 +215,7 @@ class Alone:
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
         liquid = (
             liquid
+            or join.want.make in _BOILED
             or "boil" in owed(join.want, self.known)
             or (ready.whole_shell and form_of(self.known, join.want.label, join.want.leaf) == "whole")
         )
@@ -225,7 +227,16 @@ class Alone:
             ready.whole_shell = False
             self.preparer.rinse(ready, "washed")  # which cools it
             self.preparer.shelled(ready, join.slot.states if join.slot else ())
+        elif liquid and self._is_eaten_cold(join):
+            self.preparer.rinse(ready, "washed")
         self.preparer.cut_now(ready)
+
+    def _is_eaten_cold(self, join: Join) -> bool:
+        """Whether a food is boiled for a cold dish, and is cooled under water for it."""
+        cold = (self.plan.cold or self.plan.in_pieces) and not join.spot.heats_later
+        facts = join.want.facts
+        soaks = facts.is_a(*word_list("is not cooled under water"))
+        return cold and not soaks and facts.is_a(*word_list("is cooled under water"))
 
     def _boil(self, ready: Ready) -> None:
         bench, want = self.bench, ready.want
@@ -254,6 +265,8 @@ class Alone:
         able = self.known.motion(way[0]).gives | {
             s for s in (want.make,) if way in self.bench.operators.giving.get(s, ())
         }
+        if "liquid" in self.known.motion(way[0]).does:
+            able |= _BOILED
         if want.make in able and self.known.state(want.make).needs_heat:
             return tuple(sorted({*(kept if want.cooked else ()), want.make}))
         return tuple(sorted({*kept, "cooked"}))

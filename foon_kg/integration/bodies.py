@@ -104,7 +104,10 @@ class _Body:
         if want.facts.is_a(*word_list("seasons a body")):
             return body
         cut = max((self.known.state(state).fine or 0 for state in (want.make, *want.leaf) if state), default=0)
-        binds = want.facts.is_a(*word_list("binds a mass")) or (cut >= _SMALL and want.facts.is_a("vegetable"))
+        in_pieces = 0 < cut < _SMALL  # what is asked in slices or rings is laid on it
+        binds = (want.facts.is_a(*word_list("binds a mass")) and not in_pieces) or (
+            cut >= _SMALL and want.facts.is_a("vegetable")
+        )
         return body if self.shaped and binds and not want.facts.is_a(*word_list("lies on patties")) else None
 
     def _is_first_fat(self, join: Join) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from foon_kg.food import Tables, singular
+from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
@@ -16,6 +16,12 @@ from foon_kg.integration.preparation import Preparer, Ready, Want
 _DEEP = "baking dish"
 """What is wet is baked in it."""
 
+_SMALL = 3
+"""As finely as this is cut what nobody picks up piece by piece."""
+
+_DRY = word_list("coats dry")
+_COATING = _DRY | word_list("coats wet") | word_list("clings to what is coated")
+_SOLID = word_list("keeps its shape") | word_list("is one piece when it is done")
 _POUR = frozenset({"pour", "drip"})
 _MOVES = frozenset({"move", "scatter", "fetch"})
 
@@ -51,41 +57,73 @@ class Carrier:
             if onto is not None and target.contents:
                 self.bench.bring(stuffs, target, onto, onto=list(target.contents))
                 return
-        states = {state for stuff in stuffs for state in stuff.states}
-        solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
-        uncut = len(solids) == 1 and self._is_uncut(solids[0])
-        shaped = whole or uncut or not word_list("keeps its shape").isdisjoint(states)
-        runs = (len(stuffs) > 1 and not shaped) or any(
-            not shaped and (form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"} or self.is_wet(stuff))
-            for stuff in stuffs
-        )
-        holds = len(solids) == 1 and (solids[0].mixed or shaped)
-        one_piece = holds and not runs and not self._is_loose(solids[0])
-        form = "liquid" if runs else "whole" if one_piece else "pieces"
-        usual = self.bench.operators.brings(form, "vessel")
+        runs, one_piece = self._hangs_together(stuffs, whole=whole)
+        usual = self.bench.operators.brings("liquid" if runs else "whole" if one_piece else "pieces", "vessel")
         ways: list[Way] = []
         tools = stage.tools if (stage.motion, stage.tools) in usual else ()
         if stage.motion and self._pure((stage.motion, tools)) and (not runs or (stage.motion, tools) in usual):
             ways.append((stage.motion, tools))
         ways += [way for way in usual if self._pure(way)]
+        if one_piece and (whole or not _SOLID.isdisjoint(state for stuff in stuffs for state in stuff.states)):
+            ways = self._lifting(ways, source)
         if self._is_portioned(stuffs, target):
             spoons = (way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way))
             ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
 
+    def _hangs_together(self, stuffs: Sequence[Stuff], *, whole: bool) -> tuple[bool, bool]:
+        """Return whether what is moved runs, and whether it is moved in one piece."""
+        states = {state for stuff in stuffs for state in stuff.states}
+        solids = [stuff for stuff in stuffs if stuff.mixed or not self.known.foods.food(stuff.label).is_a("fat")]
+        alone = len(solids) == 1 or not any(map(self._is_liquid, stuffs))
+        uncut = alone and any(self._is_uncut(stuff) for stuff in solids)
+        shaped = whole or uncut or not word_list("keeps its shape").isdisjoint(states)
+        runs = not shaped and (len(stuffs) > 1 or any(self._is_liquid(stuff) or self.is_wet(stuff) for stuff in stuffs))
+        holds = shaped or (len(solids) == 1 and solids[0].mixed)
+        return runs, shaped or (holds and not runs and not self._is_loose(solids[0]))
+
+    def _is_liquid(self, stuff: Stuff) -> bool:
+        return form_of(self.known, stuff.label, stuff.states) in {"liquid", "soft"}
+
+    def _lifting(self, ways: Sequence[Way], source: Vessel) -> list[Way]:
+        """Return the ways to move what is in one piece: nothing is poured, and with a tool first where it is hot."""
+        ways = [way for way in ways if not _POUR & set(way[0].split())]
+        if not source.hot:
+            return ways
+        flesh = any(self._is_uncut(stuff) for stuff in source.contents)
+        lifters = [way for way in ways if way[1] and (flesh or any(self._lifts(tool) for tool in way[1]))]
+        return [*lifters, *(way for way in ways if way not in lifters)]
+
+    def _lifts(self, tool: str) -> bool:
+        row = self.known.utensil(tool)
+        return row is not None and row.group in word_list("lifts what is hot")
+
     def _is_uncut(self, stuff: Stuff) -> bool:
         """Whether a food is flesh that nobody cut, and no stew that is called by it."""
         foods = [self.known.foods.food(food) for food in stuff.foods]
-        if stuff.mixed and any(f"kind:{food.kind}" in word_list("stays liquid") for food in foods):
+        small = all(food.is_a(*word_list("is a mouthful")) for food in foods if food.is_a(*word_list("is coated")))
+        if stuff.mixed and (small or any(f"kind:{food.kind}" in word_list("stays liquid") for food in foods)):
             return False
+        if self._is_breaded(stuff):
+            return True
         facts = self.known.foods.food(stuff.label)
         cut = any((self.known.state(state).fine or 0) > 0 for state in stuff.states)
         return not cut and facts.is_a(*word_list("is coated")) and not facts.is_a(*word_list("patties are made of"))
 
+    def _is_breaded(self, stuff: Stuff) -> bool:
+        """Whether a mixture is one food that comes in portions, with what it was turned in."""
+        foods = {name: self.known.foods.food(name) for name in stuff.foods}
+        flesh = [name for name, food in foods.items() if food.is_a(*word_list("is coated"))]
+        turned = all(food.is_a(*_COATING) for name, food in foods.items() if name not in flesh)
+        portion = len(flesh) == 1 and not word_list("is a portion").isdisjoint(words(flesh[0]))
+        return stuff.mixed and portion and turned and any(food.is_a(*_DRY) for food in foods.values())
+
     def _is_loose(self, stuff: Stuff) -> bool:
-        """Whether a mixture is only of dry foods, that nothing holds together."""
+        """Whether a mixture is of dry foods, or of what stays loose when it is cooked, that nothing holds together."""
         foods = [self.known.foods.food(food) for food in stuff.foods]
+        if _SOLID.isdisjoint(stuff.states) and any(food.is_a(*word_list("stays loose")) for food in foods):
+            return True
         cooked = any(self.known.state(state).needs_heat for state in stuff.states)
         holds = any(food.is_a("creamy", "dough", "egg", "fat", "liquid", "water") for food in foods)
         return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
@@ -231,13 +269,13 @@ class Carrier:
         source = stuff.at
         if source is vessel:
             return
-        self.bench.bring([stuff], vessel, self._way_of(ready, slot))
+        self.bench.bring([stuff], vessel, self._way_of(ready, slot, vessel))
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food that is in pieces into or onto a vessel."""
-        self.bench.bring_part(ready.stuff, vessel, self._way_of(ready, None))
+        self.bench.bring_part(ready.stuff, vessel, self._way_of(ready, None, vessel))
 
-    def _way_of(self, ready: Ready, slot: Slot | None) -> Attested:
+    def _way_of(self, ready: Ready, slot: Slot | None, vessel: Vessel) -> Attested:
         """Return how one food is brought from where it is: as the slot has it, else as is usual for it."""
         stuff, want = ready.stuff, ready.want
         source = stuff.at
@@ -252,15 +290,17 @@ class Carrier:
             groups.append([way for way in ways if self._pure(way)])
         groups.append([way for way in usual if self._pure(way)])
         attested: Attested | None = None
-        for group in groups:
-            found = self.bench.attest(self._fitting(group, stuff, source), stuff.foods)
-            if found is not None and (attested is None or found.nearness < attested.nearness):
-                attested = found
-            if attested is not None:
-                break
-        if attested is None:
-            attested = self.bench.require(groups[-1] or [("pick-and-place", ()), ("pour", ())], stuff.foods)
-        return attested
+        if slot is not None and set(stuff.states) == set(slot.states):  # as recorded, whatever others do
+            attested = self.bench.attest(self._fitting(groups[0], stuff, source, vessel, strict=False), stuff.foods)
+        for strict in (True, False):
+            for group in groups:
+                if attested is None:
+                    ways = self._fitting(group, stuff, source, vessel, strict=strict)
+                    attested = self.bench.attest(ways, stuff.foods)
+        by_hand: list[Way] = [("pick-and-place", ()), ("pour", ())]
+        if attested is None:  # as seldom as it may be
+            attested = self.bench.attest(self._fitting(by_hand, stuff, source, vessel, strict=False), stuff.foods)
+        return attested or self.bench.require(groups[-1] or by_hand, stuff.foods)
 
     def _as_shown(self, slot: Slot | None, want: Want, stuff: Stuff) -> list[Way]:
         """Return how the video brings this very food in such a form."""
@@ -274,20 +314,42 @@ class Carrier:
         alike = form_of(known, slot.food, slot.states) == form_of(known, want.label, stuff.states)
         return [(slot.motion, slot.tools)] if alike else []
 
-    def _fitting(self, ways: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
-        """Return the ways that suit a thing: nothing in one piece is poured, nor what runs picked up; cans spray."""
-        row = self.known.utensil(source.label) if source is not None else None
-        slices = self.known.foods.food(stuff.label).is_a(*word_list("carries what is stacked"))
-        poured = word_list("lies in one piece").isdisjoint(stuff.states) and not slices
-        runs = form_of(self.known, stuff.label, stuff.states) == "liquid"
-        sprayed = row is not None and source is not None and source.label in word_list("sprays")
+    def _fitting(
+        self, ways: Sequence[Way], stuff: Stuff, source: Vessel | None, target: Vessel, *, strict: bool
+    ) -> list[Way]:
+        """Return the ways that suit a thing: nothing in one piece is poured, nor what runs picked up; cans spray.
+
+        Where it is ``strict``, small pieces are not picked up either, nor slices poured onto a plate.
+        """
+        poured = not self._is_laid(stuff, target if strict else None)
+        picked = not (self._is_poured(stuff) if strict else self._is_liquid(stuff))
+        sprayed = source is not None and source.label in word_list("sprays")
         return [
             way
             for way in ways
             if (poured or not _POUR & set(way[0].split()))
             and (sprayed or way[0] not in word_list("is sprayed by"))
-            and not (runs and way[0] in word_list("picks up"))
+            and (picked or way[0] not in word_list("picks up"))
         ]
+
+    def _is_laid(self, stuff: Stuff, target: Vessel | None) -> bool:
+        """Whether a food comes into ``target`` piece by piece: what lies in one piece does, and slices onto a plate."""
+        facts = self.known.foods.food(stuff.label, stuff.states)
+        if facts.is_a(*word_list("carries what is stacked")):
+            return True
+        if not word_list("lies in one piece").isdisjoint(stuff.states):
+            return True
+        onto = target is not None and is_flat(target.label)
+        solid = form_of(self.known, stuff.label, stuff.states) in {"pieces", "whole"}
+        return onto and solid and not self._is_poured(stuff)
+
+    def _is_poured(self, stuff: Stuff) -> bool:
+        """Whether nobody picks up a food piece by piece: it runs, or it is in small pieces."""
+        facts = self.known.foods.food(stuff.label, stuff.states)
+        finest = max((self.known.state(state).fine or 0 for state in stuff.states), default=0)
+        form = form_of(self.known, stuff.label, stuff.states)
+        loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(stuff.states)
+        return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form == "pieces")
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""

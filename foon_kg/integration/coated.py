@@ -44,12 +44,18 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
     dusted = any(one.is_a("flour") for one in facts) and (whole or not wet)
     rough = rough or (dusted and any(one.is_a("fat") for one in facts))
     others = [join for join in joins if join not in flesh and {"cook", "boil"} & owed(join.want, known)]
-    if shaped or len(flesh) != 1 or not rough or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others):
+    if (
+        (shaped and not whole)
+        or len(flesh) != 1
+        or not rough
+        or any(not join.want.facts.is_a(*_WET, *_DRY) for join in others)
+    ):
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
     if melts:
         baked = replace(_BAKE)
-        return coated_apart(Line((baked,)), [_at(join, baked) for join in joins], kinds)
+        below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
+        return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
     top = replace(_TOP)
     if wet:
         sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
@@ -59,8 +65,7 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
     if not any(join.spot.stage is made.stages[-1] for join in found):
-        made, found = coated_apart(Line((top,)), [_at(join, top) for join in joins], kinds)
-        return made, found
+        return coated_apart(Line((top,)), [replace(_at(join, top), on_top=True) for join in joins], kinds)
     return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
 
 
@@ -77,8 +82,9 @@ def _at(join: Join, stage: Stage) -> Join:
 
 def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
-    shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
     flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
+    minced = any(join.want.facts.is_a(*word_list("patties are made of")) for join in flesh)
+    shaped = minced and any("shape" in stage.does for one in _all(line) for stage in one.stages)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
     if shaped or len(flesh) != 1 or not dry:
         return line, tuple(joins)
@@ -88,12 +94,18 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     fat = [join for join in fats if join.want.facts.is_a("liquid")] or fats
     powder, wash = Line((replace(_MIX),)), Line((replace(_MIX),))
-    bathed = replace(_MIX, adds=(wash,))
-    rolled = replace(_MIX, adds=(powder,))
+    outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
+    dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
+    name = flesh[0].want.label
+    dusted = replace(_MIX, label=name)
+    bathed = replace(_MIX, adds=(wash,), label=name)
+    rolled = replace(_MIX, adds=(powder,), label=name)
     fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
     last = line.stages[-1]
-    served = replace(last, adds=(*last.adds, Line((bathed, rolled, fried, turned, done))))
-    places = [(wet, wash.stages[0]), ([*dry, *seasons], powder.stages[0]), (flesh, bathed), (fat, fried)]
+    first = (dusted, bathed) if dust else (bathed,)
+    served = replace(last, adds=(*last.adds, Line((*first, rolled, fried, turned, done))))
+    rest = [join for join in (*dry, *seasons) if join not in dust]
+    places = [(wet, wash.stages[0]), (rest, powder.stages[0]), ([*flesh, *dust], first[0]), (fat, fried)]
     after = (fried, turned, done, served)
     found = []
     for join in joins:

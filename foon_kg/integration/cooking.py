@@ -299,6 +299,9 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], fresh, join.slot)
             self.course.at[id(stage)].remove(join)
             joins.remove(join)  # type: ignore[attr-defined]
+        hot_first = bool(grease) or not any(self.carry.is_wet(stuff) for stuff in vessel.contents)
+        if relation == "on" and hot_first and "heat" in stage.does:
+            self._heat_on(fresh)
         self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel))
         return fresh
 
@@ -327,14 +330,15 @@ class Cooking:
         if self._water(stage):
             self.carry.add_water(vessel)
         fat_first = any(isinstance(one, Join) and one.want.facts.is_a("fat") for one in stuffs)
+        hot_first = fat_first
         if on_stove and not vessel.contents and not fat_first and self._would_be_dry(stage, stuffs):
-            fat_first = self.carry.add_fat(vessel, self.plan)
+            hot_first = self.carry.add_fat(vessel, self.plan) or "heat" in stage.does
         for number, one in enumerate(stuffs):
             last = number == len(stuffs) - 1
             merge = self._merges(stage, later, main=main) and last
             fat = isinstance(one, Join) and one.want.facts.is_a("fat")
-            if on_stove and fat_first and not fat:
-                self._heat_on(vessel)  # in the fat, that is
+            if on_stove and hot_first and not fat:
+                self._heat_on(vessel)  # what fries comes into a hot pan
             if isinstance(one, Vessel):
                 self.bench.heat_off(one)
                 if not vessel.contents and "shape" not in stage.does:

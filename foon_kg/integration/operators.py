@@ -264,7 +264,7 @@ def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
     states = tuple(states)
     facts = known.foods.food(label, states)
     rows = [known.state(state) for state in states]
-    if facts.is_a("liquid", "water") or not word_list("runs").isdisjoint(states):
+    if facts.is_a("liquid", "water", *word_list("runs out of its can")) or not word_list("runs").isdisjoint(states):
         return "liquid"
     if facts.is_a("creamy") or facts.sold_as in {
         "creamy",

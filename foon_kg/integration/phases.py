@@ -186,6 +186,8 @@ class _Phaser:
         water = None if bath else self._water(run, joins, fat=fat)
         bath = bath or water is not None
         if not fat and not bath:
+            fat = any(join.want.facts.is_a(*word_list("is flesh")) for join in joins)  # it fries without
+        if not fat and not bath:
             return ()
         comers = [_Comer(join, join.want.facts, _phase_in(join, fat=fat, bath=bath)) for join in joins] + [
             _Comer(adds[id(add)], None, self._phase_of_line(add, bath=bath)) for add in lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Slot, Stage
@@ -13,6 +14,9 @@ from foon_kg.integration.preparation import Want
 
 _PARTS = word_list("is poured over")
 _BODY = word_list("is the body of what is poured over")
+_FINE = 4
+"""As finely as this (minced, grated, mashed) some foods are cut that only give a dressing their taste."""
+
 _LEAST = 2
 """Of how many foods that run a dressing is made."""
 
@@ -28,6 +32,9 @@ def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
     """Whether a food is what dressings are made of: it runs, it seasons, or only its juice is taken."""
     if want.facts.kind in word_list("sprays"):
         return False
+    fine = want.asked and (tables().state(want.asked).fine or 0) >= _FINE
+    if fine and want.facts.is_a(*word_list("is poured over when it is fine")):
+        return True
     return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
 
 

@@ -527,7 +527,10 @@ class Preparer:
         hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
         grating = [way for way in ways if self._has_tool_to(_GRATE, way)]
         if grating and (hard or state in word_list("only grates") | word_list("is so by a grater")):
-            return self._nearest_cut(grating, want, state) or self._nearest_cut(ways, want, state)
+            like = self._nearest_cut(grating, want, state)
+            if like is None and want.facts.is_a(*word_list("can be grated")):
+                like = self.bench.far(grating, want.names, act=True)
+            return like or self._nearest_cut(ways, want, state)
         return self._nearest_cut(ways, want, state)
 
     def _nearest_cut(self, ways: Sequence[Way], want: Want, state: str) -> Attested | None:

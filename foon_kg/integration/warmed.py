@@ -50,11 +50,12 @@ def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Lin
     if not whole and not _steeps(joins):
         return line, tuple(joins)
     pot, top = replace(_POT), replace(_TOP)
-    glass = replace(_GLASS, adds=(Line((pot,)),))
+    glass = replace(_TOP if whole else _GLASS, adds=(Line((pot,)),))  # what is mixed in the pot is only poured
     found = []
     for join in joins:
         facts = join.want.facts
-        on_top = whole and facts.is_a(*word_list("is put on what is drunk hot"))
+        melts = facts.is_a(*word_list("melts in what is drunk hot"))
+        on_top = whole and not melts and facts.is_a(*word_list("is put on what is drunk hot"))
         steeped = facts.is_a(*word_list("is steeped")) or (
             facts.is_a("water") and not facts.is_a(*word_list("is frozen water"))
         )

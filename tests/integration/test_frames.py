@@ -123,7 +123,6 @@ def test_a_slot_tells_the_bottle_out_of_which_a_food_comes():
     assert slots["olive oil"].source == "bottle"
 
 
-@pytest.mark.xfail(strict=True, reason="the singular of “smoothie” is “smoothy”")
 def test_the_whole_is_called_as_in_the_video():
     assert {stage.label for stage in frame(videos.DRINK).line.stages} == {"smoothie"}
 

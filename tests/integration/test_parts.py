@@ -102,7 +102,9 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
     line, joins = coated_alone(line, joins, tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
-    assert told(line, joins)[1:3] == [("mix", {"chicken breast"}), ("mix", {"flour", "breadcrumb"})]
+    assert told(line, joins)[:4] == [
+        ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
+    ]  # fmt: skip
 
 
 def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
@@ -121,8 +123,15 @@ def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooke
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
-    joins = joins_at(line, 1, "chicken breast", "flour", "egg")
+    joins = joins_at(line, 1, "ground beef", "flour", "egg")
     assert coated_apart(line, joins) == (line, joins)
+
+
+def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
+    line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
+    joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")
+    line, joins = coated_alone(line, joins, tables())
+    assert ("cook", set()) in told(line, joins)
 
 
 def test_what_is_mashed_is_only_mixed():
@@ -164,8 +173,18 @@ def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
     joins = joins_at(line, 0, "milk", "cocoa powder", "whipped cream")
     assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
         ("cook and stir", {"milk", "cocoa powder"}),
-        ("stir", set()),
+        ("", set()),
         ("", {"whipped cream"}),
+    ]
+
+
+def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
+    line = Line((stage("blend", {"blend", "mix"}),))
+    joins = joins_at(line, 0, "milk", "dark chocolate", "marshmallow")
+    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
+        ("cook and stir", {"milk", "dark chocolate"}),
+        ("", set()),
+        ("", {"marshmallow"}),
     ]
 
 

@@ -53,7 +53,7 @@ PREPARED = [
     ("chickpea", "rinsed", "drain, rinse", ""),
     ("mushroom", "cleaned", "rinse, chop", ""),
     ("rice", "boiled", "boil, drain", ""),
-    ("pasta", "boiled", "boil, drain", ""),
+    ("pasta", "boiled", "boil, drain, rinse", ""),
     ("walnut", "chopped", "chop", ""),
     ("walnut", "whole", "", ""),
     # --- milk, fat, meat ---

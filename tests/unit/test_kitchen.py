@@ -199,8 +199,9 @@ def test_processed_states_are_those_that_somebody_made():
 @pytest.mark.parametrize(
     ("plural", "one"),
     [
-        ("Bell Peppers", "bell pepper"), ("tomatoes", "tomato"), ("berries", "berry"), ("cookies", "cooky"),
-        ("cookie", "cooky"), ("pies", "pie"), ("peas", "pea"), ("bay leaves", "bay leaf"), ("radishes", "radish"),
+        ("Bell Peppers", "bell pepper"), ("tomatoes", "tomato"), ("berries", "berry"), ("cookies", "cookie"),
+        ("cookie", "cookie"), ("smoothies", "smoothie"), ("pies", "pie"), ("peas", "pea"), ("bay leaves", "bay leaf"),
+        ("radishes", "radish"),
         ("asparagus", "asparagus"), ("swiss", "swiss"), ("boxes", "box"), ("gas", "gas"), ("olives", "olive"),
     ],
 )  # fmt: skip

@@ -461,7 +461,12 @@ butter (solid) + plate (empty) → SPREAD → butter (solid; on bread) + plate
         """
 foil + cookie dough (raw) → PUT → foil (sheet) + cookie dough (raw; on square)
 """,
-        ["foil: cooky dough (raw)", "moved: cooky dough nowhere → foil", "taken: cooky dough", "treated: cooky dough"],
+        [
+            "foil: cookie dough (raw)",
+            "moved: cookie dough nowhere → foil",
+            "taken: cookie dough",
+            "treated: cookie dough",
+        ],
     ),
     story(
         "a food comes out in a vessel that is not there",

@@ -1,0 +1,120 @@
+"""How things are moved, cut and cooled in trees of the public FOON."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import answers_to, public_snapshot
+
+from foon_kg.food import tables
+from foon_kg.model import Recipe, RequiredIngredient
+
+pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
+
+KNOWN = tables()
+
+
+@pytest.fixture(scope="module")
+def snapshot():
+    return public_snapshot()
+
+
+def units(snapshot, dish_type, title, **foods):
+    """Return the units of a recipe's tree; its foods with the states in which they are asked."""
+    asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
+    (answer,) = answers_to([Recipe(dish_type, asked, "x", title)], snapshot)
+    return answer.units
+
+
+def motions(found, food):
+    """Return the motions in which a food takes part, in their order."""
+    return [unit.motion_node for unit in found if food in {node.label for node in unit.input_nodes}]
+
+
+def labels(unit):
+    return {node.label for node in unit.input_nodes}
+
+
+def brought(found, food, vessel):
+    """Return how a food comes into or onto a vessel."""
+    return next(
+        unit.motion_node for unit in found
+        if food in labels(unit) and any(n.label == food and n.container == vessel for n in unit.output_nodes)
+        and not any(n.label == food and n.container == vessel for n in unit.input_nodes)
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def burger(snapshot):
+    return units(
+        snapshot, "burger", "Cheeseburger", ground_beef="", red_onion="sliced", shallot="minced",
+        cheddar_cheese="sliced", bun="", ketchup="", salt="",
+    )  # fmt: skip
+
+
+def test_slices_are_laid_on_a_plate_and_not_poured(burger):
+    assert brought(burger, "cheddar cheese", "plate") == "pick-and-place"
+    assert brought(burger, "red onion", "plate") == "pick-and-place"
+
+
+def test_what_is_asked_in_slices_lies_on_a_patty_and_what_is_minced_is_in_it(burger):
+    mixing = next(unit for unit in burger if unit.motion_node == "mix")
+    assert {"ground beef", "shallot"} <= labels(mixing)
+    assert "red onion" not in labels(mixing)
+
+
+def test_a_pan_is_hot_when_a_patty_comes_into_it_and_a_tool_lifts_that_out(burger):
+    on = next(number for number, unit in enumerate(burger) if unit.motion_node == "turn on")
+    held = [{n.container for n in unit.output_nodes if n.label == "mixture"} for unit in burger]
+    assert on < next(number for number, containers in enumerate(held) if "cooking pan" in containers)
+    assert "turner" in labels(burger[next(number for number, containers in enumerate(held) if "plate" in containers)])
+
+
+def test_small_pieces_are_poured_and_never_picked_up_one_by_one(snapshot):
+    found = units(
+        snapshot, "chicken", "Chicken Curry", chicken_thigh="cut", onion="chopped", tomato="diced", oil="",
+        cumin="ground", coconut_milk="",
+    )  # fmt: skip
+    picked = {label for unit in found if unit.motion_node == "pick-and-place" for label in labels(unit)}
+    assert picked.isdisjoint({"onion", "tomato", "cumin", "coconut milk"})
+
+
+@pytest.mark.parametrize("title", ["Banana Smoothie", "Mango Lassi"])
+def test_what_is_called_so_is_blended_though_its_fruit_is_asked_cut(snapshot, title):
+    found = units(snapshot, "drinks", title, banana="sliced", mango="chopped", yogurt="", milk="", honey="")
+    assert "blend" in motions(found, "banana")
+
+
+def test_whatever_is_asked_grated_is_grated_with_a_grater(snapshot):
+    found = units(snapshot, "salad", "Slaw", apple="grated", beet="grated", garlic="grated", mayonnaise="")
+    for food in ("apple", "beet", "garlic"):
+        assert any("grater" in labels(unit) for unit in found if food in labels(unit))
+
+
+def test_what_only_gives_its_taste_is_in_the_dressing(snapshot):
+    found = units(
+        snapshot, "salad", "Caesar Salad", romaine_lettuce="chopped", garlic="minced", anchovy="mashed", egg_yolk="",
+        olive_oil="", lemon_juice="", crouton="",
+    )  # fmt: skip
+    dressing = next(unit for unit in found if unit.motion_node == "mix" and "olive oil" in labels(unit))
+    assert {"garlic", "anchovy", "egg yolk"} <= labels(dressing)
+
+
+def test_what_is_boiled_for_a_cold_salad_is_cooled_under_water(snapshot):
+    found = units(
+        snapshot, "salad", "Pasta Salad", rotini="", cherry_tomato="halved", olive="sliced", italian_dressing="",
+        green_bean="blanched",
+    )  # fmt: skip
+    for food in ("rotini", "green bean"):
+        done = motions(found, food)
+        assert "rinse" in done
+        assert not {"fry", "cook and stir"} & set(done)
+
+
+def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with(snapshot):
+    found = units(
+        snapshot, "noodle", "Pad Thai", rice_noodle="", shrimp="peeled", egg="beaten", fish_sauce="", sugar="",
+        bean_sprout="",
+    )  # fmt: skip
+    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    shrimp = next(number for number, there in enumerate(hot) if "shrimp" in there)
+    assert "rice noodle" not in hot[shrimp]
