@@ -15,6 +15,7 @@ from foon_kg.integration.alone import Alone
 from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
+from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import Line, Phase, Stage
@@ -555,6 +556,10 @@ class Cooking:
                 self.bench.cover(vessel, lid)
         self.bench.place(vessel, device, relation)
 
+    def _has_no_portions(self) -> bool:
+        """Whether a dish is spooned out of what it is baked in: nothing in it comes in portions."""
+        return not any(is_portion(join.want, self.known) for join in self.plan.joins)
+
     def _finish(self, vessel: Vessel) -> Vessel:
         """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then."""
         self.bench.heat_off(vessel)
@@ -564,6 +569,8 @@ class Cooking:
             return vessel
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
+        if row.group in word_list("is served in what it is baked in") and self._has_no_portions():
+            return vessel
         target = self.bench.vessel("bowl" if self.carry.is_wet(vessel.contents[0]) else "plate")
         try:
             self.carry.transfer(vessel, target, self.line.stages[-1])

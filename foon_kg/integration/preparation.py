@@ -153,7 +153,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         taken = _taken_at_its_word(want, plain, known, operators)
         return replace(want, leaf=(one.state,)) if taken else replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)
-    if row.needs_heat and "cook" in row.earns:
+    by_boiling = one.state in word_list("is so by boiling") and facts.is_a("vegetable")
+    if (row.needs_heat and "cook" in row.earns) or by_boiling:
         whole = form in {"whole", "pieces"} and not facts.is_a("spice", "fat")
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
@@ -460,7 +461,8 @@ class Preparer:
                 self._assume(ready, self._state_for(name, want))
             return
         able = self.known.motion(attested.way[0]).gives
-        state = want.make if want.make in able else self._gives(attested.way, does)
+        cut = bool(want.make) and (self.known.state(want.make).fine or 0) > 0
+        state = want.make if want.make in able and not cut else self._gives(attested.way, does)
         if want.make and not self.known.state(want.make).fine and want.make != state:
             ready.read_as = state
         kept = tuple(s for s in ready.stuff.states if not self.known.state(s).undivided and s != "unpeeled")

@@ -28,6 +28,7 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line
+from foon_kg.integration.lined import lined
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
@@ -376,6 +377,9 @@ def _put_together(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
+    made, found = lined(line, joins, told)
+    if made is not line:
+        return made, found
     if is_never_heated(dishes, joins, known):
         line, joins = unheated(line, joins)
     if any(dish.mashed for dish in dishes):

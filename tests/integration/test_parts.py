@@ -16,6 +16,7 @@ from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
+from foon_kg.integration.lined import lined
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
 from foon_kg.integration.portions import in_portions, roasted
@@ -330,3 +331,27 @@ def test_what_is_called_roasted_is_tossed_and_baked():
         ("", {"parsley"}),
     ]
     assert roasted(line, joins, frozenset({"broccoli"})) == (line, joins)
+
+
+def test_a_crust_lines_the_dish_and_what_is_raw_in_its_filling_is_fried_before():
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, "pie crust", "bacon", "egg", "cream")
+    line, joins = lined(line, joins, {"quiche"})
+    assert told(line, joins) == [
+        ("", {"pie crust"}), ("mix", {"bacon", "egg", "cream"}), ("", set()), ("bake", set()),
+    ]  # fmt: skip
+    assert [join.want.label for join in joins if join.slot is not None and join.slot.cooked] == ["bacon"]
+
+
+def test_a_crust_covers_what_was_cooked_in_a_liquid():
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, "puff pastry", "chicken breast", "butter", "flour", "milk")
+    line, joins = lined(line, joins, {"pot", "pie"})
+    assert [one.motion for one in line.stages] == ["", "", "bake"]
+    assert told(line, joins)[0] == ("cook and stir", {"chicken breast", "butter", "flour", "milk"})
+
+
+def test_what_is_not_called_so_has_no_crust():
+    line = Line((stage("mix", {"mix"}),))
+    joins = joins_at(line, 0, "puff pastry", "apple")
+    assert lined(line, joins, {"strudel"}) == (line, joins)

@@ -1,0 +1,76 @@
+"""What is baked in something that holds it: bought dough lines the dish or covers it, or a hollow food is stuffed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import Want
+
+_MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "mixing bowl", "in", "", "", "mixture", (), 0)
+_PAN = replace(_MIX, motion="cook and stir", does=frozenset({"heat", "mix"}), vessel="cooking pan", appliance="stove")
+_PAN = replace(_PAN, source="heat")
+_LAID = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="baking dish", label="")
+_BAKED = replace(_LAID, motion="bake", does=frozenset({"dry", "heat"}), appliance="oven", source="heat")
+_HOLLOW = "halved"
+
+
+def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made that is called so that one of its foods holds the rest.
+
+    ``told`` are the words of type and title. Nothing changes where no such food is there, or nothing to come into it.
+    """
+    stuffed = not word_list("is called stuffed").isdisjoint(told)
+    holders = [join for join in joins if _holds(join, told, stuffed=stuffed)]
+    inside = [join for join in joins if join not in holders]
+    if len(holders) != 1 or not inside:
+        return line, tuple(joins)
+    stewed = _is_stewed(inside) or (stuffed and any(_is_raw(join) for join in inside))
+    mix, laid, baked = replace(_PAN if stewed else _MIX), replace(_LAID), replace(_BAKED)
+    brought = replace(_LAID, adds=(Line((mix,)),))
+    stages = (brought, laid, baked) if stewed and not stuffed else (laid, brought, baked)
+    bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
+    found = []
+    for join in joins:
+        is_a = join.want.facts.is_a
+        melts = is_a(*word_list("melts on top")) and not is_a("creamy") and len(inside) > 1
+        stage = laid if join in holders else baked if melts and not bound else mix
+        place = next(place for place, one in enumerate((mix, *stages)) if one is stage)
+        spot = replace(join.spot, stage=stage, after=stages if stage is mix else stages[place:], side=stage is mix)
+        apart = _is_raw(join) and not stewed
+        fried = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        want = _hollow(join.want) if stuffed and join in holders else join.want
+        found.append(Join(want, spot, min(join.fit, NATURAL), fried))
+    return Line(stages), tuple(found)
+
+
+def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
+    """Whether a food holds the rest of a dish that is called so: in one piece, and named by the title if stuffed."""
+    facts = join.want.facts
+    if not stuffed:
+        named = not word_list("is held by dough").isdisjoint(told)
+        return named and facts.is_a(*word_list("lines a dish"))
+    return not join.want.make and facts.is_a(*word_list("is stuffed")) and facts.name.split()[-1] in told
+
+
+def _is_raw(join: Join) -> bool:
+    return join.want.facts.is_a(*word_list("is flesh")) and not join.want.facts.is_a("ready")
+
+
+def _hollow(want: Want) -> Want:
+    """Return a food in the form in which it is stuffed: in halves, unless it is small."""
+    if not want.facts.is_a(*word_list("is stuffed whole")):
+        return replace(want, make=_HOLLOW)
+    owes = {name: level for name, level in want.facts.owes.items() if name != "cut"}
+    return replace(want, facts=replace(want.facts, owes=owes))
+
+
+def _is_stewed(inside: Sequence[Join]) -> bool:
+    """Whether what is inside is cooked in a liquid, and only covered then."""
+    facts = [join.want.facts for join in inside]
+    thin = any(one.is_a("liquid") and not one.kinds.isdisjoint(word_list("is a bath")) for one in facts)
+    bound = any(one.is_a(*word_list("binds what is inside")) for one in facts)
+    return thin and not bound and any(one.is_a("fat") for one in facts)
