@@ -1,0 +1,149 @@
+"""What is more than a look at the graph is refused by its words, wherever it stands in a question."""
+
+from __future__ import annotations
+
+import neo4j
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from foon_kg.cypher import explore_queries
+from foon_kg.errors import GraphError, WriteRefused
+from foon_kg.graph import Connection
+from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.graph.looking import DEEPEST, MOST_CHARACTERS, MOST_WORDS, read, refuse_all_but_looking
+
+INSIDE = {
+    "a file": "LOAD CSV FROM 'file:///etc/passwd' AS l RETURN l",
+    "an address": "LOAD CSV WITH HEADERS FROM 'http://127.0.0.1:9/x.csv' AS l RETURN l",
+    "settings": "CALL dbms.listConfig() YIELD name RETURN name",
+    "statistics": "CALL db.stats.clear('QUERIES') YIELD section RETURN section",
+    "connections": "CALL dbms.listConnections() YIELD connectionId RETURN connectionId",
+}
+PLACES = {
+    "list": "RETURN [COLLECT { @ }] AS x",
+    "list comprehension": "RETURN [i IN [1] | COLLECT { @ }] AS x",
+    "its condition": "RETURN [i IN [1] WHERE size(COLLECT { @ }) > 0] AS x",
+    "case": "RETURN CASE WHEN true THEN COLLECT { @ } ELSE [] END AS x",
+    "reduce": "RETURN reduce(n = 0, i IN [1] | n + size(COLLECT { @ })) AS x",
+    "any": "RETURN any(i IN [1] WHERE size(COLLECT { @ }) > 0) AS x",
+    "map": "RETURN {a: COLLECT { @ }} AS x",
+    "index": "RETURN COLLECT { @ }[0] AS x",
+    "argument": "RETURN coalesce(size(COLLECT { @ }), 1) AS x",
+    "where": "MATCH (n:Video) WHERE size(COLLECT { @ }) > 0 RETURN n",
+    "with": "WITH COLLECT { @ } AS x RETURN x",
+    "unwind": "UNWIND COLLECT { @ } AS x RETURN x",
+    "order": "MATCH (n:Video) RETURN n ORDER BY size(COLLECT { @ })",
+    "projection": "MATCH (n:Video) RETURN n {.name, x: COLLECT { @ }} AS x",
+    "pattern comprehension": "MATCH (n:Video) RETURN [(n)--(m) | COLLECT { @ }] AS x",
+    "count": "RETURN COUNT { @ } AS x",
+    "exists": "RETURN EXISTS { @ } AS x",
+    "a subquery": "CALL () { @ } RETURN 1 AS x",
+    "a subquery of a subquery": "RETURN COLLECT { WITH COLLECT { @ } AS y RETURN y } AS x",
+    "itself": "@",
+}
+ATTEMPTS = [
+    pytest.param(version + place.replace("@", clause), id=f"{what} in {where}, {version or 'as it is'}")
+    for where, place in PLACES.items() for what, clause in INSIDE.items() for version in ("CYPHER 5 ", "CYPHER 25 ", "")
+]  # fmt: skip
+DISGUISES = (
+    "load/* */csv FROM 'x' AS l RETURN l",
+    "LOAD // csv\ncsv FROM 'x' AS l RETURN l",
+    "LOAD\u200bCSV FROM 'x' AS l RETURN l",
+    "\u017fhow u\u017fer\u017f",
+    "RETURN '\\u0027 + LOAD CSV'",
+    "\\u004cOAD CSV FROM 'x' AS l RETURN l",
+    "RETURN [1][0..apoc.cypher.runFirstColumnSingle('x')]",
+    "RETURN {a: apoc.load.json('x')}",
+    "RETURN `apoc`.`load` . json('x')",
+    "RETURN `apoc.load.json`('x')",
+    "RETURN genai.vector.encode('x', 'OpenAI', {token: 'x'})",
+    "CALL /* db.labels */ dbms . listConfig()",
+    "CALL `dbms`.`listConfig`()",
+    "USE system RETURN 1",
+    "USE `system` RETURN 1",
+    "RETURN 'a",
+    "RETURN `a",
+    "RETURN 1 /* a",
+)
+LOOKS = (
+    "RETURN date.truncate('day', date()) AS d, duration.between(date(), date()) AS e",
+    "MATCH p = (a)-[:X*1..3]->(b) RETURN p, [1, 2][0..1]",
+    "RETURN n.load, n.csv, {call: 1, show: 2, use: 3}.call AS use",
+    "MATCH (n:Call|Load) RETURN n",
+    "RETURN vector.similarity.cosine([1.0], [2.5e-3]) AS v",
+    "MATCH (`a b`:`X y` {`c d`: 1}) RETURN `a b`.`z`",
+    "MATCH (n) WHERE n.name =~ '.*\\\\d' RETURN n // LOAD CSV",
+    "RETURN 1.5 + .5 AS x, -1 AS y, a{.x, .*} AS z, 'LOAD CSV' AS text",
+    "CALL (x) { RETURN 1 AS y } RETURN y, COUNT { MATCH (n) } AS c",
+)
+
+
+@pytest.mark.parametrize("attempt", [*ATTEMPTS, *DISGUISES])
+def test_an_attempt_is_refused_before_any_server_sees_it(attempt):
+    with pytest.raises(WriteRefused) as refused:
+        refuse_all_but_looking(attempt)
+    assert refused.value.hint
+
+
+@pytest.mark.neo4j
+@pytest.mark.parametrize("version", ["CYPHER 5 ", "CYPHER 25 "])
+def test_the_attempts_are_cypher_that_a_server_would_take(neo4j_server, version):
+    """Else nothing would be shown by their being refused: with these hands they reach a plan that may run."""
+    login = (neo4j_server.user, neo4j_server.password)
+    with neo4j.GraphDatabase.driver(neo4j_server.uri, auth=login, warn_notification_severity="OFF") as driver:
+        for place in PLACES.values():
+            text = place.replace("@", INSIDE["an address"])
+            driver.execute_query(f"EXPLAIN {version}{text}")
+
+
+@pytest.mark.parametrize("question", [*LOOKS, *(query.text for query in explore_queries())])
+def test_a_look_is_let_through(question):
+    refuse_all_but_looking(question)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "RETURN '" + "x" * MOST_CHARACTERS + "'",
+        "RETURN 1" + " + 1" * MOST_WORDS,
+        "RETURN " + "[" * (DEEPEST + 1) + "]" * (DEEPEST + 1),
+        "RETURN size([x IN range(1, 2000000000) | x * 1.5])",
+    ],
+)
+def test_what_a_server_could_be_at_for_hours_is_not_asked(question):
+    with pytest.raises(GraphError) as refused:
+        refuse_all_but_looking(question)
+    assert refused.value.code == "too-much"
+    assert refused.value.hint
+
+
+@given(
+    st.lists(
+        st.sampled_from(["a", "LOAD", "CSV", "`b`", "'c'", '"d"', " ", "\n", "// e\n", "/* f */", ".", "(", "1.5"])
+    )
+)
+def test_nothing_of_a_text_is_lost_but_spaces_and_comments(parts):
+    text = " ".join(parts)
+    told = [token.text for token in read(text)]
+    assert "".join(told) == "".join(one for one in parts if one.strip() and not one.startswith(("//", "/*")))
+
+
+@pytest.mark.neo4j
+def test_an_answer_that_is_too_large_is_given_up_and_the_server_goes_on(neo4j_server):
+    with Connection(neo4j_server) as connection:
+        with pytest.raises(GraphError, match="larger than") as large:
+            ask_freely(connection, "UNWIND range(1, 400) AS i RETURN [x IN range(1, 20000) | x] AS xs")
+        assert large.value.code == "too-much"
+        assert ask_freely(connection, "RETURN 1 AS one").rows == ((1,),)
+
+
+@pytest.mark.neo4j
+def test_who_waits_is_answered_in_time_though_the_server_does_not_heed(neo4j_server):
+    """What this expression reckons no server interrupts."""
+    endless = "RETURN reduce(n = 0, x IN range(1, 1000000) | n + reduce(m = 0, y IN range(1, 3000) | m + y)) AS n"
+    with Connection(neo4j_server) as connection, pytest.raises(GraphError) as late:
+        ask_freely(connection, endless, timeout=0.5)
+    assert late.value.code == "timeout"
+    with Connection(neo4j_server) as connection:
+        assert ask_freely(connection, "RETURN 1 AS one").rows == ((1,),)
