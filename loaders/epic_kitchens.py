@@ -2,7 +2,8 @@
 
 The columns ``video_id``, ``start_timestamp``, ``stop_timestamp``, ``narration``, ``verb`` and ``noun`` must be there;
 ``all_nouns`` (a list as Python writes it) may be, and any others are passed over. A noun with its kind behind a colon
-is turned round ("oil:olive"). The narration tells which noun is a place or an instrument ("put onion in bowl").
+has its first part last ("oil:olive", "liquid:washing:up"). The narration tells which noun is a place or an instrument
+("put onion in bowl").
 """
 
 from __future__ import annotations
@@ -101,8 +102,9 @@ def _nouns(line: int, row: Mapping[str, str], journal: Journal) -> Sequence[str]
 
 
 def _spoken(noun: str) -> str:
-    """Answer "olive oil" for "oil:olive"."""
-    return " ".join(part.strip().replace("_", " ") for part in reversed(noun.split(":")) if part.strip())
+    """Return "olive oil" for "oil:olive", "washing up liquid" for "liquid:washing:up": the first part comes last."""
+    head, *kind = (part.strip().replace("_", " ") for part in noun.split(":"))
+    return " ".join(part for part in (*kind, head) if part)
 
 
 def _role(noun: str, narration: str) -> tuple[str, str] | None:

@@ -20,7 +20,7 @@ from foon_kg.cli.console import (
     print_json,
     sayer,
 )
-from foon_kg.errors import UsageError
+from foon_kg.errors import FoonError, UsageError
 
 if TYPE_CHECKING:
     from foon_kg.difference import VideoDifference
@@ -86,7 +86,10 @@ def videos(
     first = next(narrations, None)
     if first is None:
         raise UsageError("there is nothing to draft", hint="The lines above say what is wrong with the files.")
-    _write(_drafts(chain([first], narrations), files, say), output, force=force, as_json=as_json)
+    failed: list[str] = []
+    _write(_drafts(chain([first], narrations), files, say, failed=failed), output, force=force, as_json=as_json)
+    if failed:
+        raise typer.Exit(1)
 
 
 @app.command(epilog=examples("foon draft text pancakes.txt --dish cake", "foon draft text salad.txt -o drafts/"))
@@ -231,8 +234,14 @@ def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say:
 
 
 def _drafts(
-    narrations: Iterable[Narration], files: Sequence[Path] | None, say: Say, dish: str | None = None
+    narrations: Iterable[Narration],
+    files: Sequence[Path] | None,
+    say: Say,
+    dish: str | None = None,
+    *,
+    failed: list[str] | None = None,
 ) -> Iterable[Draft]:
+    """Yield the drafts; one that cannot be made is told and, where ``failed`` is given, only named there."""
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.drafting import draft as drafted
     from foon_kg.drafting.precedents import FoonPrecedents
@@ -241,8 +250,16 @@ def _drafts(
     foon = whole_foon(files, say)
     precedents = FoonPrecedents(foon.units, foon.kitchen)
     for narration in narrations:
-        told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
-        yield drafted(told, precedents, dish_type=dish)
+        try:
+            told = with_actions(narration, precedents.verbs, precedents.names) if narration.sentences else narration
+            made = drafted(told, precedents, dish_type=dish)
+        except (FoonError, LookupError, ValueError) as error:
+            if failed is None:
+                raise
+            failed.append(narration.name)
+            say(f"{narration.source}: {narration.name} could not be drafted: {error!r}. The others are.")
+            continue
+        yield made
 
 
 def _sentences(path: Path) -> tuple[Sentence, ...]:

@@ -14,6 +14,7 @@ from foon_kg.drafting.precedents import FoonPrecedents
 from foon_kg.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
 from foon_kg.drafting.units import UnitDrafter
 from foon_kg.drafting.verbs import Reading
+from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.line_words import split_name
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
@@ -99,6 +100,9 @@ class _Drafter:
         """Answer the units of one action."""
         reading = self._precedents.verbs.reading(action.verb)
         if not reading.motions:
+            if action.origin and action.objects:  # it is held until somebody says where it is put
+                origin = self._known_as(plain_name(action.origin))
+                self._scene.taken[canonical(self._known_as(plain_name(action.objects[0].name)))] = origin
             return (LeftOut(action.said, f"{reading.why}: left out", action.timing),)
         if len(action.objects) > _MOST_OBJECTS:
             reason = f"{len(action.objects)} objects are no one action: left out"
@@ -107,7 +111,8 @@ class _Drafter:
         if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
             reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
             return (LeftOut(action.said, reason, action.timing),)
-        return self._drafted(plain, reading) or (
+        drafted = tuple(row if _changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
+        return drafted or (
             LeftOut(action.said, f"nobody says what “{action.verb}” is done to: left out", action.timing),
         )
 
@@ -170,15 +175,18 @@ class _Drafter:
 
     def _plain(self, action: NarratedAction) -> NarratedAction:
         """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
-        objects = [Mention(plain_name(one.name), one.states) for one in action.objects]
+        objects = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
         objects = [one for one in objects if one.name]
+        instruments = list(filter(None, (self._known_as(plain_name(name)) for name in action.instruments)))
+        foods = [name for name in instruments if not self._kitchen.is_utensil(name)]  # fill a bowl with water
+        objects += [Mention(name) for name in foods]
         utensils = [one.name for one in objects if self._kitchen.is_utensil(one.name)]
         if len(utensils) < len(objects):
             objects = [one for one in objects if one.name not in utensils]
         else:
             utensils, objects = utensils[1:], objects[:1]
         tools = [name for name in utensils if self._precedents.is_tool(name)]
-        places = [Place(place.relation, plain_name(place.name)) for place in action.places]
+        places = [Place(place.relation, self._known_as(plain_name(place.name))) for place in action.places]
         places += [Place("", name) for name in utensils if name not in tools]
         return replace(
             action,
@@ -186,8 +194,28 @@ class _Drafter:
             places=tuple(place for place in places if place.name),
             origin=plain_name(action.origin or "") or None,
             product=plain_name(action.product or "") or None,
-            instruments=tuple(filter(None, map(plain_name, (*action.instruments, *tools)))),
+            instruments=(*(name for name in instruments if name not in foods), *tools),
         )
+
+    def _known_as(self, name: str) -> str:
+        """Return a name as the kitchen knows it: the plate that a dirty plate is; else the name itself."""
+        words = name.split()
+        ends = (" ".join(words[place:]) for place in range(1, len(words)))
+        if self._kitchen.is_utensil(name) or canonical(name) in self._precedents.labels:
+            return name
+        listed = tables().foods.is_listed(singular(name))
+        return name if listed else next((end for end in ends if self._kitchen.is_utensil(end)), name)
+
+
+def _changes(row: DraftUnit) -> bool:
+    """Whether anything is otherwise after a unit than before it."""
+    unit = row.annotation.unit
+    return not {one.node for one in unit.outputs} <= {one.node for one in unit.inputs}
+
+
+def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
+    reason = f"nothing is said that {row.annotation.unit.motion} would change: left out"
+    return LeftOut(action.said, reason, action.timing)
 
 
 def _is_mixed(name: str) -> bool:

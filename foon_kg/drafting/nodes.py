@@ -43,7 +43,10 @@ class NodeDrafter:
             evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
             return known
         states, (relation, container) = self._start(mention, like, evidence)
-        if at is not None:
+        origin = self.scene.taken.pop(canonical(mention.name), None)
+        if origin is not None and self.precedents.kitchen.is_utensil(origin):
+            relation, container = self.precedents.relation(origin), origin
+        elif at is not None:
             relation, container = self.precedents.relation(at), at
         elif container is not None and (container == away_from or self._in_use(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
@@ -99,9 +102,10 @@ class NodeDrafter:
 
     def vessel(self, name: str) -> ObjectNode:
         """Answer a utensil as it is now."""
-        if name not in self.scene.utensils:
-            self.scene.keep([ObjectNode(name, self.precedents.empty(name))])
-        return self.scene.utensils[name]
+        known = self.scene.utensils.get(name)
+        if known is None:  # nobody said of it before that it is one
+            known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
+        return known
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
         """Answer the instruments that are told, else those of the FOON; none of ``besides``."""

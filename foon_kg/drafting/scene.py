@@ -31,6 +31,7 @@ class Scene:
     last: tuple[str, ...] = ()
     sure: dict[str, float] = field(default_factory=dict)
     coming: dict[str, str] = field(default_factory=dict)
+    taken: dict[str, str] = field(default_factory=dict)
 
     def called(self, name: str) -> str | None:
         """Answer the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.

@@ -10,7 +10,7 @@ from foon_kg.drafting.drafts import DraftUnit
 from foon_kg.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence, as_one
 from foon_kg.drafting.nodes import NodeDrafter, listed
 from foon_kg.drafting.precedents import FoonPrecedents, Precedents
-from foon_kg.drafting.scene import MIXTURE, Scene, emptied, filled
+from foon_kg.drafting.scene import EMPTY, MIXTURE, Scene, emptied, filled
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
 from foon_kg.narration import Mention, NarratedAction
 
@@ -206,7 +206,8 @@ class UnitDrafter:
             before = ObjectNode(mention.name, like.before()[0] if like.rows else self.precedents.empty(mention.name))
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         evidence.weigh(share, f"{mention.name} taken to become {listed(states)}" if states else "")
-        after = replace(before, states=(*states, *action.results))
+        held = (state for state in states if state != EMPTY or not before.ingredients)
+        after = replace(before, states=(*held, *action.results))
         place = self.nodes.utensil_place(action)
         others: list[ObjectNode] = []
         if place is not None and place != mention.name:

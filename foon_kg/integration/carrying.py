@@ -292,7 +292,8 @@ class Carrier:
         attested: Attested | None = None
         if slot is not None and set(stuff.states) == set(slot.states):  # as recorded, whatever others do
             attested = self.bench.attest(self._fitting(groups[0], stuff, source, vessel, strict=False), stuff.foods)
-        for strict in (True, False):
+        wished = not set(self.bench.instead).isdisjoint(stuff.foods)  # handled just as another food is
+        for strict in (False,) if wished else (True, False):
             for group in groups:
                 if attested is None:
                     ways = self._fitting(group, stuff, source, vessel, strict=strict)

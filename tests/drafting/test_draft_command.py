@@ -9,6 +9,7 @@ import pytest
 from drafting.kitchen_foon import SOUP, activitynet, epic
 from typer.testing import CliRunner
 
+from foon_kg import drafting
 from foon_kg.cli import app
 from foon_kg.drafting.tables import read_draft
 from foon_kg.graph import Connection, load
@@ -51,6 +52,22 @@ def test_a_draft_that_is_there_is_not_written_over(draft_file, foon_folder):
     words = ("draft", "videos", draft_file.parents[1] / "epic.csv", "-o", draft_file.parent, "--files", foon_folder)
     assert "is there already" in foon(*words, code=2).output
     foon(*words, "--force")
+
+
+def test_a_video_that_cannot_be_drafted_ends_no_batch(tmp_path, foon_folder, monkeypatch):
+    rows = epic()
+    (tmp_path / "epic.csv").write_text(rows + "".join(rows.splitlines(keepends=True)[1:]).replace("P01_01", "P01_02"))
+    whole = drafting.draft
+
+    def broken(narration, *given, **wishes):
+        if narration.name == "P01_01":
+            raise KeyError("onion")
+        return whole(narration, *given, **wishes)
+
+    monkeypatch.setattr(drafting, "draft", broken)
+    words = ("draft", "videos", tmp_path / "epic.csv", "-o", tmp_path / "drafts", "--files", foon_folder)
+    assert "P01_01 could not be drafted" in foon(*words, code=1).output
+    assert [path.name for path in (tmp_path / "drafts").iterdir()] == ["P01_02.csv"]
 
 
 def test_captions_are_drafted_from_their_sentences(tmp_path, foon_folder):

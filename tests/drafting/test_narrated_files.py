@@ -41,6 +41,8 @@ def test_a_row_is_an_action_with_its_roles_and_its_time():
 def test_a_noun_with_its_kind_is_said_as_people_say_it():
     (action,) = actions("1,v,,,pour oil,pour,oil:olive,['oil:olive']")
     assert action.objects == (Mention("olive oil"),)
+    (action,) = actions("1,v,,,pour it,pour,liquid:washing:up,['liquid:washing:up']")
+    assert action.objects == (Mention("washing up liquid"),)
 
 
 def test_actions_come_by_their_start_and_without_time_behind_the_one_before():
