@@ -58,12 +58,24 @@ class ErrorsAtTheEdge(TyperGroup):
         try:
             return super().invoke(ctx)
         except FoonError as error:
-            show_error(error)
-            if ctx.meta.get(_JSON_ASKED):
-                from foon_kg.result import error_to_json
+            raise self._told(ctx, error) from error
+        except ModuleNotFoundError as error:
+            from foon_kg.extras import missing
 
-                print_json({"error": error_to_json(error)})
-            raise typer.Exit(error.exit_code) from error
+            lacks = missing(error)
+            if lacks is None:
+                raise
+            raise self._told(ctx, lacks) from error
+
+    @staticmethod
+    def _told(ctx: typer.Context, error: FoonError) -> typer.Exit:
+        """Tell an error, and return the end of the program that it asks for."""
+        show_error(error)
+        if ctx.meta.get(_JSON_ASKED):
+            from foon_kg.result import error_to_json
+
+            print_json({"error": error_to_json(error)})
+        return typer.Exit(error.exit_code)
 
 
 def data() -> Console:

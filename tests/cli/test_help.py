@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 from foon_kg import __version__
 from foon_kg.cli import app
 from foon_kg.cli.console import ErrorsAtTheEdge
+from foon_kg.demo import demo_folder
 from foon_kg.errors import NoTreeError
 
 README = Path(__file__).parents[2] / "README.md"
@@ -115,3 +116,21 @@ def test_a_dish_type_is_completed():
     environment = {"_FOON_COMPLETE": "complete_bash", "COMP_WORDS": "foon plan --dish sa", "COMP_CWORD": "3"}
     answer = CliRunner().invoke(app, [], prog_name="foon", env=environment)
     assert answer.stdout.split() == ["sandwich", "sauce", "salad", "sausage"]
+
+
+@pytest.mark.parametrize(
+    ("module", "words", "extra"),
+    [("fastapi", ["serve"], "web"), ("mcp", ["mcp"], "agents"), ("uvicorn", ["serve"], "web")],
+)
+def test_what_is_not_installed_is_one_line_that_says_how_to_get_it(module, words, extra):
+    code = f"import sys; sys.modules[{module!r}] = None; from foon_kg.cli import main; main()"
+    call = [sys.executable, "-c", code, *words, "--files", str(demo_folder())]
+    ended = subprocess.run(call, capture_output=True, text=True, check=False)
+    assert ended.returncode == 2
+    assert "Traceback" not in ended.stderr
+    assert f"foon-kg[{extra}]" in ended.stderr
+
+
+def test_the_package_is_a_program_too():
+    told = subprocess.run([sys.executable, "-m", "foon_kg", "--version"], capture_output=True, text=True, check=True)
+    assert told.stdout == f"foon-kg {__version__}\n"
