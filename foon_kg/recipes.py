@@ -5,19 +5,24 @@ Nothing is decided silently: whatever was understood in one of several ways come
 
 from __future__ import annotations
 
+import difflib
 import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import chain
 from pathlib import Path
 
 from foon_kg.errors import ReadError, UsageError
+from foon_kg.food import singular, tables
 from foon_kg.json_fields import Fields
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.names import canonical
+
+_CLOSE = 0.74
+"""How alike two words are, by the letters that they share in order, that may be the same word misspelled."""
 
 UNTOUCHED = "whole"
 """The state of a food of which FOON knows no state in which it is sold."""
@@ -75,7 +80,25 @@ class IngredientWords:
         left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
         if left_out:
             notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
+        meant = None if canonical(food) in self._labels else self.meant(text)
+        if not self.knows(food):
+            asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
+            notes = (*notes, f"no food is called “{food}”{asked}")
+        elif meant is not None and meant != " ".join(text.replace(",", " ").lower().split()):
+            notes = (*notes, f"“{text}” is taken at its word; if you mean “{meant}”, write that")
         return wanted, notes
+
+    def knows(self, food: str) -> bool:
+        """Return whether the FOON or the tables of foods have a food of this name, or one of its words."""
+        listed = tables().foods.is_listed
+        words = canonical(food).split()
+        ends = (" ".join(words[place:]) for place in range(len(words)))
+        return canonical(food) in self._labels or any(map(listed, ends)) or any(map(listed, words))
+
+    def meant(self, text: str) -> str | None:
+        """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
+        found = [_spelled(word.lower()) for word in text.replace(",", " ").split()]
+        return " ".join(filter(None, found)) if all(found) else None
 
     def _food_begins(self, words: Sequence[str]) -> int:
         """Answer the place of the first word of the food."""
@@ -126,6 +149,22 @@ class IngredientWords:
         return {canonical(row.label): row.state for row in rows}
 
 
+@cache
+def _spelling() -> tuple[str, ...]:
+    """Return every word of the tables of foods and of states, in their order."""
+    known = tables()
+    return tuple(sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()}))
+
+
+def _spelled(word: str) -> str | None:
+    """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
+    known = _spelling()
+    if word in known or singular(word) in known:
+        return word
+    swapped = next((one for one in known if sorted(one) == sorted(word)), None)
+    return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
+
+
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:
     """Answer all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
     names: dict[str, None] = {}
@@ -136,8 +175,14 @@ def names_in(texts: Iterable[str]) -> tuple[str, ...]:
 
 
 def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
-    """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``."""
+    """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
+
+    Raises :class:`~foon_kg.errors.UsageError` where no food of it is known.
+    """
     read = [words.read(text) for text in texts]
+    if read and not any(words.knows(wanted.object) for wanted, _ in read):
+        notes = "; ".join(note for _, notes in read for note in notes if note.startswith("no food"))
+        raise UsageError(f"nothing is known of what is asked: {notes}", hint="Check the spelling.", code="unknown-food")
     return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
 
 

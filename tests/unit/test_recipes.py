@@ -154,3 +154,20 @@ def test_a_path_that_is_not_there_or_has_no_recipes_is_wrong_usage(tmp_path):
         list(recipe_files([tmp_path / "nowhere"]))
     with pytest.raises(UsageError, match="has no recipes"):
         list(recipe_files([tmp_path]))
+
+
+def test_a_word_that_is_misspelled_is_told_with_what_may_be_meant():
+    _, notes = WORDS.read("choped oinon")
+    assert notes[-1] == "no food is called “choped oinon”: did you mean “chopped onion”?"
+    _, notes = WORDS.read("slised tomatoes")
+    assert notes[-1] == "“slised tomatoes” is taken at its word; if you mean “sliced tomatoes”, write that"
+    _, notes = WORDS.read("xyzzy")
+    assert notes[-1] == "no food is called “xyzzy”, nor anything like it"
+    assert not any("mean" in note for note in WORDS.read("chopped onion")[1])
+
+
+def test_a_recipe_of_which_nothing_is_known_is_refused():
+    with pytest.raises(UsageError, match="nothing is known of what is asked") as refused:
+        recipe_of("salad", ["choped oinon", "xyzzy"], WORDS)
+    assert "chopped onion" in str(refused.value)
+    assert recipe_of("salad", ["xyzzy", "olive oil"], WORDS).recipe.ingredients
