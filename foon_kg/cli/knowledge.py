@@ -12,6 +12,7 @@ from foon_kg.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.graph import GraphView
+    from foon_kg.loaders import Notice
     from foon_kg.snapshot import Snapshot
 
 
@@ -39,6 +40,14 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
         return graph.snapshot()
 
 
+def in_short(notices: Sequence[Notice]) -> str:
+    """Return for a person how much of some files was skipped and assumed: “3 skipped, 288 assumptions”."""
+    skipped = sum(str(notice.severity) == "rejected" for notice in notices)
+    assumed = len(notices) - skipped
+    told = [f"{skipped} skipped"] if skipped else []
+    return ", ".join([*told, *([f"{assumed} assumption{'s' if assumed > 1 else ''}"] if assumed else [])])
+
+
 def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     """Read subgraph files and folders into memory.
 
@@ -47,7 +56,7 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     from foon_kg.cli.loading import tell_unknown
     from foon_kg.food.unknown import unknown_words
     from foon_kg.kitchen import Kitchen
-    from foon_kg.loaders import read_paths, summary
+    from foon_kg.loaders import read_paths
     from foon_kg.snapshot import Snapshot
 
     for path in paths:
@@ -56,7 +65,7 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     results = list(read_paths(paths))
     notices = [notice for result in results for notice in result.notices]
     if notices:
-        say(f"{'; '.join(summary(notices))} in these files (foon load foon --report FILE lists them)")
+        say(f"{in_short(notices)} in these files (foon load foon --report FILE lists them)")
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
         names = ", ".join(map(str, paths))
