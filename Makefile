@@ -18,11 +18,12 @@ demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a
 test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 	$(BIN)/python -m pytest -n auto
 
-check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types and the direction of imports
+check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports and how many a command makes
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	cd $(TYPED) && $(CURDIR)/$(BIN)/lint-imports --config $(CURDIR)/pyproject.toml
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
+	$(BIN)/python benchmarks/imports.py
 
 mutants: $(INSTALLED_FOR_TESTS)  ## how many mistakes made on purpose in the core the tests find: hours; MUTANTS='foon_kg.goals*' some
 	$(BIN)/mutmut run $(foreach name,$(MUTANTS),'$(name)')

@@ -17,7 +17,6 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.names import canonical
-from foon_kg.paper import plan_by_the_paper
 from foon_kg.planning.explanation import Explanation
 from foon_kg.planning.planner import Planner
 from foon_kg.processes import spread
@@ -128,6 +127,8 @@ class Cook:
         try:
             read = question.read(self.words_for(question), self.wishes.avoided)
             if self.wishes.method == "paper":
+                from foon_kg.paper import plan_by_the_paper  # noqa: PLC0415 - only comparisons need it
+
                 result = plan_by_the_paper(self.view, read.recipe)
             elif explain or self.wishes.explain:
                 result, explanations = self.planner.explain(read.recipe)

@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING
 
-from foon_kg.knowledge import MadeBy, Vocabulary
-from foon_kg.snapshot import Snapshot
+from foon_kg.knowledge import MadeBy
+
+if TYPE_CHECKING:
+    from foon_kg.snapshot import Snapshot
+
+MOST = 10
+"""So many motions and states are listed."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +35,7 @@ class Statistics:
     most_made_states: dict[str, str]
 
     @classmethod
-    def of(cls, foon: Snapshot, most: int = 10) -> Statistics:
+    def of(cls, foon: Snapshot, most: int = MOST) -> Statistics:
         """Count ``foon``; ``most`` bounds the lists of motions and states. Equal counts are ordered by name."""
         units = [known.unit for known in foon.units]
         nodes = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
@@ -41,9 +48,9 @@ class Statistics:
             labels=len({node.label for node in nodes}),
             states=len({state for node in nodes for state in node.states}),
             motions=len(motions),
-            goals=_most_first(goals),
-            most_used_motions=dict(list(_most_first(motions).items())[:most]),
-            most_made_states=_most_made(foon.vocabulary(), most),
+            goals=most_first(goals),
+            most_used_motions=dict(list(most_first(motions).items())[:most]),
+            most_made_states=most_made(foon.vocabulary().motions, most),
         )
 
     def to_json(self) -> dict[str, object]:
@@ -51,16 +58,21 @@ class Statistics:
         return asdict(self)
 
 
-def _most_made(words: Vocabulary, most: int) -> dict[str, str]:
+def most_made(motions: Iterable[MadeBy], most: int = MOST) -> dict[str, str]:
+    """Return, for the ``most`` states that the most units make, the motion that most often makes them.
+
+    ``motions`` come sorted.
+    """
     units: Counter[str] = Counter()
     makers: dict[str, MadeBy] = {}
-    for row in words.motions:  # sorted: of equal counts the first by name stays
+    for row in motions:  # sorted: of equal counts the first by name stays
         units[row.state] += row.count
         if row.state not in makers or row.count > makers[row.state].count:
             makers[row.state] = row
-    states = list(_most_first(units))[:most]
+    states = list(most_first(units))[:most]
     return {state: f"{makers[state].motion}, {makers[state].count} of {units[state]} units" for state in states}
 
 
-def _most_first(counts: Counter[str]) -> dict[str, int]:
+def most_first(counts: Mapping[str, int]) -> dict[str, int]:
+    """Return ``counts``, the greatest first; equal ones by name."""
     return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))

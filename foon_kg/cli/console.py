@@ -94,8 +94,7 @@ def messages(*, quiet: bool = False) -> Console:
 
 def sayer(*, quiet: bool) -> Say:
     """Answer what prints a line to stderr, or keeps it to itself."""
-    console = messages(quiet=quiet)
-    return lambda text: console.print(text, markup=False)
+    return lambda text: messages(quiet=quiet).print(text, markup=False)
 
 
 def print_view(view: RenderableType) -> None:

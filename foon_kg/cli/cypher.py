@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.data_frames import driver_without_arrays
 
 if TYPE_CHECKING:
     from foon_kg.graph.free_cypher import Answer
@@ -45,7 +46,9 @@ def cypher(
     and procedures that do more than look at the graph.
     """
     from foon_kg.errors import UsageError
-    from foon_kg.graph.connection import Connection
+
+    with driver_without_arrays():
+        from foon_kg.graph.connection import Connection
     from foon_kg.graph.free_cypher import ask_freely
     from foon_kg.server import connection_settings
 

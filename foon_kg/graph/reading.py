@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, groupby
 from operator import attrgetter
-from typing import Any, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 import neo4j
 
@@ -51,7 +51,6 @@ from foon_kg.graph.statements import (
     ask,
 )
 from foon_kg.graph.words import LEAST, WordsFound, find_words, seen_as
-from foon_kg.integration.methods import Methods
 from foon_kg.kitchen import Kitchen, singular, words
 from foon_kg.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
@@ -59,7 +58,10 @@ from foon_kg.motion_costs import MotionCosts
 from foon_kg.server.settings import ConnectionSettings
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
-from foon_kg.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from foon_kg.integration.methods import Methods
+    from foon_kg.snapshot import Snapshot
 
 Row = TypeVar("Row")
 
@@ -214,6 +216,8 @@ class GraphView:
                     "the operators and frames of the graph were learnt by another foon-kg",
                     hint="Load any FOON, even one that is there already: foon load foon PATH learns them anew.",
                 )
+            from foon_kg.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few views learn anything
+
             return Snapshot.of(self.subgraphs(names), self._kitchen).methods()
         (row,) = self._ask_once(METHODS)
         return methods_of(row, self.goals())
@@ -315,6 +319,8 @@ class Neo4jGraph:
 
     def snapshot(self) -> Snapshot:
         """Answer the whole FOON in memory."""
+        from foon_kg.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few commands need all
+
         with self.reading() as view:
             return Snapshot.of(view.subgraphs(view.video_names()), self._kitchen)
 

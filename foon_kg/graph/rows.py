@@ -147,6 +147,20 @@ class VocabularyRow:
 
 
 @dataclass(frozen=True)
+class StatisticsRow:
+    """Counts of the whole FOON; of verbs and dish types by name, of ``motions`` by state and verb, in no order."""
+
+    videos: int
+    units: int
+    object_nodes: int
+    labels: int
+    states: int
+    verbs: Counted
+    goals: Counted
+    motions: list[tuple[str, str, int]]
+
+
+@dataclass(frozen=True)
 class WordsForRow:
     """A part of the vocabulary, in no order, with mere ingredients among its ``names``.
 

@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import neo4j
 from neo4j import exceptions as driver_errors
 
 from foon_kg.cypher import schema_steps
 from foon_kg.errors import GraphError, SchemaError
-from foon_kg.graph.lifting import methods_key
 from foon_kg.graph.rows import SchemaState
 from foon_kg.graph.statements import AWAIT_INDEXES, SCHEMA_RECORD, SCHEMA_STATE, ask
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import content_key
+
+if TYPE_CHECKING:
+    from foon_kg.kitchen import Kitchen
 
 _SCHEMA_CONFLICT = "Neo.ClientError.Schema."
 """Another program made the same constraint, or the same record, just then: it is there at the next try."""
@@ -42,6 +44,15 @@ def kitchen_key(kitchen: Kitchen) -> str:
 
 def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
     """Raise SchemaError unless a graph in ``state`` answers this program rightly, GraphError where there is none."""
+    if check_schema(state).kitchen != kitchen_key(kitchen):
+        raise SchemaError(
+            "the graph was written with another kitchen: other utensils or start states, or by an earlier foon-kg",
+            hint="Load any FOON, even one that is there already: foon load foon PATH works the kitchen in anew.",
+        )
+
+
+def check_schema(state: SchemaState | None) -> SchemaState:
+    """Return ``state``; raise SchemaError unless this program knows its schema, GraphError where there is no FOON."""
     if state is None:
         raise GraphError("the database holds no FOON yet", hint="Load one: foon load foon PATH…", code="empty")
     _refuse_newer(state)
@@ -50,11 +61,7 @@ def check_readable(state: SchemaState | None, kitchen: Kitchen) -> None:
             f"the graph has schema {state.version}, this foon-kg needs {schema_version()}",
             hint="Load any FOON, even one that is there already: foon load foon PATH brings the schema up to date.",
         )
-    if state.kitchen != kitchen_key(kitchen):
-        raise SchemaError(
-            "the graph was written with another kitchen: other utensils or start states, or by an earlier foon-kg",
-            hint="Load any FOON, even one that is there already: foon load foon PATH works the kitchen in anew.",
-        )
+    return state
 
 
 def prepare_for_writing(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
@@ -73,6 +80,8 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     if state is None or state.version < schema_version():
         session.execute_write(_run_steps, state.version if state else 0)
         session.execute_read(ask, AWAIT_INDEXES)
+        from foon_kg.graph.lifting import methods_key  # noqa: PLC0415 - questions that plan nothing do without it
+
         known = state or SchemaState(0, kitchen_key(kitchen), methods=methods_key())
         state = dataclasses.replace(known, version=schema_version())
         session.execute_write(ask, SCHEMA_RECORD, version=state.version, kitchen=state.kitchen, methods=state.methods)

@@ -42,6 +42,7 @@ REMEMBER = Statement("remember", rows.Nothing)
 KNOWN_UNITS = Statement("known_units", rows.KnownUnitsRow)
 EQUIVALENTS = Statement("equivalents", rows.EquivalentsRow)
 NODES_CALLED = Statement("nodes_called", rows.NodesRow)
+STATISTICS = Statement("statistics", rows.StatisticsRow)
 MOTION_COSTS = Statement("motion_costs", rows.MotionCostsRow)
 
 LOAD_VIDEOS = Statement("load_videos", rows.Nothing)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -134,3 +135,14 @@ def test_what_is_not_installed_is_one_line_that_says_how_to_get_it(module, words
 def test_the_package_is_a_program_too():
     told = subprocess.run([sys.executable, "-m", "foon_kg", "--version"], capture_output=True, text=True, check=True)
     assert told.stdout == f"foon-kg {__version__}\n"
+
+
+def test_stats_reads_no_foon_and_imports_nothing_that_plans():
+    environment = {**os.environ, "NEO4J_URI": "bolt://127.0.0.1:1"}
+    program = (
+        "import atexit, sys\natexit.register(lambda: print(*(name for name in sys.modules if sys.modules[name])))\n"
+        "from foon_kg.cli import main\nsys.argv = ['foon', 'stats']\nmain()"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment)
+    assert "no Neo4j answers" in done.stderr
+    assert {"numpy", "foon_kg.snapshot", "foon_kg.food", "foon_kg.planning"}.isdisjoint(done.stdout.split())

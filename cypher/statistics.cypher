@@ -1,0 +1,21 @@
+// How much the FOON holds: counts of videos, units, object nodes, their labels and their states; how many units each
+// verb has, how many goal nodes each dish type has, and which verb makes which state how often.
+// column: videos
+// column: units
+// column: object_nodes
+// column: labels
+// column: states
+// column: verbs
+// column: goals
+// column: motions
+// mode: read
+// scans: all words are counted
+RETURN
+  COUNT { (:Video) } AS videos,
+  COUNT { (:Motion) } AS units,
+  COUNT { (:Object) } AS object_nodes,
+  COUNT { MATCH (o:Object) RETURN DISTINCT o.label } AS labels,
+  COUNT { MATCH (o:Object) UNWIND o.states AS state RETURN DISTINCT state } AS states,
+  COLLECT { MATCH (v:Verb) WHERE v.units > 0 RETURN [v.name, v.units] } AS verbs,
+  COLLECT { MATCH (d:DishType)<-[:IS_A]-(o:Object) WITH d, count(DISTINCT o) AS goals RETURN [d.name, goals] } AS goals,
+  COLLECT { MATCH (s:State)-[r:MADE_BY]->(v:Verb) RETURN [s.name, v.name, r.count] } AS motions

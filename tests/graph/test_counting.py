@@ -1,0 +1,47 @@
+"""How much a graph holds, as Neo4j counts it: what the whole FOON in memory would count, whatever happened before."""
+
+from __future__ import annotations
+
+import pytest
+from foons import foons
+from hypothesis import HealthCheck, given, settings
+from kitchen_stories import SALAD, subgraph
+
+from foon_kg.errors import GraphError
+from foon_kg.graph import load, remove
+from foon_kg.graph.counting import count
+from foon_kg.kitchen import Kitchen
+from foon_kg.snapshot import Snapshot
+from foon_kg.statistics import Statistics
+
+pytestmark = pytest.mark.neo4j
+
+salad = subgraph("salad", "salad", *SALAD)
+shorter = subgraph("salad", "salad", *SALAD[:3])
+omelette = subgraph("other", "omelette", *SALAD[2:])
+
+
+def in_memory(*subgraphs):
+    return Statistics.of(Snapshot.of(subgraphs, Kitchen.default()))
+
+
+def test_what_a_video_showed_is_counted_no_longer_once_it_is_replaced_or_removed(connection):
+    load(connection, [salad, omelette])
+    assert count(connection) == in_memory(salad, omelette)
+    load(connection, [shorter])
+    assert count(connection) == in_memory(shorter, omelette)
+    remove(connection, ["other"])
+    assert count(connection) == in_memory(shorter)
+
+
+@settings(max_examples=8, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(foons())
+def test_any_foon_is_counted_as_in_memory(connection, subgraphs):
+    load(connection, subgraphs)
+    assert count(connection) == in_memory(*subgraphs)
+    remove(connection, [subgraph.name for subgraph in subgraphs])
+
+
+def test_a_graph_without_a_foon_is_said_to_be_empty(connection):
+    with pytest.raises(GraphError, match="holds no FOON yet"):
+        count(connection)
