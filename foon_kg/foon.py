@@ -1,0 +1,405 @@
+"""The front door: a FOON to ask, from Python.
+
+>>> from foon_kg import Foon
+>>> from foon_kg.demo import demo_folder
+>>> foon = Foon.from_files(demo_folder())
+>>> plan = foon.plan("salad", ["chopped onion", "diced tomato", "olive oil"])
+>>> print(plan.steps[1].text)
+Peel the onion with the knife.
+>>> plan.check().accepted
+True
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from foon_kg.batch import Cook, Question, Wishes
+from foon_kg.errors import ReadError, UsageError
+from foon_kg.exports.formats import export_tree
+from foon_kg.exports.sentences import sentence
+from foon_kg.exports.tree import ExportedTree
+from foon_kg.json_fields import JsonObject
+from foon_kg.kitchen import Kitchen
+from foon_kg.knowledge import Neighbour
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.planning.explanation import Explanation
+from foon_kg.result import Assumption, PlannedUnit, PlanResult, Substitution
+from foon_kg.settings import Substitute
+from foon_kg.snapshot import Snapshot
+from foon_kg.validation import KnownFoon, Report, TaskTree, check
+
+if TYPE_CHECKING:  # what only some callers have installed
+    import networkx as nx
+    import pandas as pd
+
+    from foon_kg.classic_retrieval import RetrievalResult
+    from foon_kg.graph import GraphView
+    from foon_kg.graph.free_cypher import Answer
+    from foon_kg.graph.loading import LoadReport
+    from foon_kg.server import ConnectionSettings
+    from foon_kg.suggestion import Suggestion
+
+Paths = str | os.PathLike[str]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a plan: ``text`` is a sentence for a cook, ``motion`` the FOON's own word for what is done.
+
+    ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
+    ``origin`` says how near they are (``exact``, ``food``, ``like``, ``kind``, ``motion``).
+    """
+
+    number: int
+    text: str
+    motion: str
+    inputs: tuple[ObjectNode, ...]
+    outputs: tuple[ObjectNode, ...]
+    origin: str
+    seen_in: tuple[Sighting, ...]
+
+    def __str__(self) -> str:
+        return f"{self.number}. {self.text}"
+
+
+class Plan:
+    """A task tree that makes a dish, in the order in which it is carried out. A notebook shows it as a table."""
+
+    def __init__(self, result: PlanResult, foon: Foon, wishes: Wishes, notes: Sequence[str] = ()) -> None:
+        self.result = result
+        """The answer as :meth:`~foon_kg.result.PlanResult.to_json` writes it."""
+        self.notes = tuple(notes)
+        """What had to be decided to read the question, a sentence each."""
+        self._foon = foon
+        self._wishes = wishes
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps, numbered from 1."""
+        return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
+
+    def _step(self, number: int, unit: PlannedUnit) -> Step:
+        text = sentence(unit.as_unit(), self._wishes.kitchen)
+        return Step(number, text, unit.motion_node, unit.input_nodes, unit.output_nodes, unit.origin, unit.seen_in)
+
+    @property
+    def goal(self) -> ObjectNode:
+        """The dish."""
+        return self.result.goal
+
+    @property
+    def substitutions(self) -> tuple[Substitution, ...]:
+        """What is handled like another food or read as another state, with a confidence from 0 to 1 each."""
+        return self.result.substitutions
+
+    @property
+    def assumptions(self) -> tuple[Assumption, ...]:
+        """What no step makes so and is taken to be so, and why."""
+        return self.result.assumptions
+
+    def check(self) -> Report:
+        """Return what the judge says: whether a robot could carry it out and a cook would serve it, and every finding.
+
+        The judge knows nothing of the planner (docs/contract.md).
+        """
+        tree = TaskTree.from_json(self.result.to_json())
+        return check(tree, self._foon.known, free=self._wishes.kitchen.free_foods)
+
+    def explain(self) -> tuple[Explanation, ...]:
+        """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence."""
+        question = Question(given=self.result.recipe)
+        return self._foon.answer(question, self._wishes, explain=True)[1]
+
+    def to_json(self) -> JsonObject:
+        """Return the plan as ``foon plan --json`` prints it."""
+        return self.result.to_json()
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return the steps as a table, a row each, with motion, inputs, outputs, video, start and end (seconds).
+
+        Raises :class:`~foon_kg.errors.UsageError` where pandas is not installed.
+        """
+        return self.result.to_frame()
+
+    def to_networkx(self) -> nx.DiGraph[str]:
+        """Return the tree as a graph of networkx: objects and motions are nodes, what goes in and comes out edges.
+
+        A node has ``kind`` (``object`` or ``motion``), ``label`` and, of a motion, ``step`` (from 1). Raises
+        :class:`~foon_kg.errors.UsageError` where networkx is not installed.
+        """
+        try:
+            import networkx as nx  # noqa: PLC0415 - only this needs it, and it is not always there
+        except ModuleNotFoundError as error:
+            raise UsageError("to_networkx() needs networkx", hint="Install it with: pip install networkx") from error
+        graph = nx.DiGraph()
+        for step in self.steps:
+            motion = f"{step.number} {step.motion}"
+            graph.add_node(motion, kind="motion", label=step.motion, step=step.number)
+            for node in (*step.inputs, *step.outputs):
+                graph.add_node(str(node), kind="object", label=node.label)
+            graph.add_edges_from((str(node), motion) for node in step.inputs)
+            graph.add_edges_from((motion, str(node)) for node in step.outputs)
+        return graph
+
+    def to_svg(self) -> str:
+        """Return a picture of the tree. Raises :class:`~foon_kg.errors.UsageError` without the extra ``pictures``."""
+        from foon_kg.extras import missing  # noqa: PLC0415
+        from foon_kg.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
+        from foon_kg.views.shown_tree import ShownTree  # noqa: PLC0415
+
+        try:
+            return tree_svg(ShownTree.of_result(self.result), self._wishes.kitchen)
+        except ModuleNotFoundError as error:
+            raise missing(error) or error from error
+
+    def export(self, form: str) -> str:
+        """Return the plan in another program's form; where that is several files, one after the other with their names.
+
+        ``form``: ``foon``, ``json``, ``dot``, ``mermaid``, ``graphml``, ``markdown``, ``behaviour-tree`` or ``pddl``.
+        Raises :class:`~foon_kg.errors.UsageError` for another one.
+        """
+        files = export_tree(ExportedTree.of_plan(self.result), form)
+        if len(files) == 1:
+            return files[0].text
+        return "\n".join(f"; {file.name}\n{file.text}" for file in files)
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.steps))
+
+    def __len__(self) -> int:
+        return len(self.result.units)
+
+    def __iter__(self) -> Iterator[Step]:
+        return iter(self.steps)
+
+    def __repr__(self) -> str:
+        recipe = self.result.recipe
+        return f"<Plan of {recipe.title or recipe.dish_type or self.goal.label}: {len(self)} steps>"
+
+    def _repr_html_(self) -> str:
+        return self.result._repr_html_()
+
+
+class Foon:
+    """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
+
+    It is a context manager; :meth:`close` gives connections back.
+    """
+
+    def __init__(self, snapshot: Snapshot | None = None, settings: ConnectionSettings | None = None) -> None:
+        if (snapshot is None) == (settings is None):
+            raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
+        self._snapshot = snapshot
+        self._settings = settings
+        self._cooks: dict[Wishes, Cook] = {}
+
+    @classmethod
+    def from_files(cls, *paths: Paths) -> Self:
+        """Read subgraph files, and all in folders. What of them cannot be used is left out.
+
+        Raises :class:`~foon_kg.errors.ReadError` where there is nothing to read.
+        """
+        from foon_kg.loaders import read_paths  # noqa: PLC0415 - who connects reads no files
+
+        found = [result.subgraph for result in read_paths([Path(path) for path in paths])]
+        subgraphs = [subgraph for subgraph in found if subgraph is not None]
+        if not subgraphs:
+            names = ", ".join(map(str, paths)) or "no path"
+            raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
+        return cls(snapshot=Snapshot.of(subgraphs, Kitchen.default()))
+
+    @classmethod
+    def connect(cls, uri: str | None = None, user: str = "neo4j", password: str = "", database: str = "neo4j") -> Self:
+        """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
+
+        Raises :class:`~foon_kg.errors.ServerError` where the own one cannot be started; whether a Neo4j answers shows
+        the first question (:class:`~foon_kg.errors.GraphError`).
+        """
+        from foon_kg.server import ConnectionSettings, connection_settings  # noqa: PLC0415
+
+        if uri is None:
+            return cls(settings=connection_settings(lambda _: None))
+        return cls(settings=ConnectionSettings(uri, user, password, database))
+
+    def close(self) -> None:
+        """Forget what is kept ready."""
+        self._cooks.clear()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        if self._snapshot is not None:
+            return f"<Foon of {len(self._snapshot.subgraphs)} videos in memory>"
+        return f"<Foon at {self._settings.uri if self._settings else ''}>"
+
+    @contextmanager
+    def reading(self) -> Iterator[Snapshot | GraphView]:
+        """Open the FOON for reading, for what this class has no method for."""
+        if self._snapshot is not None:
+            yield self._snapshot
+            return
+        from foon_kg.graph import Neo4jGraph  # noqa: PLC0415 - who reads files needs no driver
+
+        with Neo4jGraph(self._needs_settings("to read")) as graph, graph.reading() as view:
+            yield view
+
+    @cached_property
+    def known(self) -> KnownFoon:
+        """What the judge compares a tree's evidence with."""
+        if self._snapshot is not None:
+            return KnownFoon.of(self._snapshot.units, self._snapshot.goals())
+        from foon_kg.graph import Neo4jGraph  # noqa: PLC0415
+
+        with Neo4jGraph(self._needs_settings("to judge")) as graph:
+            whole = graph.snapshot()
+        return KnownFoon.of(whole.units, whole.goals())
+
+    # --- questions ---
+
+    def plan(
+        self,
+        dish_type: str,
+        ingredients: Iterable[str | tuple[str, str]],
+        *,
+        title: str | None = None,
+        avoid: Sequence[str] = (),
+        substitute: Mapping[str, str] | None = None,
+        kitchen: Kitchen | None = None,
+    ) -> Plan:
+        """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
+
+        ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
+        is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
+        asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
+
+        Raises :class:`~foon_kg.errors.NoTreeError` where the FOON has no way to make it, and
+        :class:`~foon_kg.errors.UsageError` for a dish type or foods that nobody knows.
+        """
+        chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
+        wishes = Wishes(chosen, tuple(avoid), kitchen=kitchen or Kitchen.default())
+        asked = list(ingredients)
+        pairs = [one for one in asked if not isinstance(one, str)]
+        if pairs and len(pairs) < len(asked):
+            raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
+        if pairs or title is not None:
+            given = pairs or self._read(dish_type, [one for one in asked if isinstance(one, str)], wishes)
+            wanted = tuple(RequiredIngredient(food, state) for food, state in given)
+            question = Question(given=Recipe(dish_type, wanted, title=title))
+        else:
+            question = Question(dish_type=dish_type, texts=tuple(one for one in asked if isinstance(one, str)))
+        result, _, notes = self.answer(question, wishes)
+        return Plan(result, self, wishes, notes)
+
+    def _read(self, dish_type: str, texts: Sequence[str], wishes: Wishes) -> list[tuple[str, str]]:
+        question = Question(dish_type=dish_type, texts=tuple(texts))
+        with self._cook(wishes) as cook:
+            read = question.read(cook.words_for(question))
+        return [(wanted.object, wanted.state) for wanted in read.recipe.ingredients]
+
+    def answer(
+        self, question: Question, wishes: Wishes, *, explain: bool = False
+    ) -> tuple[PlanResult, tuple[Explanation, ...], tuple[str, ...]]:
+        """Return the answer to a question with its explanations and notes; raises what stands in its way."""
+        with self._cook(wishes) as cook:
+            answer = cook.answer(question, explain=explain)
+        if answer.error is not None or not isinstance(answer.outcome, PlanResult):
+            raise answer.error or UsageError("there is no answer", hint="Ask something.")
+        return answer.outcome, answer.explanations, answer.notes
+
+    @contextmanager
+    def _cook(self, wishes: Wishes) -> Iterator[Cook]:
+        """Open what answers questions with such wishes; of files it is kept."""
+        if self._snapshot is None:
+            with self.reading() as view:
+                yield Cook(view, wishes)
+            return
+        if wishes not in self._cooks:
+            if len(self._cooks) >= _MOST_KEPT:
+                self._cooks.clear()
+            self._cooks[wishes] = Cook(self._snapshot, wishes, self._snapshot.units)
+        yield self._cooks[wishes]
+
+    def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
+        """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1."""
+        with self.reading() as view:
+            return view.equivalents([food], limit=limit)[0]
+
+    def retrieve(
+        self, goal: str, states: Iterable[str] = (), ingredients: Iterable[str] = (), *, kitchen: Kitchen | None = None
+    ) -> RetrievalResult:
+        """Return the shortest tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
+
+        Raises :class:`~foon_kg.errors.NoTreeError` where there is none.
+        """
+        from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree  # noqa: PLC0415
+        from foon_kg.levels import Level  # noqa: PLC0415
+
+        sought = GoalSought(goal, tuple(states), tuple(ingredients), None, Level(2), Criterion("units"))
+        with self.reading() as view:
+            return retrieve_tree(view, sought, kitchen or Kitchen.default(), view.motion_costs())
+
+    def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
+        """Return what can be made of ``foods``, the best first; utensils among them are then the only ones."""
+        from foon_kg.kitchen_file import Entry, ThingReader  # noqa: PLC0415
+        from foon_kg.recipes import IngredientWords  # noqa: PLC0415
+        from foon_kg.stock import StockedKitchen  # noqa: PLC0415
+        from foon_kg.suggestion import suggest  # noqa: PLC0415
+
+        with self.reading() as view:
+            reader = ThingReader(IngredientWords(view.vocabulary(), Kitchen.default()))
+            things = [reader.read(Entry(f"“{text}”", text))[0] for text in foods]
+            stocked = StockedKitchen.of(Kitchen.default(), ()).with_things(things)
+            return tuple(suggest(view, stocked, most=most).found)
+
+    # --- Neo4j alone ---
+
+    def cypher(self, text: str, limit: int = 1_000, **parameters: Any) -> Answer:  # noqa: ANN401 - whatever Cypher takes
+        """Return the rows of a question in Cypher, at most ``limit``; what is more than a look at the graph is refused.
+
+        Raises :class:`~foon_kg.errors.GraphError`, and :class:`~foon_kg.errors.UsageError` for a FOON in files.
+        """
+        from foon_kg.graph import Connection  # noqa: PLC0415
+        from foon_kg.graph.free_cypher import ask_freely  # noqa: PLC0415
+
+        with Connection(self._needs_settings("to be asked in Cypher")) as connection:
+            return ask_freely(connection, text, parameters, limit=limit)
+
+    def load(self, *paths: Paths) -> LoadReport:
+        """Bring subgraph files into the graph, all or none, and return which were new, replaced and unchanged.
+
+        Raises :class:`~foon_kg.errors.ReadError` where one of them cannot be read whole, and
+        :class:`~foon_kg.errors.UsageError` for a FOON in files.
+        """
+        from foon_kg.graph import Connection, load  # noqa: PLC0415
+        from foon_kg.loaders import Severity, read_paths  # noqa: PLC0415
+
+        settings = self._needs_settings("to load files")
+        results = list(read_paths([Path(path) for path in paths]))
+        bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
+        if bad:
+            raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")
+        subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+        with Connection(settings) as connection:
+            report = load(connection, subgraphs)
+        self.__dict__.pop("known", None)
+        return report
+
+    def _needs_settings(self, what: str) -> ConnectionSettings:
+        if self._settings is None:
+            raise UsageError(f"a FOON in files has no Neo4j {what}", hint="Use Foon.connect().")
+        return self._settings
+
+
+_MOST_KEPT = 8
+"""For so many different wishes what plans is kept ready."""

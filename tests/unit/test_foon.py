@@ -1,0 +1,132 @@
+"""The front door: three lines to a plan, and what a plan can say of itself."""
+
+from __future__ import annotations
+
+import doctest
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import networkx as nx
+import pytest
+
+import foon_kg
+from foon_kg import Foon, foon
+from foon_kg.demo import demo_folder
+from foon_kg.errors import NoTreeError, ReadError, UsageError
+from foon_kg.kitchen import Kitchen
+from foon_kg.kitchen_file import read_kitchen
+from foon_kg.recipes import IngredientWords
+
+ASKED = ["chopped onion", "diced tomato", "olive oil"]
+
+
+@pytest.fixture(scope="module")
+def door():
+    return Foon.from_files(demo_folder())
+
+
+@pytest.fixture(scope="module")
+def salad(door):
+    return door.plan("salad", ASKED)
+
+
+def test_the_example_at_the_top_is_true():
+    assert doctest.testmod(foon).failed == 0
+
+
+def test_the_example_of_readme_runs(capsys):
+    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    exec(compile(example, "README.md", "exec"), {})  # noqa: S102 - it is ours
+    assert "Toss the olive oil, onion and tomato in the salad bowl" in capsys.readouterr().out
+
+
+def test_a_plan_has_its_steps_as_sentences_and_as_objects(salad):
+    assert len(salad) == len(salad.steps) == len(salad.result.units)
+    assert str(salad).splitlines()[0] == f"1. {salad.steps[0].text}"
+    assert all(step.text.endswith(".") for step in salad)
+    assert salad.goal in {node for step in salad for node in step.outputs}
+    assert salad.check().accepted
+    assert salad.notes == ("“olive oil” names no state: taken as liquid",)
+
+
+def test_a_plan_says_why_and_shows_itself(salad):
+    assert {one.want.object for one in salad.explain()} == {"onion", "tomato", "olive oil"}
+    assert "<table>" in salad._repr_html_()
+    assert salad.to_svg().startswith("<svg")
+    assert list(salad.to_frame()["motion"]) == [step.motion for step in salad]
+
+
+def test_a_plan_is_a_graph_in_which_food_flows_to_the_dish(salad):
+    graph = salad.to_networkx()
+    onion = next(node for node, data in graph.nodes(data=True) if data["label"] == "onion" and "whole" in node)
+    assert nx.has_path(graph, onion, str(salad.goal))
+    assert sum(data["kind"] == "motion" for _, data in graph.nodes(data=True)) == len(salad)
+
+
+@pytest.mark.parametrize("form", ["foon", "json", "dot", "mermaid", "graphml", "markdown", "behaviour-tree", "pddl"])
+def test_a_plan_is_written_in_every_form(salad, form):
+    assert "onion" in salad.export(form)
+
+
+def test_wishes_are_kept(door):
+    chosen = door.plan("salad", ["diced courgette", "olive oil"], substitute={"courgette": "cucumber"})
+    assert "cucumber" in [one.equivalent for one in chosen.substitutions if one.kind == "object"]
+    with pytest.raises(NoTreeError):
+        door.plan("salad", [("onion", "chopped")], avoid=["onion"])
+
+
+def test_a_title_is_read_and_words_and_pairs_ask_the_same(door):
+    words = door.plan("salad", ASKED, title="Salad")
+    pairs = door.plan("salad", [("onion", "chopped"), ("tomato", "diced"), ("olive oil", "liquid")], title="Salad")
+    assert words.to_json() == pairs.to_json()
+    with pytest.raises(UsageError):
+        door.plan("salad", ["chopped onion", ("tomato", "diced")])
+
+
+def test_what_is_at_hand_is_all_there_is(door, tmp_path):
+    (tmp_path / "kitchen.txt").write_text("spoon\nbowl\n")
+    with door.reading() as view:
+        kitchen = read_kitchen(tmp_path / "kitchen.txt", IngredientWords(view.vocabulary(), Kitchen.default())).kitchen
+    with pytest.raises(NoTreeError):
+        door.plan("salad", ASKED, kitchen=kitchen)
+
+
+def test_other_questions_are_answered(door):
+    nearest = door.similar("caper", limit=2)
+    assert len(nearest) == 2
+    assert nearest[0].confidence >= nearest[1].confidence
+    assert door.retrieve("omelette").units
+    assert door.suggest(["egg", "butter", "salt"], most=2)[0].goal.node.label.endswith("omelette")
+
+
+def test_what_needs_a_graph_says_so(door, tmp_path):
+    for ask in (lambda: door.cypher("RETURN 1"), lambda: door.load(demo_folder())):
+        with pytest.raises(UsageError, match="in files"):
+            ask()
+    with pytest.raises(ReadError):
+        Foon.from_files(tmp_path)
+    with pytest.raises(UsageError):
+        Foon()
+
+
+def test_the_door_is_opened_only_when_somebody_comes():
+    code = "import sys, foon_kg; print('foon_kg.foon' in sys.modules, sorted(dir(foon_kg)))"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert told == f"False {sorted(foon_kg.__all__)}\n"
+    with pytest.raises(AttributeError):
+        _ = foon_kg.nothing
+
+
+@pytest.mark.neo4j
+def test_a_graph_is_asked_and_loaded_through_the_same_door(empty_graph):
+    settings = (empty_graph.uri, empty_graph.user, empty_graph.password, empty_graph.database)
+    with Foon.connect(*settings) as door:
+        report = door.load(demo_folder())
+        assert report.inserted
+        assert door.cypher("MATCH (v:Video) RETURN count(v) AS n").rows == ((len(report.inserted),),)
+        in_memory = Foon.from_files(demo_folder()).plan("salad", ASKED)
+        assert door.plan("salad", ASKED).to_json() == in_memory.to_json()
+        assert door.plan("salad", ASKED).check().accepted
