@@ -88,3 +88,10 @@ def test_continuous_integration_runs_the_command_that_readme_gives_for_the_tests
     assert os.access(script, os.X_OK)
     assert script.read_text(encoding="utf-8").splitlines()[-1] == "exec make test"
     assert "make test" in (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_every_place_that_contributing_names_is_there():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    named = re.findall(r"`((?:foon_kg|cypher|loaders|docs|tests)(?:/[\w./]+)?)`", text)
+    assert len(named) > 30
+    assert [place for place in named if not (ROOT / place).exists() and "NAME" not in place] == []
