@@ -101,7 +101,9 @@ class _Reading:
         if source is not None and not _stands_in(target.label, source, self._inputs):
             said += f" from the {source}"
         if self._verb != "fill":
-            said += f" {_motion_to(target.label, self._outputs)} the {target.label}"
+            worked = _is_flat(target.label) and not motions.transfers(self._verb)  # cut on a board, and not onto it
+            way = _resting_in(target.label) if worked else _motion_to(target.label, self._outputs)
+            said += f" {way} the {target.label}"
         return said + self._with_tools({target.label, *filter(None, places)}) + self._until()
 
     def _changing(self) -> str:

@@ -37,6 +37,8 @@ KITCHEN = Kitchen.default()
             "Crack the egg into the bowl.",
         ),
         ("onion(whole) > peel > onion(whole,peeled)", "Peel the onion."),
+        ("onion(whole); cutting board(empty); knife > dice > onion(diced)@on cutting_board; cutting board{onion}",
+         "Dice the onion on the cutting board with the knife."),
         ("carrot@on cutting_board; knife > slice > carrot(halved)@on cutting_board",
          "Slice the carrot on the cutting board with the knife until halved."),
         ("lettuce@on cutting_board; knife > break apart > lettuce(pieces)@on cutting_board",
