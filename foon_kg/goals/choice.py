@@ -265,8 +265,10 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
     """Return what no dish of that type and title can do without, and the recipe has not."""
     found = []
     there = {singular(want.label) for want in wants}
+    words_there = {word for want in wants for word in words(want.label)}
     for dish in known.dishes_named(dish_type, title):
-        for needs in dish.needs if dish.name not in there else ():
+        ready = dish.name in there or (not dish.is_type and dish.name in words_there)  # it is asked ready made
+        for needs in dish.needs if not ready else ():
             if not any(meets(need, want.facts, known) for need in needs for want in wants):
                 names = " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
                 found.append(f"no {dish.name} without {names}")

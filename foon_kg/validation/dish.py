@@ -25,6 +25,7 @@ def defined(case: Case) -> Iterator[Finding]:
     for lack in missing(case, case.goal.label, *case.dish_types, title):
         yield Finding("K5", f"“{case.goal.label}” without {lack}", None, (case.goal,))
     cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
+    cold = cold or not word_list("is never hot").isdisjoint(words(title))
     for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title) if not cold else ():
         if dish.heated and not is_unbaked(title) and not any(part.heated is not None for part in case.parts):
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
@@ -41,7 +42,8 @@ def _baked(case: Case) -> bool:
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
     """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
     for dish in case.tables.dishes_named(label, *texts):
-        for needs in dish.needs:
+        ready = not dish.is_type and any(dish.name in words(food) for food in case.required_names)
+        for needs in dish.needs if not ready else ():  # what is asked ready made brings its parts
             if not _has_one(case, needs):
                 yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
     yield from (food for food in namesakes(case, label) if not _is_in(case, food))

@@ -118,3 +118,15 @@ def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with(snapshot):
     hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
     shrimp = next(number for number, there in enumerate(hot) if "shrimp" in there)
     assert "rice noodle" not in hot[shrimp]
+
+
+def test_what_is_asked_ready_made_needs_no_parts(snapshot):
+    found = units(snapshot, "sandwich", "Falafel Pita", pita_bread="", falafel="", tahini="", tomato="sliced")
+    assert "falafel" in set().union(*map(labels, found))
+
+
+def test_a_soup_that_is_called_chilled_is_not_heated(snapshot):
+    found = units(
+        snapshot, "soup", "Chilled Cucumber Avocado Soup", cucumber="chopped", avocado="", buttermilk="", lime_juice="",
+    )  # fmt: skip
+    assert not [unit for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
