@@ -18,7 +18,7 @@ from neo4j import exceptions as driver_errors
 
 from foon_kg.errors import GraphError, WriteRefused
 from foon_kg.graph.connection import Connection
-from foon_kg.graph.looking import HINT, PROCEDURES, read, refuse_all_but_looking
+from foon_kg.graph.looking import HINT, PROCEDURES, only_looking, read
 
 ROW_LIMIT = 1_000
 TIME_LIMIT = 30.0
@@ -33,6 +33,7 @@ MOST_BYTES = 16_000_000
 _REFUSED_OPERATORS = ("AdministrationCommand", "LoadCSV", "Show", "Terminate", "Transaction")
 _ACCESS_MODE = "Neo.ClientError.Statement.AccessMode"
 _TIMED_OUT = "Neo.ClientError.Transaction.TransactionTimedOut"
+_NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError.General.MemoryPoolOutOfMemoryError")
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ def ask_freely(
     if write:
         read(text)
     else:
-        refuse_all_but_looking(text)
+        text = only_looking(text)
 
     def ask() -> Answer:
         with connection.session(writing=write) as session:
@@ -181,4 +182,8 @@ def _explained(error: driver_errors.Neo4jError, timeout: float) -> GraphError:
         return WriteRefused("this would change the graph", hint=HINT)
     if code.startswith(_TIMED_OUT):
         return _late(timeout)
+    if code in _NO_MEMORY:
+        return GraphError(
+            "this question needs more memory than the server has", hint="Ask for less at once.", code="memory"
+        )
     return GraphError(error.message or code, hint="See the Cypher manual: neo4j.com/docs/cypher-manual.", code="cypher")

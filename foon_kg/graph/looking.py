@@ -3,8 +3,8 @@
 A server tells the plan of a question, but not what stands inside its expressions: a ``COLLECT { … }`` in a list is text
 there. So the words themselves are read, wherever they stand, and what this reader does not know is refused: clauses
 that reach outside the graph, procedures and functions that are in no list here, and ways to write a word such that it
-is not seen. Texts that are too long or nested too deep are refused as well: already to plan one could take a server
-hours.
+is not seen. A server gets the question without its comments and with plain spaces, so that it reads the same words.
+Texts that are too long or nested too deep are refused as well: already to plan one could take a server hours.
 """
 
 from __future__ import annotations
@@ -48,16 +48,13 @@ FUNCTIONS = frozenset({"db.namefromelementid", "vector.similarity.cosine", "vect
 
 HINT = "A question only looks at the graph. If you mean to change it, add --write."
 
-_SHOWN = frozenset(
-    {
-        "alias", "aliases", "all", "auth", "built", "composite", "constraint", "constraints", "current", "database",
-        "databases", "default", "executable", "exist", "existence", "fulltext", "function", "functions", "home",
-        "index", "indexes", "key", "lookup", "node", "point", "populated", "privilege", "privileges", "procedure",
-        "procedures", "property", "range", "rel", "relationship", "role", "roles", "server", "servers", "setting",
-        "settings", "supported", "text", "transaction", "transactions", "type", "unique", "uniqueness", "user", "users",
-        "vector",
-    }
-)  # fmt: skip
+_AFTER_A_NAME = {
+    "", "and", "as", "asc", "ascending", "contains", "desc", "descending", "else", "end", "ends", "in", "is", "limit",
+    "match", "optional", "or", "order", "return", "skip", "starts", "then", "union", "unwind", "when", "where", "with",
+    "xor", "yield",
+}  # fmt: skip
+"""What may follow a name that is also the first word of a command."""
+
 _TOKENS = re.compile(
     r"""
       (?P<space>\s+|//[^\n\r]*|/\*.*?\*/)
@@ -75,7 +72,7 @@ _OPEN, _CLOSED = {"(": ")", "[": "]", "{": "}"}, {")", "]", "}"}
 
 @dataclass(frozen=True)
 class Token:
-    """A piece of a question: a ``word``, ``quoted`` (a name in backticks), ``string``, ``number`` or ``sign``."""
+    """A piece of a question: ``word``, ``quoted`` (in backticks), ``string``, ``number``, ``sign`` or ``space``."""
 
     kind: str
     text: str
@@ -96,12 +93,14 @@ class Token:
         return self.text if self.kind == "word" and not self.text.startswith("$") else ""
 
 
-def refuse_all_but_looking(text: str) -> None:
-    """Raise :class:`~foon_kg.errors.WriteRefused` where a question does more than look at the graph, or may do so.
+def only_looking(text: str) -> str:
+    """Return the question as a server may get it: with spaces in place of its comments, each word where it was.
 
-    Raises :class:`~foon_kg.errors.GraphError` for a text that is too long or nested too deep to be asked.
+    Raises :class:`~foon_kg.errors.WriteRefused` where a question does more than look at the graph, or may do so,
+    and :class:`~foon_kg.errors.GraphError` for a text that is too long or nested too deep to be asked.
     """
-    tokens = read(text)
+    pieces = _pieces(text)
+    tokens = _asked(pieces)
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
         if _is_of_what_is_before(tokens, number):
@@ -109,8 +108,13 @@ def refuse_all_but_looking(text: str) -> None:
         if not (number and tokens[number - 1].text == ":"):  # no clause begins in a label
             _refuse_clause(token, rest)
             _refuse_procedure(token, rest)
-        _refuse_function(token, rest, label=bool(number) and tokens[number - 1].text in {":", "|", "&", "!"})
+        _refuse_function(token, rest)
         _refuse_range(token, rest)
+    return "".join(_plain_space(piece.text) if piece.kind == "space" else piece.text for piece in pieces)
+
+
+def _plain_space(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)
 
 
 def _is_of_what_is_before(tokens: Sequence[Token], number: int) -> bool:
@@ -126,6 +130,10 @@ def read(text: str) -> tuple[Token, ...]:
 
     Raises :class:`~foon_kg.errors.WriteRefused` where something hides in it, GraphError where it is too much.
     """
+    return _asked(_pieces(text))
+
+
+def _pieces(text: str) -> tuple[Token, ...]:
     if len(text) > MOST_CHARACTERS:
         raise _too_much(f"it has {len(text)} characters, and {MOST_CHARACTERS} are the most")
     if re.search(r"\\u", text, re.IGNORECASE):
@@ -133,7 +141,11 @@ def read(text: str) -> tuple[Token, ...]:
             "a character that is written by its number could hide anything",
             hint="Write the character itself, or give the text as a parameter.",
         )
-    tokens = tuple(_tokens(text))
+    return tuple(_tokens(text))
+
+
+def _asked(pieces: Sequence[Token]) -> tuple[Token, ...]:
+    tokens = tuple(piece for piece in pieces if piece.kind != "space")
     if len(tokens) > MOST_WORDS:
         raise _too_much(f"it has {len(tokens)} words and signs, and {MOST_WORDS} are the most")
     open_ones = 0
@@ -161,19 +173,18 @@ def _tokens(text: str) -> Iterator[Token]:
                 hint="Close what is in quotation marks or backticks; use plain spaces and signs.",
             )
         place = found.end()
-        if found.lastgroup not in {None, "space"}:
-            yield Token(str(found.lastgroup), found.group())
+        yield Token(str(found.lastgroup), found.group())
 
 
 def _refuse_clause(token: Token, rest: Sequence[Token]) -> None:
-    following = rest[0].lower if rest else ""
+    following = rest[0].name.lower() if rest else ""
     if token.lower == "load" and following == "csv":
         raise _refused("LOAD CSV reads files and addresses")
     if token.lower in {"transaction", "transactions"}:
         raise _refused(f"{token.text.upper()} is none of a question's matters")
-    if token.lower in {"show", "terminate"} and following in _SHOWN:
+    if token.lower in {"show", "terminate"} and following not in _AFTER_A_NAME:
         raise _refused(f"{token.text.upper()} {following.upper()} is about the server")
-    if token.lower == "use" and rest and rest[0].name and following != "as":
+    if token.lower == "use" and rest and (rest[0].text == "(" or (rest[0].name and following not in _AFTER_A_NAME)):
         raise _refused("USE asks another database")
 
 
@@ -184,7 +195,7 @@ def _refuse_procedure(token: Token, rest: Sequence[Token]) -> None:
             raise _refused(f"the procedure {name} is none that looks at the graph")
 
 
-def _refuse_function(token: Token, rest: Sequence[Token], *, label: bool) -> None:
+def _refuse_function(token: Token, rest: Sequence[Token]) -> None:
     """Refuse a function of a namespace that is in no list: it may do anything; those without one only reckon."""
     if not token.name:
         return
@@ -192,7 +203,7 @@ def _refuse_function(token: Token, rest: Sequence[Token], *, label: bool) -> Non
     length = 2 * (len(_parts((token, *rest))) - 1)
     if len(rest) <= length or rest[length].text != "(":
         return
-    hidden = token.kind == "quoted" and length == 0 and not label
+    hidden = token.kind == "quoted" and length == 0
     strange = length > 0 and token.name.lower() not in SPACES and name.lower() not in FUNCTIONS | _LISTED
     if hidden or strange:
         raise _refused(f"the function {name} may do anything")

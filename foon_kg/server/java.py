@@ -19,13 +19,16 @@ HEAP = ("-Xms256m", "-Xmx1g")
 FLAGS = (
     "-XX:+UseSerialGC",  # starts faster and takes less memory than the parallel collectors do at this heap size
     *HEAP,
-    "-XX:+ExitOnOutOfMemoryError",  # a server that limps is worse than one that the next command starts again
     "-Xlog:aot*=off",  # the start-up cache is an aid: what it cannot hold is loaded in the ordinary way
     "--sun-misc-unsafe-memory-access=allow",  # as Neo4j's own launcher calls Java 25
     "--enable-native-access=ALL-UNNAMED",
     "-Dfile.encoding=UTF-8",
 )
-"""The same for every run, because a start-up cache is good only for the flags it was made with."""
+"""The same for every run, because a start-up cache is good only for the flags it was made with.
+
+Not among them: ``-XX:+ExitOnOutOfMemoryError``. Without it a question that needs more memory than there is fails alone,
+and what it took is given back; with it everybody's server would end.
+"""
 
 
 def java() -> Path:

@@ -11,7 +11,7 @@ from foon_kg.cypher import explore_queries
 from foon_kg.errors import GraphError, WriteRefused
 from foon_kg.graph import Connection
 from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.graph.looking import DEEPEST, MOST_CHARACTERS, MOST_WORDS, read, refuse_all_but_looking
+from foon_kg.graph.looking import DEEPEST, MOST_CHARACTERS, MOST_WORDS, only_looking, read
 
 INSIDE = {
     "a file": "LOAD CSV FROM 'file:///etc/passwd' AS l RETURN l",
@@ -62,6 +62,10 @@ DISGUISES = (
     "CALL `dbms`.`listConfig`()",
     "USE system RETURN 1",
     "USE `system` RETURN 1",
+    "RETURN [x IN [1] | `apoc.load.json`('x')]",
+    "USE (system) RETURN 1",
+    "SHOW GRAPH TYPE",
+    "CALL () { SHOW `settings` } RETURN 1",
     "RETURN 'a",
     "RETURN `a",
     "RETURN 1 /* a",
@@ -82,7 +86,7 @@ LOOKS = (
 @pytest.mark.parametrize("attempt", [*ATTEMPTS, *DISGUISES])
 def test_an_attempt_is_refused_before_any_server_sees_it(attempt):
     with pytest.raises(WriteRefused) as refused:
-        refuse_all_but_looking(attempt)
+        only_looking(attempt)
     assert refused.value.hint
 
 
@@ -99,7 +103,7 @@ def test_the_attempts_are_cypher_that_a_server_would_take(neo4j_server, version)
 
 @pytest.mark.parametrize("question", [*LOOKS, *(query.text for query in explore_queries())])
 def test_a_look_is_let_through(question):
-    refuse_all_but_looking(question)
+    only_looking(question)
 
 
 @pytest.mark.parametrize(
@@ -113,7 +117,7 @@ def test_a_look_is_let_through(question):
 )
 def test_what_a_server_could_be_at_for_hours_is_not_asked(question):
     with pytest.raises(GraphError) as refused:
-        refuse_all_but_looking(question)
+        only_looking(question)
     assert refused.value.code == "too-much"
     assert refused.value.hint
 
