@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.exports.graph import BipartiteGraph
+from foon_kg.exports.recipe import is_web_address
 from foon_kg.model import KnownUnit, ObjectNode
 
 _HEAD = (
@@ -40,8 +41,9 @@ def _motion_attributes(known: KnownUnit) -> Iterator[str]:
     yield f"label={_quoted(known.unit.motion + ('*' if known.unit.accepts_any else ''))}"
     yield "shape=box"
     yield f'fillcolor="{_MOTION}"'
-    if known.seen_in and known.seen_in[0].source:
-        yield f"URL={_quoted(known.seen_in[0].source)}"
+    source = known.seen_in[0].source if known.seen_in else None
+    if source and is_web_address(source):
+        yield f"URL={_quoted(source)}"
 
 
 def _quoted(text: str) -> str:

@@ -78,10 +78,18 @@ def _substituted(one: Substitution) -> str:
 def _link(sighting: Sighting) -> str:
     """Answer a link to the second in which the step is seen, or the name of a video without an address."""
     source, start = sighting.source, sighting.start
-    if source is None or urlsplit(source).scheme not in {"http", "https"}:
+    if source is None or not is_web_address(source):
         return f"({_plain(sighting.video)})"
     at = f" at {int(start) // 60}:{int(start) % 60:02}" if start is not None else ""
     return f"([video{at}]({quote(video_address(source, start), safe=_IN_LINKS)}))"
+
+
+def is_web_address(source: str) -> bool:
+    """Return whether a link to ``source`` opens a page; ``javascript:`` and the like would do something else."""
+    try:
+        return urlsplit(source).scheme in {"http", "https"}
+    except ValueError:  # brackets that do not close
+        return False
 
 
 def video_address(source: str, start: float | None) -> str:

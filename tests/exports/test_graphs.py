@@ -21,7 +21,7 @@ from foon_kg.exports.graphml import write_graphml
 from foon_kg.exports.mermaid import write_mermaid
 from foon_kg.exports.tree import ExportedTree
 from foon_kg.kitchen import Kitchen
-from foon_kg.model import Recipe
+from foon_kg.model import Recipe, Sighting
 from foon_kg.motion_costs import MotionCosts
 from foon_kg.result import PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.snapshot import Snapshot
@@ -157,3 +157,21 @@ def test_two_things_that_look_alike_are_two_nodes_where_the_plan_numbers_them():
         return sum(one == node("bowl") for one in BipartiteGraph.of_tree(ExportedTree.of_plan(result)).objects.values())
 
     assert (bowls(planned), bowls(numbered)) == (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("source", "linked"),
+    [
+        ("https://example.org/v?t=1", True),
+        ("javascript:alert(1)", False),
+        ("file:///etc/passwd", False),
+        ("x:[", False),
+    ],
+)
+def test_dot_links_to_pages_of_the_web_only(source, linked):
+    graph = BipartiteGraph.of_tree(of_file(subgraph("salad", "salad", *SALAD)))
+    seen = (Sighting("salad", 0, source),)
+    units = {name: replace(known, seen_in=seen) for name, known in graph.units.items()}
+    text = write_dot(replace(graph, units=units))
+    assert (f'URL="{source}"' in text) is linked
+    assert ("URL=" in text) is linked
