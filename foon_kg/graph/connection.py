@@ -15,6 +15,8 @@ from foon_kg.server.settings import ConnectionSettings
 
 _UNREACHABLE = (driver_errors.ServiceUnavailable, driver_errors.SessionExpired, driver_errors.ConnectionPoolError)
 _SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "neo4j+ssc://")
+_ANSWER_SECONDS = 8.0
+"""In which a Neo4j that is up lets a connection in."""
 _ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
 _DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
 
@@ -29,12 +31,20 @@ class Connection:
     def _driver(self) -> neo4j.Driver:
         if not self.settings.uri.startswith(_SCHEMES):
             raise GraphError(f"{self.settings.uri} is no address of a Neo4j", hint=_ADDRESS_HINT, code="address")
-        return neo4j.GraphDatabase.driver(
+        driver = neo4j.GraphDatabase.driver(
             self.settings.uri,
             auth=(self.settings.user, self.settings.password),
+            connection_timeout=_ANSWER_SECONDS,
+            connection_acquisition_timeout=_ANSWER_SECONDS,
             notifications_min_severity=neo4j.NotificationMinimumSeverity.OFF,
             warn_notification_severity=neo4j.NotificationMinimumSeverity.OFF,
         )
+        try:
+            driver.verify_connectivity()  # at once: a managed transaction would try for half a minute
+        except BaseException:
+            driver.close()
+            raise
+        return driver
 
     @contextmanager
     def session(self, *, writing: bool = False) -> Iterator[neo4j.Session]:

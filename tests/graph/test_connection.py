@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import socket
+import socketserver
+import threading
 from dataclasses import replace
 
 import pytest
@@ -25,6 +27,40 @@ def test_a_database_that_is_down_is_said_to_be(nobody):
     with Neo4jGraph(nobody) as graph, pytest.raises(GraphError, match="no Neo4j answers at") as error, graph.reading():
         pass
     assert "NEO4J_URI" in error.value.hint
+
+
+def test_a_read_is_not_tried_again_and_again_where_no_neo4j_is():
+    callers = []
+
+    class HangUp(socketserver.BaseRequestHandler):
+        def handle(self):
+            callers.append(self.client_address)
+
+    with socketserver.TCPServer(("127.0.0.1", 0), HangUp) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        settings = ConnectionSettings(f"bolt://127.0.0.1:{server.server_address[1]}")
+        with (
+            Connection(settings) as connection,
+            pytest.raises(GraphError, match="no Neo4j answers at"),
+            connection.session() as session,
+        ):
+            session.execute_read(lambda work: work.run("RETURN 1").consume())
+        server.shutdown()
+    assert len(callers) == 1
+
+
+@pytest.mark.parametrize("scheme", ["bolt", "neo4j"])
+def test_who_takes_a_connection_and_says_nothing_is_no_neo4j(scheme, monkeypatch):
+    monkeypatch.setattr("foon_kg.graph.connection._ANSWER_SECONDS", 0.2)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        settings = ConnectionSettings(f"{scheme}://127.0.0.1:{silent.getsockname()[1]}")
+        with (
+            Connection(settings) as connection,
+            pytest.raises(GraphError, match="no Neo4j answers at") as error,
+            connection.session() as session,
+        ):
+            session.run("RETURN 1").consume()
+    assert error.value.code == "unreachable"
 
 
 def test_an_address_that_is_none_is_said_to_be():
