@@ -22,6 +22,7 @@ from foon_kg.json_fields import Fields
 from foon_kg.model import ObjectNode
 from foon_kg.names import canonical
 from foon_kg.recipes import IngredientWords
+from foon_kg.regular_files import read_text
 from foon_kg.similarity import food_similarity
 from foon_kg.stock import StockedKitchen
 
@@ -166,7 +167,7 @@ def _text_of(path: Path) -> str:
     if not path.exists():
         raise UsageError(f"there is no file {path}", hint="--kitchen names a file of things at hand.")
     try:
-        return path.read_text(encoding="utf-8-sig")
+        return read_text(path)
     except UnicodeDecodeError as error:
         raise ReadError(f"{path}: not UTF-8 text (byte {error.start})", hint="Save it as UTF-8.") from error
     except OSError as error:

@@ -16,6 +16,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from foon_kg.errors import ReadError
+from foon_kg.regular_files import read_text
 
 ALIASES_VARIABLE = "FOON_KG_ALIASES"
 
@@ -101,7 +102,7 @@ def alias_table(own_file: str = "") -> AliasTable:
     if not own_file:
         return table
     try:
-        lines = Path(own_file).read_text(encoding="utf-8").splitlines()
+        lines = read_text(Path(own_file), "utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise ReadError(
             f"{own_file}: the alias file cannot be read: {error}",

@@ -20,6 +20,7 @@ from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.names import canonical
+from foon_kg.regular_files import read_text
 
 _CLOSE = 0.74
 """How alike two words are, by the letters that they share in order, that may be the same word misspelled."""
@@ -244,7 +245,7 @@ def foods_named(path: Path) -> tuple[str, ...]:
 
 def _json(path: Path) -> object:
     try:
-        return json.loads(path.read_text(encoding="utf-8-sig"))
+        return json.loads(read_text(path))
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     except UnicodeDecodeError as error:

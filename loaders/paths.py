@@ -13,6 +13,7 @@ from foon_kg.loaders.json_reader import read_json
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
+from foon_kg.regular_files import read_bytes
 
 _ENDINGS = (".txt", ".json")
 _BYTE_ORDER_MARK = "\ufeff"
@@ -92,7 +93,7 @@ def _copy(first: ReadResult, second: ReadResult) -> ReadResult:
 
 def _read_file(path: Path, reader: TextReader) -> ReadResult:
     try:
-        text = decode(path.read_bytes())
+        text = decode(read_bytes(path))
         name = _video_name(path)
     except (UnreadableFile, OSError) as error:
         return Journal(_printable(path)).reject_unread(error)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping
+from io import TextIOWrapper
 from pathlib import Path
 from types import ModuleType
 
@@ -20,6 +21,7 @@ from foon_kg.loaders.json_stream import stream_list
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.recipe1m import Tell, count_problem
+from foon_kg.regular_files import open_regular, read_bytes
 
 _ROWS = 5_000
 _BETWEEN = re.compile(r"[\n|;]")
@@ -114,12 +116,12 @@ def _number(fields: Mapping[str, object], name: str) -> str | None:
 def _json(path: Path) -> Iterator[tuple[int, object]]:
     """One recipe, or a list of them."""
     try:
-        with path.open("rb") as stream:
+        with open_regular(path) as stream:
             alone = stream.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
         if not alone:
             yield from stream_list(path)
             return
-        text = decode(path.read_bytes()).removeprefix("\ufeff")
+        text = decode(read_bytes(path)).removeprefix("\ufeff")
     except UnreadableFile as bad:
         raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from bad
     except OSError as error:
@@ -130,7 +132,7 @@ def _json(path: Path) -> Iterator[tuple[int, object]]:
 def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
     line = 0
     try:
-        with path.open(encoding="utf-8-sig") as stream:
+        with TextIOWrapper(open_regular(path), encoding="utf-8-sig") as stream:
             for line, text in enumerate(stream, start=1):
                 if text.strip():
                     yield line, _value(path, line, text.strip())

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from foon_kg.loaders.notices import UnreadableFile
+from foon_kg.regular_files import open_regular
 
 CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 
@@ -22,7 +23,7 @@ def text_blocks(path: Path) -> Iterator[str]:
     """
     decoder = codecs.getincrementaldecoder("utf-8")()
     line, passed, first = 1, 0, True
-    with path.open("rb") as stream:
+    with open_regular(path) as stream:
         while True:
             block = stream.read(_BLOCK)
             waiting = len(decoder.getstate()[0])

@@ -23,6 +23,7 @@ from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Re
 from foon_kg.loaders.paths import decode, read_paths
 from foon_kg.loaders.times import counts_hours, read_timing
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.regular_files import read_bytes
 
 COLUMNS = ("start", "end", "motion", "inputs", "outputs")
 RELATIONS = ("attached to", "covered with", "covered", "below", "under", "over", "with", "from", "on", "in")
@@ -71,7 +72,7 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
     that is no such table is one result without a subgraph. Never raises.
     """
     try:
-        return read_video_text(decode(path.read_bytes()), path.stem, str(path))
+        return read_video_text(decode(read_bytes(path)), path.stem, str(path))
     except (UnreadableFile, OSError) as error:
         return (Journal(str(path)).reject_unread(error),)
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from foon_kg.errors import ReadError
 from foon_kg.motion_costs import MotionCosts
+from foon_kg.regular_files import read_text
 
 _SHAPE = 'It should be one JSON object with a number for each motion: {"chop": 0.9, "pour": 0.1}.'
 _RANGE = "A weight is a number from 0 (a robot always succeeds) to 1 (it never does)."
@@ -20,7 +21,7 @@ def read_weights(path: Path) -> MotionCosts:
     motion, names one twice, or has a weight that is no number from 0 to 1.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path)
     except (OSError, UnicodeDecodeError) as error:
         raise ReadError(f"{path}: cannot be read: {error}", hint=_SHAPE) from error
     try:

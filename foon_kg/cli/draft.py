@@ -267,9 +267,10 @@ def _sentences(path: Path) -> tuple[Sentence, ...]:
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
     from foon_kg.narration import Sentence
+    from foon_kg.regular_files import read_bytes
 
     try:
-        lines = decode(path.read_bytes()).removeprefix("\ufeff").splitlines()
+        lines = decode(read_bytes(path)).removeprefix("\ufeff").splitlines()
     except UnreadableFile as bad:
         raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
     except OSError as error:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from foon_kg import regular_files
 from foon_kg.cli.console import Say
 from foon_kg.errors import ReadError
 from foon_kg.loaders import Notice, read_text
@@ -76,7 +77,7 @@ def _below(folder: Path, say: Say) -> list[TreeDocument]:
 def text_of(file: Path) -> str:
     """Return the text of ``file`` (``-`` for standard input); raises ReadError where it is no text."""
     try:
-        return sys.stdin.read() if str(file) == STANDARD_INPUT else file.read_text(encoding="utf-8-sig")
+        return sys.stdin.read() if str(file) == STANDARD_INPUT else regular_files.read_text(file)
     except (OSError, UnicodeDecodeError) as error:
         raise ReadError(f"{file}: cannot be read: {error}", hint=_HINT) from error
 

@@ -20,6 +20,7 @@ from foon_kg.loaders.paths import decode
 from foon_kg.loaders.times import write_timing
 from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_text
 from foon_kg.model import ObjectNode, Participant, Subgraph, Timing
+from foon_kg.regular_files import read_bytes
 
 UNIT_COLUMNS = ("start", "end", "motion", "inputs", "outputs", "dish")
 DRAFT_COLUMNS = ("confidence", "doubt", "said", "source")
@@ -36,7 +37,7 @@ def is_draft_file(path: Path) -> bool:
     if path.suffix.lower() != ".csv" or not path.is_file():
         return False
     try:
-        return is_draft(decode(path.read_bytes()))
+        return is_draft(decode(read_bytes(path)))
     except (UnreadableFile, OSError):
         return False
 
@@ -55,7 +56,7 @@ def write_draft(draft: Draft) -> str:
 def read_draft(path: Path) -> DraftFile:
     """Answer the draft in ``path``; raises :class:`~foon_kg.errors.ReadError` where it is none."""
     try:
-        text = decode(path.read_bytes())
+        text = decode(read_bytes(path))
     except UnreadableFile as unreadable:
         raise ReadError(
             f"{path}:{unreadable.line or 1}: {unreadable.problem.message}", hint="Save it as UTF-8."

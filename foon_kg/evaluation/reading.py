@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from foon_kg import regular_files
 from foon_kg.errors import ReadError
 from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.sampling import drawn
@@ -138,7 +139,7 @@ def names_in(path: Path) -> frozenset[str]:
 def read_text(path: Path) -> str:
     """Return the text of a file; raises ReadError where it is none."""
     try:
-        return path.read_text(encoding="utf-8-sig")
+        return regular_files.read_text(path)
     except (OSError, UnicodeDecodeError) as error:
         raise ReadError(f"{path}: cannot be read: {error}", hint="Name a text file that is there.") from error
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from foon_kg.errors import ReadError
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.progress import ProgressLine, ProgressStep
+from foon_kg.regular_files import read_text
 
 COLUMNS = ("recipe", "dish_type", "ingredient", "state", "progress_line", "score")
 _KEY = COLUMNS[:4]
@@ -110,7 +111,7 @@ def _stage(step: ProgressStep) -> str:
 def _rows(path: Path) -> Iterable[tuple[int, dict[str, str]]]:
     """Answer each line of the sheet with its number in the file."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path)
     except UnicodeDecodeError as error:
         raise ReadError(f"{path}: not UTF-8 text (byte {error.start})", hint="Save it as CSV in UTF-8.") from error
     except OSError as error:
