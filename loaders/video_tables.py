@@ -29,7 +29,6 @@ COLUMNS = ("start", "end", "motion", "inputs", "outputs")
 RELATIONS = ("attached to", "covered with", "covered", "below", "under", "over", "with", "from", "on", "in")
 """The words that may stand before a place; the longest of those that fit counts."""
 
-_BETWEEN_THINGS = re.compile(r";(?![^(]*\))(?![^{]*\})")
 _THING = re.compile(
     r"(?P<star>\*\s*)?(?P<label>[^(){}*]*?)\s*"
     r"(?:\((?P<states>[^(){}]*)\)\s*)?"
@@ -113,6 +112,25 @@ def read_thing(text: str) -> Participant | None:
     return Participant(node, moving=match["star"] is not None)
 
 
+def between_semicolons(cell: str) -> list[str]:
+    """Return the parts of ``cell`` between the semicolons that stand in no brackets; in one pass, however many.
+
+    >>> between_semicolons("bowl {onion; leek}; knife")
+    ['bowl {onion; leek}', ' knife']
+    """
+    parts, end, open_ones = [], len(cell), set[str]()
+    for place in range(len(cell) - 1, -1, -1):  # from the end: whether a bracket closes behind is then known
+        sign = cell[place]
+        if sign in ")}":
+            open_ones.add(sign)
+        elif sign in "({":
+            open_ones.discard(")" if sign == "(" else "}")
+        elif sign == ";" and not open_ones:
+            parts.append(cell[place + 1 : end])
+            end = place
+    return [cell[:end], *reversed(parts)]
+
+
 def _listed(text: str | None) -> Iterator[str]:
     return (word.strip() for word in _IN_BRACKETS.split(text or "") if word.strip())
 
@@ -157,7 +175,7 @@ def row_timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Rema
 
 def _things(cell: str) -> list[Participant | str]:
     """Answer the things that a cell names; what cannot be read as one stays text."""
-    parts = (part.strip() for part in _BETWEEN_THINGS.split(cell))
+    parts = (part.strip() for part in between_semicolons(cell))
     return [read_thing(part) or part for part in parts if part]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 
 import pytest
 from hypothesis import given
@@ -11,7 +12,14 @@ from hypothesis import strategies as st
 
 from foon_kg.errors import ReadError
 from foon_kg.loaders.notices import NoticeKind, Severity
-from foon_kg.loaders.video_tables import COLUMNS, read_thing, read_video_table, read_video_text, read_videos
+from foon_kg.loaders.video_tables import (
+    COLUMNS,
+    between_semicolons,
+    read_thing,
+    read_video_table,
+    read_video_text,
+    read_videos,
+)
 from foon_kg.model import ObjectNode, Participant, Timing
 
 HEADER = ",".join((*COLUMNS, "dish"))
@@ -75,6 +83,11 @@ def test_any_thing_that_is_written_so_is_read_so(node, relation, container, movi
     place = (relation, container) if relation else (None, None)
     expected = ObjectNode(node.label, node.states, node.ingredients, *place)
     assert read_thing(text) == Participant(expected, moving=moving)
+
+
+@given(st.text("a;(){}", max_size=12))
+def test_a_cell_is_divided_at_semicolons_that_stand_in_no_brackets(cell):
+    assert between_semicolons(cell) == re.split(r";(?![^(]*\))(?![^{]*\})", cell)
 
 
 def test_rows_are_units_in_their_order_with_times_and_goal():
