@@ -10,12 +10,13 @@ from pathlib import Path
 
 from foon_kg.errors import ReadError
 from foon_kg.loaders.json_reader import read_json
+from foon_kg.loaders.muhai import read_muhai_file
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
 from foon_kg.regular_files import read_bytes
 
-_ENDINGS = (".txt", ".json")
+_ENDINGS = (".txt", ".json", ".lisp")
 _BYTE_ORDER_MARK = "\ufeff"
 _LINE_END = re.compile(rb"\r\n|\r|\n")
 
@@ -92,6 +93,8 @@ def _copy(first: ReadResult, second: ReadResult) -> ReadResult:
 
 
 def _read_file(path: Path, reader: TextReader) -> ReadResult:
+    if path.suffix.lower() == ".lisp":
+        return read_muhai_file(path)
     try:
         text = decode(read_bytes(path))
         name = _video_name(path)

@@ -99,6 +99,28 @@ def videos(
     _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
 
 
+@app.command(epilog=examples("foon load muhai recipe-annotations/", "foon load muhai easy-banana-bread.lisp --dry-run"))
+def muhai(
+    paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="MUHAI recipes (*.lisp), or folders.")],
+    *,
+    report: Report = None,
+    bad_tolerance: BadTolerance = 0,
+    dry_run: DryRun = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load MUHAI's recipes: networks of kitchen primitives in Lisp.
+
+    Each primitive becomes a unit, each recipe a video; the title says the dish type. Nothing in a file is evaluated.
+    Primitives that cannot be understood are left out, and told with file and line; a recipe that lacks some gives no
+    dish.
+    """
+    from foon_kg.loaders.muhai import read_muhai
+
+    results = list(read_muhai(paths))
+    _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+
+
 app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
 app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 

@@ -1,0 +1,98 @@
+"""MUHAI's networks become units; what cannot be played is told with its line, and gives no dish."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from foon_kg.errors import ReadError
+from foon_kg.loaders.muhai import read_muhai, read_muhai_text
+from foon_kg.loaders.notices import NoticeKind, ReadResult, Severity
+from foon_kg.loaders.paths import read_path
+
+BREAD = """(defparameter *recipe* '((get-kitchen ?k)
+ (fetch-and-proportion ?butter ?k1 ?k ?c1 butter 60 g)
+ (fetch-and-proportion ?flour ?k2 ?k1 ?c2 self-rising-flour 200 g)
+ (transfer-contents ?x ?r1 ?k3 ?k2 ?bowl ?butter ?q1 ?u1)
+ (transfer-contents ?y ?r2 ?k4 ?k3 ?x ?flour ?q2 ?u2)
+ (mix ?batter ?k5 ?k4 ?y ?mixing-tool)
+ (spread ?pan-with-batter ?k6 ?k5 ?pan ?batter ?scraper)
+ (bake ?bread ?k7 ?k6 ?pan-with-batter ?oven 60 minute 165 degrees-celsius)))"""
+
+
+def units(result: ReadResult) -> list[tuple[list[str], str, list[str]]]:
+    assert result.subgraph is not None
+    return [
+        ([str(n) for n in a.unit.input_nodes], a.unit.motion, [str(n) for n in a.unit.output_nodes])
+        for a in result.subgraph.annotations
+    ]
+
+
+def dishes(result: ReadResult) -> list[tuple[str, str]]:
+    found = result.subgraph.annotations if result.subgraph else ()
+    return [(p.node.label, p.dish_type) for a in found for p in a.unit.outputs if p.dish_type]
+
+
+def test_each_primitive_is_a_unit_that_goes_on_where_the_last_one_ended() -> None:
+    told = units(read_muhai_text(BREAD, "butter-bread"))
+
+    motions = [motion for _, motion, _ in told]
+    assert motions == ["pour", "pour", "pour", "pour", "mix", "spread", "turn on", "bake"]
+    assert told[3][2] == [
+        "mixing bowl ({butter, self rising flour})",
+        "self rising flour (in mixing bowl)",
+        "bowl (empty)",
+    ]
+    assert "batter (mixed; {butter, self rising flour}; in mixing bowl)" in told[4][2]
+    assert "batter (mixed; {butter, self rising flour}; in mixing bowl)" in told[5][0]
+
+
+def test_the_last_food_is_the_dish_that_the_title_names() -> None:
+    assert dishes(read_muhai_text(BREAD, "butter-bread-2")) == [("butter bread", "bread")]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line"),
+    [
+        ("(bake ", "(conjure ", 8),
+        ("?y ?mixing-tool", "?nothing ?mixing-tool", 6),
+        ("?c2 self-rising-flour 200 g", "", 3),
+    ],
+)
+def test_a_primitive_that_cannot_be_played_is_told_and_no_dish_is_marked(old: str, new: str, line: int) -> None:
+    result = read_muhai_text(BREAD.replace(old, new), "butter-bread")
+
+    assert line in [notice.line for notice in result.notices if notice.severity is Severity.REJECTED]
+    assert dishes(result) == []
+
+
+@pytest.mark.parametrize("text", ["", "(defparameter *a* '((mix ?a ?b ?c ?d ?e)))", "(("])
+def test_a_file_without_a_network_is_rejected(text: str) -> None:
+    result = read_muhai_text(text, "none")
+
+    assert result.subgraph is None
+    assert [notice.severity for notice in result.notices] == [Severity.REJECTED]
+
+
+def test_a_folder_without_recipes_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ReadError, match="no MUHAI recipe"):
+        list(read_muhai([tmp_path]))
+
+
+def test_degree_signs_of_another_encoding_are_read(tmp_path: Path) -> None:
+    (tmp_path / "butter-bread.lisp").write_bytes(b"; 165\xb0C\n" + BREAD.encode())
+
+    assert [dishes(result) for result in read_path(tmp_path)] == [[("butter bread", "bread")]]
+
+
+@pytest.mark.shared_data
+def test_all_of_muhai_is_read_and_all_but_the_unfinished_one_is_a_dish(shared_data: Path) -> None:
+    results = list(read_muhai([shared_data / "muhai"]))
+
+    rejected = [(Path(n.file).stem, n.line) for r in results for n in r.notices if n.severity is Severity.REJECTED]
+    assert len(results) == 31
+    assert sum(len(r.subgraph.annotations) for r in results if r.subgraph) == 905
+    assert (len(rejected), {name for name, _ in rejected}) == (13, {"linguine-lentils-pancetta"})
+    assert [Path(r.path).stem for r in results if len(dishes(r)) != 1] == ["linguine-lentils-pancetta"]
+    assert [n.line for r in results for n in r.notices if n.kind is NoticeKind.BAD_BRACKETS] == [7]
