@@ -40,6 +40,9 @@ _TOOLS = {
     "grinding-tool": "food processor",
 }
 _STATES_IN_NAMES = frozenset({"cooked", "dried", "frozen", "canned", "ground", "shredded", "grated", "crushed"})
+_FOODS = {"white-sugar": "sugar", "all-purpose-flour": "flour", "red-onion": "onion"}
+"""Names of kinds that a FOON knows by a plainer one; a second name would draw recipes away from what is known."""
+
 _KIND_OF_MIXTURE = ("dough", "batter", "salad", "dressing", "icing", "sauce", "filling", "glaze")
 _CUTS = {"slice": "sliced", "square": "cut", "cube": "cubed", "sliver": "sliced", "dice": "diced", "half": "halved"}
 _DISHES_BY_WORD = {"tuile": "cookie", "snap": "cookie", "slice": "salad"}
@@ -246,7 +249,7 @@ def _state(*states: str) -> Callable[[ObjectNode], ObjectNode]:
 
 def _proportion(scene: _Scene, words: Sequence[str]) -> None:
     out, food, unit = words[0], words[4], words[6]
-    parts = [part for part in food.split("-") if part != "fresh"]
+    parts = [part for part in _FOODS.get(food, food).split("-") if part != "fresh"]
     state = parts[0] if len(parts) > 1 and parts[0] in _STATES_IN_NAMES else ""
     label = " ".join(parts[1:] if state else parts)
     own = (state,) if state else ("whole",) if unit in {"piece", "stalk", "clove"} else ()
@@ -390,14 +393,14 @@ def _cover(scene: _Scene, words: Sequence[str]) -> None:
     before = scene.filled(words[3])
     after = replace(before, states=("covered",))
     lid = scene.tool(words, 4, "lid")
-    scene.add("cover", (before.node(), lid), (after.node(),))
+    scene.add("cover", (before.node(), *before.foods, lid), (after.node(), *after.foods))
     scene.bind(words[0], after)
 
 
 def _uncover(scene: _Scene, words: Sequence[str]) -> None:
     before = scene.filled(words[4])
     after = replace(before, states=())
-    scene.add("uncover", (before.node(),), (after.node(),))
+    scene.add("uncover", (before.node(), *before.foods), (after.node(), *after.foods))
     scene.bind(words[0], after)
 
 
