@@ -87,8 +87,19 @@ class _Reading:
         known += [name for node in self._utensils for name in node.ingredients if name in gained]
         filled = any(node.ingredients for node in self._utensils if node.label == place)
         if known or filled or any(food.container == place for food in self._foods):
-            return known
+            return self._without_parts(known)
         return [food.label for food in self._foods if food in self._changed]
+
+    def _held_in(self, vessel: ObjectNode) -> list[str]:
+        """Return what a vessel holds, a mixture by its name."""
+        made = [food.label for food in self._foods if food.container == vessel.label and food.ingredients]
+        return self._without_parts([*made, *vessel.ingredients] if vessel.ingredients else [])
+
+    def _without_parts(self, names: Iterable[str]) -> list[str]:
+        """Return names without those of which another one is made: a batter is told, and not its flour."""
+        told = list(dict.fromkeys(names))
+        parts = {part for food in self._foods if food.label in told for part in food.ingredients if part != food.label}
+        return [name for name in told if name not in parts]
 
     def _bringing(self, target: ObjectNode) -> str:
         places = {node.container for node in self._inputs if node.label in self._brought} - {target.label}
@@ -109,7 +120,7 @@ class _Reading:
     def _changing(self) -> str:
         foods = self._foods_changed
         vessel = max(self._utensils, key=lambda node: len(node.ingredients), default=None)
-        held = vessel.ingredients if vessel is not None else ()
+        held = self._held_in(vessel) if vessel is not None else []
         places = {food.container for food in foods if food.container}
         where = vessel.label if vessel is not None and held else next(iter(places)) if len(places) == 1 else None
         fresh = [food.label for food in foods if food.label not in held]

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
@@ -27,7 +28,8 @@ def defined(case: Case) -> Iterator[Finding]:
     cold = any(dish.heated is False and not dish.is_type for dish in case.tables.dishes_named(title))
     cold = cold or not word_list("is never hot").isdisjoint(words(title))
     for dish in case.tables.dishes_named(case.goal.label, *case.dish_types, title) if not cold else ():
-        if dish.heated and not is_unbaked(title) and not any(part.heated is not None for part in case.parts):
+        warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
+        if dish.heated and not warm:
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
         if dish.baked and not _baked(case) and not is_unbaked(title):
@@ -42,11 +44,16 @@ def _baked(case: Case) -> bool:
 def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
     """Yield what a dish needs by its name (``texts`` are its type and title) and has not, and its missing namesakes."""
     for dish in case.tables.dishes_named(label, *texts):
-        ready = not dish.is_type and any(dish.name in words(food) for food in case.required_names)
-        for needs in dish.needs if not ready else ():  # what is asked ready made brings its parts
+        for needs in dish.needs if not _is_asked(case, dish) else ():
             if not _has_one(case, needs):
                 yield " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
     yield from (food for food in namesakes(case, label) if not _is_in(case, food))
+
+
+def _is_asked(case: Case, dish: Dish) -> bool:
+    """Whether the recipe asks for a dish as for a food, ready made: it brings its parts, and K1 looks at it."""
+    own = set(words(dish.name))
+    return not dish.is_type and any(own <= set(words(food)) for food in case.required_names)
 
 
 def missing_namesakes(case: Case, label: str) -> Iterator[str]:
