@@ -36,7 +36,7 @@ KITCHEN = Kitchen.default()
             "bowl(empty); egg(whole) > crack > bowl{egg white,egg yolk}; egg white@bowl; egg yolk@bowl",
             "Crack the egg into the bowl.",
         ),
-        ("bowl{egg,flour}; batter(mixed){egg,flour}@bowl; spoon > stir > bowl{egg,flour}; batter(smooth){egg,flour}@bowl",
+        ("bowl{a,b}; batter(mixed){a,b}@bowl; spoon > stir > bowl{a,b}; batter(smooth){a,b}@bowl",
          "Stir the batter in the bowl with the spoon until smooth."),
         ("onion(whole) > peel > onion(whole,peeled)", "Peel the onion."),
         ("onion(whole); cutting board(empty); knife > dice > onion(diced)@on cutting_board; cutting board{onion}",
