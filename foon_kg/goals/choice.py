@@ -183,7 +183,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     score -= _DAMAGED if layout.raw or _is_damaged(frame) else 0.0
     if title and named < _BY_TITLE and _bakes(layout) and not is_baked(dish_type, title, known):
         score -= _UNTOLD_OVEN
-    if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_base(joins):
+    if stacked and named < _BY_TITLE and _is_cold(dish_type, title, known) and _heats_in_vain(joins):
         score -= _HEATED
     if not stacked and any(dish.stacked for dish in known.dishes_named(frame.dish_type, frame.goal.label)):
         score -= _HEATED
@@ -219,8 +219,12 @@ def _is_cold(dish_type: str, title: str, known: Tables) -> bool:
     return not by_type and not any(dish.grilled for dish in known.dishes_named(dish_type, title))
 
 
-def _heats_base(joins: Sequence[Join]) -> bool:
-    return any(join.spot.heats_later for join in joins if join.want.facts.is_a(*_BAKED_ON))
+def _heats_in_vain(joins: Sequence[Join]) -> bool:
+    """Whether what it is laid on is heated, or flesh that is done."""
+    flesh = word_list("is flesh")
+    done = (join for join in joins if join.want.facts.is_a(*flesh) and join.want.facts.is_a("ready"))
+    base = (join for join in joins if join.want.facts.is_a(*_BAKED_ON))
+    return any(join.spot.heats_later for join in (*base, *done))
 
 
 def _makes_dough(layout: Layout, known: Tables) -> bool:

@@ -47,11 +47,19 @@ class _Body:
         self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
         fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
-        self.loose = bool(mass) and not self.shaped
+        in_pieces = len(flesh) == 1 and not mass and self._is_cut(flesh[0]) and self._has_more_for_the_pan()
+        self.loose = (bool(mass) and not self.shaped) or in_pieces
         self.main = mass or (flesh if len(flesh) == 1 else [])
         if not self.main and not raw and fried:
             self.main, fried = fried, []
         self.fried = [join for join in fried if join not in self.main]
+
+    def _is_cut(self, join: Join) -> bool:
+        return bool(join.want.make) and (self.known.state(join.want.make).fine or 0) > 1
+
+    def _has_more_for_the_pan(self) -> bool:
+        """Whether vegetables are there that are fried with what lies on the bread."""
+        return any(join.want.facts.is_a(*word_list("is fried with pieces of flesh")) for join in self.joins)
 
     def _is_raw(self, join: Join) -> bool:
         return bool({"cook", "boil"} & owed(join.want, self.known)) and not join.want.cooked

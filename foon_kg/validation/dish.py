@@ -53,7 +53,7 @@ def missing(case: Case, label: str, *texts: str) -> Iterator[str]:
 def _is_asked(case: Case, dish: Dish) -> bool:
     """Whether the recipe asks for a dish as for a food, ready made: it brings its parts, and K1 looks at it."""
     own = set(words(dish.name))
-    return not dish.is_type and any(own <= set(words(food)) for food in case.required_names)
+    return dish.name not in case.dish_types and any(own <= set(words(food)) for food in case.required_names)
 
 
 def missing_namesakes(case: Case, label: str) -> Iterator[str]:

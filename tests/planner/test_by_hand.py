@@ -130,3 +130,20 @@ def test_a_soup_that_is_called_chilled_is_not_heated(snapshot):
         snapshot, "soup", "Chilled Cucumber Avocado Soup", cucumber="chopped", avocado="", buttermilk="", lime_juice="",
     )  # fmt: skip
     assert not [unit for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+
+
+def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread(snapshot):
+    found = units(
+        snapshot, "chicken", "Chicken Fajitas", chicken_breast="sliced", bell_pepper="sliced", onion="sliced", oil="",
+        tortilla="",
+    )  # fmt: skip
+    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    assert {"chicken breast", "bell pepper", "onion"} <= hot[-1]
+    assert not any("tortilla" in there for there in hot)
+
+
+def test_meat_that_is_done_is_not_cooked_again_for_bread(snapshot):
+    found = units(
+        snapshot, "sandwich", "Roast Beef Sandwich", rye_bread="", roast_beef="sliced", cheese="", tomato="sliced"
+    )
+    assert not [unit for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
