@@ -71,6 +71,10 @@ class Food:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""
         return not self._tags.isdisjoint(names)
 
+    def is_of(self, *kinds: str) -> bool:
+        """Whether the food is of one of these kinds, where a trait may have the name of one (stock)."""
+        return not self.kinds.isdisjoint(kinds)
+
 
 @dataclass(frozen=True)
 class State:

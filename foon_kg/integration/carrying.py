@@ -22,6 +22,7 @@ _SMALL = 3
 _DRY = word_list("coats dry")
 _COATING = _DRY | word_list("coats wet") | word_list("clings to what is coated")
 _SOLID = word_list("keeps its shape") | word_list("is one piece when it is done")
+_HOLDS = word_list("holds a mixture together")
 _POUR = frozenset({"pour", "drip"})
 _MOVES = frozenset({"move", "scatter", "fetch"})
 
@@ -125,6 +126,8 @@ class Carrier:
         if _SOLID.isdisjoint(stuff.states) and any(food.is_a(*word_list("stays loose")) for food in foods):
             return True
         cooked = any(self.known.state(state).needs_heat for state in stuff.states)
+        if not cooked and _SOLID.isdisjoint(stuff.states) and not any(food.is_a(*_HOLDS) for food in foods):
+            return any(form_of(self.known, food.name, ()) in {"pieces", "whole"} for food in foods)
         holds = any(food.is_a("creamy", "dough", "egg", "fat", "liquid", "water") for food in foods)
         return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
 
@@ -223,7 +226,7 @@ class Carrier:
     def _is_sauce(self, stuff: Stuff) -> bool:
         """Whether what flour binds is a sauce with something in it, and no batter."""
         foods = [self.known.foods.food(food) for food in stuff.foods]
-        thin = any(food.is_a(*word_list("is a bath")) for food in foods)
+        thin = any(food.is_of(*word_list("is a bath")) for food in foods)
         other = any(food.is_a("leaven", *word_list("makes no sauce of flour")) for food in foods)
         return (thin and not other) or any(f"kind:{food.kind}" in word_list("makes a sauce of flour") for food in foods)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want, owed
 
@@ -15,6 +15,7 @@ _COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
+_IN_BATTER = word_list("is battered")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
@@ -27,12 +28,19 @@ _SAUCE = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}),
 _BESIDE = word_list("is served with what is fried")
 
 
-def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+def coated_alone(
+    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
     """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
 
-    Nothing changes where there is no such flesh, or where something else has to be cooked too.
+    ``told`` are the words of type and title. Nothing changes where there is no such flesh, or where something else has
+    to be cooked too, unless it is battered: then that is fried beside it.
     """
     facts = [join.want.facts for join in joins]
+    if not word_list("is called battered").isdisjoint(told):
+        made, found = _battered(line, joins, known)
+        if made is not line:
+            return made, found
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
     rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
     kinds = (
@@ -67,6 +75,43 @@ def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line
     if not any(join.spot.stage is made.stages[-1] for join in found):
         return coated_apart(Line((top,)), [replace(_at(join, top), on_top=True) for join in joins], kinds)
     return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
+
+
+def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how one food is turned in a batter of flour and what thins it, and fried; what goes with it is fried too.
+
+    Nothing changes where there is no such batter, or where more than one food may be turned in it.
+    """
+    batter = [join for join in joins if join.want.facts.is_a(*_DRY, *_WET, *word_list("thins what is fried in"))]
+    thin = any(join.want.facts.is_a(*_WET, *word_list("thins what is fried in")) for join in batter)
+    rest = [join for join in joins if join not in batter and not join.want.facts.is_a("fat", "salty", "spice")]
+    beside = [join for join in rest if join.want.facts.is_a(*word_list("is fried beside what is battered"))]
+    dipped = [join for join in rest if join not in beside and join.want.facts.is_a(*_COATED, *_IN_BATTER)]
+    beside += [join for join in dipped if dipped[0].want.facts.is_a(*_COATED) and join is not dipped[0]]
+    dipped = [join for join in dipped if join not in beside]
+    if not thin or len(batter) == 1 or len(dipped) != 1:
+        return line, tuple(joins)
+    mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
+    dip = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
+    top = replace(top, adds=(Line((dip, fried, turned, done)),))
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    found = []
+    for join in joins:
+        if join in dipped:
+            found.append(_side(join, dip, (fried, turned, done, top)))
+        elif join in fats:
+            found.append(_side(join, fried, (turned, done, top)))
+        elif join in batter or join.want.facts.is_a("salty", "spice"):
+            found.append(_side(join, mixed, (dip, fried, turned, done, top)))
+        else:
+            cooks = "cook" in owed(join.want, known)
+            slot = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if cooks else None
+            found.append(Join(join.want, replace(join.spot, stage=top, after=(), side=False), NATURAL, slot, on_top=True))
+    return Line((top,)), tuple(found)
+
+
+def _side(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+    return Join(join.want, replace(join.spot, stage=stage, after=after, side=True), NATURAL)
 
 
 def is_portion(want: Want, known: Tables) -> bool:

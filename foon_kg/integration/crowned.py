@@ -58,7 +58,7 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
         return False
     if facts.is_a(*word_list("lies on what is cooked")):
         return True
-    wet = any(one.is_a(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
+    wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
     bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)

@@ -1,4 +1,4 @@
-"""What is baked in something that holds it: bought dough lines the dish or covers it, or a hollow food is stuffed."""
+"""What is baked in something that holds it: bought dough or mash lines or covers it, or a hollow food is stuffed."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     inside = [join for join in joins if join not in holders]
     if len(holders) != 1 or not inside:
         return line, tuple(joins)
-    stewed = _is_stewed(inside) or (stuffed and any(_is_raw(join) for join in inside))
+    raw = any(_is_raw(join) for join in inside)
+    mash = any(_is_mash(join) for join in holders)
+    stewed = _is_stewed(inside) or ((stuffed or mash) and raw)
     mix, laid, baked = replace(_PAN if stewed else _MIX), replace(_LAID), replace(_BAKED)
     brought = replace(_LAID, adds=(Line((mix,)),))
     stages = (brought, laid, baked) if stewed and not stuffed else (laid, brought, baked)
@@ -52,8 +54,15 @@ def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
     facts = join.want.facts
     if not stuffed:
         named = not word_list("is held by dough").isdisjoint(told)
-        return named and facts.is_a(*word_list("lines a dish"))
+        return named and (facts.is_a(*word_list("lines a dish")) or _is_mash(join))
     return not join.want.make and facts.is_a(*word_list("is stuffed")) and facts.name.split()[-1] in told
+
+
+def _is_mash(join: Join) -> bool:
+    """Whether a food is asked mashed: it covers what is cooked before."""
+    covers = word_list("covers a dish when it is mashed")
+    mashed = {join.want.make, join.want.then} & word_list("only what is soft is so")
+    return join.want.facts.is_a(*covers) and (bool(mashed) or "made" in join.want.facts.traits)
 
 
 def _is_raw(join: Join) -> bool:
@@ -71,6 +80,6 @@ def _hollow(want: Want) -> Want:
 def _is_stewed(inside: Sequence[Join]) -> bool:
     """Whether what is inside is cooked in a liquid, and only covered then."""
     facts = [join.want.facts for join in inside]
-    thin = any(one.is_a("liquid") and not one.kinds.isdisjoint(word_list("is a bath")) for one in facts)
+    thin = any(one.is_a("liquid") and one.is_of(*word_list("is a bath")) for one in facts)
     bound = any(one.is_a(*word_list("binds what is inside")) for one in facts)
     return thin and not bound and any(one.is_a("fat") for one in facts)

@@ -185,7 +185,10 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     stages = list(line.stages)
     hot = [stage for stage in stages if "heat" in stage.does]
     told = not word_list("is baked at last").isdisjoint(words(title))
-    if not told or not hot or any("dry" in stage.does or stage.appliance == "oven" for stage in hot):
+    bakes = [stage for stage in hot if "dry" in stage.does]
+    if bakes:
+        return line, _strewn_on(bakes[-1], stages, joins)
+    if not told or not hot or any(stage.appliance == "oven" for stage in hot):
         return line, tuple(joins)
     taken = {id(join.spot.stage) for join in joins}
     while only_carries(stages[-1]) and id(stages[-1]) not in taken and not any(True for _ in stages[-1].adds):
@@ -196,6 +199,18 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     tops = [join for join in joins if join.want.facts.is_a(*word_list("is browned on top"))]
     found = (replace(join, spot=spot, slot=None) if join in tops and len(tops) < len(joins) else join for join in joins)
     return Line((*stages, last)), tuple(found)
+
+
+def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Let crumbs come on what is baked, where they neither coat nor bind anything."""
+    bound = any(join.want.facts.is_a("egg", *word_list("is coated")) and "ready" not in join.want.facts.traits for join in joins)
+    boiled = any(join.want.facts.is_a(*word_list("is eaten with a sauce"), "vegetable") for join in joins)
+    if bound or not boiled:
+        return tuple(joins)
+    place = next(number for number, stage in enumerate(stages) if stage is bakes)
+    spot = Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
+    crumbs = word_list("is strewn on what is baked")
+    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*crumbs) else one for one in joins)
 
 
 def _cold(motion: str) -> Stage:

@@ -361,7 +361,8 @@ def _makes_a_sauce(joins: Sequence[Join]) -> bool:
     """Whether flour is stirred into fat, and something is poured on it."""
     facts = [join.want.facts for join in joins]
     other = any(one.is_a("leaven", *word_list("makes no sauce of flour")) for one in facts)
-    return not other and all(any(one.is_a(*names) for one in facts) for names in (("flour",), ("fat",), _BATHS))
+    told = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
+    return told and not other and any(one.is_of(*_BATHS) for one in facts)
 
 
 def _same_place(one: Stage, other: Stage) -> bool:
@@ -369,7 +370,7 @@ def _same_place(one: Stage, other: Stage) -> bool:
 
 
 def _is_bath(facts: Food) -> bool:
-    return not facts.kinds.isdisjoint(word_list("is a bath")) and not facts.is_a(*word_list("is no bath"))
+    return facts.is_of(*_BATHS) and not facts.is_a(*word_list("is no bath"))
 
 
 def _seasons(facts: Food) -> bool:

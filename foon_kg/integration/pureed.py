@@ -70,7 +70,7 @@ def _is_in_sauce(joins: Sequence[Join], told: Sequence[str], known: Tables) -> b
         for join in joins
         if join.want.make and "cook" in join.want.facts.owes
     )
-    sauce = sum(one.is_a(*word_list("is cooked in for long")) for one in facts) >= _LEAST
+    sauce = sum(one.is_of(*word_list("is cooked in for long")) for one in facts) >= _LEAST
     return pieces and sauce and not any(one.is_a(*word_list("is never in a pot so")) for one in facts)
 
 

@@ -23,7 +23,7 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
     """
     flour = next((join for join in joins if join.want.facts.is_a("flour")), None)
     fats = [join for join in joins if join.want.facts.is_a("fat")]
-    baths = [join for join in joins if join.want.facts.is_a(*word_list("is a bath"))]
+    baths = [join for join in joins if join.want.facts.is_of(*word_list("is a bath"))]
     savoury = any(join.want.facts.is_a(*word_list("is eaten with a sauce of flour")) for join in joins)
     batter = any(join.want.facts.is_a("leaven", *word_list("makes no sauce of flour")) for join in joins)
     if flour is None or not fats or not baths or not savoury or batter:

@@ -267,7 +267,7 @@ class _Question:
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
             line, joins = garnished(line, joins, told)
-        if not tin:
+        if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
         one_pot = boiled or is_stewed(self.recipe.title or "", named, joins, self.known)
@@ -387,7 +387,7 @@ def _put_together(
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known)
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
-        made, found = coated_alone(line, joins, known)
+        made, found = coated_alone(line, joins, told, known)
         line, joins = in_portions(line, joins, told, known, baked=baked) if made is line else (made, found)
     elif not any(dish.dressed for dish in dishes):
         line, joins = roasted(*smeared_and_baked(line, joins), told)
