@@ -189,9 +189,10 @@ class Alone:
         if not state or not self.known.state(state).needs_heat or hot:
             return ()
         ways = [way for way in self.bench.operators.making(state) if self.known.motion(way[0]).does & HEATS]
-        found = self.bench.attest(
-            [way for way in ways if way in self.bench.operators.giving.get(state, ())], join.want.names
-        )
+        given = [way for way in ways if way in self.bench.operators.giving.get(state, ())]
+        if state in word_list("is only made warm"):
+            given = [way for way in ways if self.known.motion(way[0]).does == {"heat"} and not way[1]]
+        found = self.bench.attest(given, join.want.names) or self.bench.far(given[:1], join.want.names)
         return (found.way[0],) if found is not None else ()
 
     def _is_toasted(self, join: Join) -> bool:
@@ -280,7 +281,8 @@ class Alone:
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
         device = bench.place(pan, "stove", "on")
-        if not want.facts.is_a("fat") and word_list("is done dry").isdisjoint(method):
+        runs = form_of(self.known, want.label, want.leaf) == "liquid"
+        if not runs and not want.facts.is_a("fat") and word_list("is done dry").isdisjoint(method):
             self.carry.add_fat(pan, self.plan)
         bench.switch(pan, device, on=True)
         self.carry.bring(ready, pan, None)

@@ -15,6 +15,7 @@ _COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
+_SEASONS = ("leaven", "salty", "spice", "sweet")
 _IN_BATTER = word_list("is battered")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
@@ -84,7 +85,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     """
     batter = [join for join in joins if join.want.facts.is_a(*_DRY, *_WET, *word_list("thins what is fried in"))]
     thin = any(join.want.facts.is_a(*_WET, *word_list("thins what is fried in")) for join in batter)
-    rest = [join for join in joins if join not in batter and not join.want.facts.is_a("fat", "salty", "spice")]
+    rest = [join for join in joins if join not in batter and not join.want.facts.is_a("fat", *_SEASONS)]
     beside = [join for join in rest if join.want.facts.is_a(*word_list("is fried beside what is battered"))]
     dipped = [join for join in rest if join not in beside and join.want.facts.is_a(*_COATED, *_IN_BATTER)]
     beside += [join for join in dipped if dipped[0].want.facts.is_a(*_COATED) and join is not dipped[0]]
@@ -101,7 +102,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
             found.append(_side(join, dip, (fried, turned, done, top)))
         elif join in fats:
             found.append(_side(join, fried, (turned, done, top)))
-        elif join in batter or join.want.facts.is_a("salty", "spice"):
+        elif join in batter or join.want.facts.is_a(*_SEASONS):
             found.append(_side(join, mixed, (dip, fried, turned, done, top)))
         else:
             cooks = "cook" in owed(join.want, known)

@@ -19,6 +19,7 @@ from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import Line, Phase, Stage
+from foon_kg.integration.layouts import only_carries
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
 from foon_kg.integration.places import Join
@@ -202,6 +203,8 @@ class Cooking:
                 joins += self.course.taken(one)
                 lines += [subs.pop(id(add)) for add in one.adds if isinstance(add, Line) and id(add) in subs]
             return self.serving.stack(stage, vessel, joins, lines)
+        if main and vessel is not None and not joins and not lines and self._stays_there(stage, vessel, later):
+            return vessel
         device, relation = self.utensils.device_for(stage)
         dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
         label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
@@ -559,6 +562,14 @@ class Cooking:
     def _has_no_portions(self) -> bool:
         """Whether a dish is spooned out of what it is baked in: nothing in it comes in portions."""
         return not any(is_portion(join.want, self.known) for join in self.plan.joins)
+
+    def _stays_there(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> bool:
+        """Whether a dish is only carried on though it is eaten out of what it was baked in."""
+        row = self.known.utensil(vessel.label)
+        ends = all(only_carries(one) and not self.course.stage_alive(one) for one in (stage, *later))
+        dish = row is not None and row.group in word_list("is served in what it is baked in")
+        baked = any("baked" in stuff.states for stuff in vessel.contents)
+        return ends and dish and baked and not self.plan.tin and not self.plan.laid and self._has_no_portions()
 
     def _finish(self, vessel: Vessel) -> Vessel:
         """Turn everything off and serve the dish, where nobody eats from what it is in; return what it is in then."""

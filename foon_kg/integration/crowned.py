@@ -10,6 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import Want
 
 _MELTS = word_list("melts on what is hot")
 _MILKY = word_list("is beaten with eggs")
@@ -51,18 +52,27 @@ def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:
 def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     """Whether a food is eaten on a dish of these foods, in the form in which it is asked."""
     facts, want = join.want.facts, join.want
+    if plan.one_pot and not plan.soup and facts.is_a(*word_list("is eaten beside what is stewed")) and _is_apart(want):
+        return True
     others = [one.want.facts for one in plan.joins if one is not join]
     if plan.one_pot and _floats(facts, others):
+        return True
+    wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
+    if wet and want.make in word_list("is so by boiling") and facts.is_a(*word_list("lies on what is wet when it is boiled")):
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
     if facts.is_a(*word_list("lies on what is cooked")):
         return True
-    wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
     bound = any(one.is_a(*word_list("binds what is grated over it")) for one in others)
     return facts.is_a(*word_list("is grated over it")) and wet and not bound
+
+
+def _is_apart(want: Want) -> bool:
+    """Whether what is eaten beside a stew is asked cooked, or needs no cooking."""
+    return want.cooked or {"boil", "cook"}.isdisjoint(want.facts.owes)
 
 
 def _floats(facts: Food, others: Sequence[Food]) -> bool:

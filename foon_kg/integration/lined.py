@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from foon_kg.food import singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
@@ -36,6 +37,11 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     stages = (brought, laid, baked) if stewed and not stuffed else (laid, brought, baked)
     bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
     found = []
+    if _covers_too(holders[0], stewed=stewed, bound=bound):
+        number = max(join.want.number for join in joins) + 1
+        second = replace(holders[0].want, number=number)
+        spot = replace(holders[0].spot, stage=baked, after=(), side=False)
+        found.append(Join(second, spot, NATURAL))
     for join in joins:
         is_a = join.want.facts.is_a
         melts = is_a(*word_list("melts on top")) and not is_a("creamy") and len(inside) > 1
@@ -56,6 +62,12 @@ def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
         named = not word_list("is held by dough").isdisjoint(told)
         return named and (facts.is_a(*word_list("lines a dish")) or _is_mash(join))
     return not join.want.make and facts.is_a(*word_list("is stuffed")) and facts.name.split()[-1] in told
+
+
+def _covers_too(holder: Join, *, stewed: bool, bound: bool) -> bool:
+    """Whether dough is asked of which one piece lines the dish and another one covers it: it is asked in the plural."""
+    want = holder.want
+    return want.facts.is_a("dough") and want.label != singular(want.label) and not stewed and not bound
 
 
 def _is_mash(join: Join) -> bool:

@@ -1,11 +1,15 @@
-"""What is mashed is boiled, mashed and mixed with the rest, and that is all: whatever a like dish goes on with."""
+"""What is mashed is boiled, mashed and mixed with the rest, and that is all: whatever a like dish goes on with.
+
+Garlic and the like that come into it are fried before.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.food.lists import word_list
+from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
 
 _MIXED = Stage((), "mix", frozenset({"mix"}), (), "mixing bowl", "in", "", "", "", (), 0)
@@ -15,6 +19,13 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line of one stage, at which all foods of a mashed dish are mixed, and their joins."""
     mixed = replace(_MIXED)
     spots = [replace(join.spot, stage=mixed, after=(), side=False) for join in joins]
+    fat = any(join.want.facts.is_a("fat") for join in joins)
+    fried = [fat and join.want.facts.is_of(*word_list("is fried for mash")) for join in joins]
+    slots = [
+        Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if fries else None
+        for join, fries in zip(joins, fried, strict=True)
+    ]
     return Line((mixed,)), tuple(
-        Join(join.want, spot, min(join.fit, NATURAL)) for join, spot in zip(joins, spots, strict=True)
+        Join(replace(join.want, cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot)
+        for join, spot, slot in zip(joins, spots, slots, strict=True)
     )

@@ -150,6 +150,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     if sold_so or not (row.earns or row.fine or row.half):
         if one.state in word_list("only what was cooked is so") and {"cook", "boil"} & facts.owes.keys():
             return replace(want, cooked=True)
+        if row.needs_heat and one.state in word_list("is only made warm") and facts.is_a(*word_list("is warmed alone")):
+            return replace(want, make=one.state)
         taken = _taken_at_its_word(want, plain, known, operators)
         return replace(want, leaf=(one.state,)) if taken else replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)

@@ -230,6 +230,7 @@ class Worker:
             known = set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
             given = self.bench.operators.giving
             able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
-            able = sorted(s for s in able if not self.known.state(s).needs_heat)
-            states |= known | set(able[:1])
+            own = way[0][:4]  # what is shaped is told as shaped, and not as leveled
+            able = sorted((not s.startswith(own), s) for s in able if not self.known.state(s).needs_heat)
+            states |= known | {state for _, state in able[:1]}
         return tuple(sorted(states))

@@ -285,6 +285,7 @@ class _Question:
             grilled=stacked and any(dish.grilled for dish in named),
             in_pieces=any(dish.dressed for dish in named),
             laid=any(dish.laid for dish in named),
+            soup=boiled,
             portioned=not word_list("is portioned").isdisjoint(told),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
