@@ -33,15 +33,17 @@ def made_apart(
     if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)
     body = _Body(joins, told, known)
-    if not body.main:
-        return coated_apart(line, joins)
-    return body.line()
+    if not body.main and body.falls_apart:
+        top = replace(_TOP)
+        return Line((top,)), tuple(_at(join, top, ()) for join in joins)
+    return body.line() if body.main else coated_apart(line, joins)
 
 
 class _Body:
     def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known
+        self.falls_apart = any(self._falls_apart(join) for join in joins)
         raw = [join for join in joins if self._is_raw(join)]
         mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
         self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
@@ -61,7 +63,14 @@ class _Body:
         """Whether vegetables are there that are fried with what lies on the bread."""
         return any(join.want.facts.is_a(*word_list("is fried with pieces of flesh")) for join in self.joins)
 
+    def _falls_apart(self, join: Join) -> bool:
+        """Whether flesh is asked in shreds: it is boiled by itself and falls apart then."""
+        flesh = join.want.facts.is_a(*word_list("is flesh")) and "cook" in owed(join.want, self.known)
+        return flesh and join.want.make in word_list("only what is cooked is so")
+
     def _is_raw(self, join: Join) -> bool:
+        if self._falls_apart(join):
+            return False
         return bool({"cook", "boil"} & owed(join.want, self.known)) and not join.want.cooked
 
     def line(self) -> tuple[Line, tuple[Join, ...]]:
@@ -69,7 +78,7 @@ class _Body:
         dry = [join for join in self.joins if join.want.facts.is_a(*word_list("coats dry"))]
         top = replace(_TOP)
         if dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated")):
-            rest = [self._at(join, top, ()) for join in self.joins if join not in self.fried]
+            rest = [_at(join, top, ()) for join in self.joins if join not in self.fried]
             line, found = coated_apart(Line((top,)), rest)
             return self._with_fried(line, found)
         mix, heat, turn, done = replace(_MIX), replace(_HEAT), replace(_TURN), replace(_HEAT)
@@ -79,9 +88,9 @@ class _Body:
             stages = (heat,)
         top = replace(top, adds=(Line(stages),))
         found = tuple(
-            self._at(join, stage, (*stages[stages.index(stage) + 1 :], top))
+            _at(join, stage, (*stages[stages.index(stage) + 1 :], top))
             if (stage := self._stage_of(join, mix if self.shaped else heat, heat)) is not None
-            else self._at(join, top, ())
+            else _at(join, top, ())
             for join in self.joins
             if join not in self.fried
         )
@@ -96,7 +105,7 @@ class _Body:
         moved = [
             replace(join, spot=replace(join.spot, stage=top)) if join.spot.stage is before else join for join in joins
         ]
-        return Line((*line.stages[:-1], top)), (*moved, *(self._at(join, pan, (top,)) for join in self.fried))
+        return Line((*line.stages[:-1], top)), (*moved, *(_at(join, pan, (top,)) for join in self.fried))
 
     def _stage_of(self, join: Join, body: Stage, heat: Stage) -> Stage | None:
         """Return where a food joins what is made, ``None`` where it lies on the bread by itself."""
@@ -122,7 +131,7 @@ class _Body:
         fats = [one for one in self.joins if one.want.facts.is_a("fat")]
         return min(fats, key=lambda one: not one.want.facts.is_a("liquid")) is join
 
-    @staticmethod
-    def _at(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
-        spot = replace(join.spot, stage=stage, after=after, side=bool(after))
-        return Join(join.want, spot, min(join.fit, NATURAL))
+
+def _at(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
+    spot = replace(join.spot, stage=stage, after=after, side=bool(after))
+    return Join(join.want, spot, min(join.fit, NATURAL))

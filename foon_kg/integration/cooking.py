@@ -352,7 +352,8 @@ class Cooking:
                 if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
                     self.carry.boil_water(vessel)
                 self.carry.bring(self.ready[one.want.number], vessel, one.slot)
-            if merge and self.work.lies_unmixed(vessel):
+            on_top = isinstance(one, Join) and one.on_top
+            if merge and self.work.lies_unmixed(vessel) and not on_top:
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
@@ -476,7 +477,8 @@ class Cooking:
         mixes = not stage.does.isdisjoint(MIXES)
         heats = not stage.does.isdisjoint(HEATS)
         single = len(vessel.contents) == 1 and not vessel.contents[0].mixed
-        if later and self._goes_on(stage, later[0]):
+        following = self._next(later, vessel)
+        if following is not None and self._goes_on(stage, following):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
         if later and heats and all(self._is_only_made_hot(food) for food in foods):
@@ -491,6 +493,13 @@ class Cooking:
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         return not mixes and not heats and "wait" not in stage.does and single and not rolled
+
+    def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
+        """Return the next stage, past one that only turns food over and that nobody does here."""
+        turns = bool(later) and later[0].does == {"turn"} and not self.course.stage_alive(later[0])
+        if turns and len(later) > 1 and self._is_idle(later[0], vessel, later[1:]):
+            return later[1]
+        return next(iter(later), None)
 
     def _is_in_pieces(self, vessel: Vessel) -> bool:
         """Whether there is nothing to cut in what a dish is cooked in: all of it is small, or one with the rest."""
@@ -576,6 +585,10 @@ class Cooking:
         self.bench.heat_off(vessel)
         self.bench.all_off()
         row = self.known.utensil(vessel.label)
+        if self.plan.drunk and row is not None and row.group in word_list("is not drunk from"):
+            glass = self.bench.vessel("drinking glass")
+            self.carry.transfer(vessel, glass, self.line.stages[-1])
+            return glass
         if row is None or row.can.isdisjoint({"heat", "cook", "bake"}) or "chilled" in vessel.contents[0].states:
             return vessel
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:

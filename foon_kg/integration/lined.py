@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -55,6 +56,29 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     return Line(stages), tuple(found)
 
 
+def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a food is baked in one piece and cut open, and the rest comes on it; ``told`` are the title's words.
+
+    Nothing changes where the title does not call it baked, or where it is asked cut.
+    """
+    pairs = {f"{one} {other}" for one, other in itertools.pairwise(told)}
+    whole = [join for join in joins if f"baked {join.want.facts.name.split()[-1]}" in pairs]
+    whole = [join for join in whole if join.want.facts.is_a(*word_list("is baked whole")) and not join.want.make]
+    if len(whole) != 1 or not word_list("is called stuffed").isdisjoint(told):
+        return line, tuple(joins)
+    baked, top = replace(_BAKED, vessel="baking tray"), replace(_LAID, vessel="plate", relation="on")
+    cut = replace(_LAID, motion="cut", does=frozenset({"cut"}), tools=("knife",), vessel="plate", relation="on")
+    rubs = [join for join in joins if join.want.facts.is_a("liquid") and join.want.facts.is_a("fat")]
+    stages = (baked, cut, top)
+    found = []
+    for join in joins:
+        stage = baked if join in whole or join in rubs else top
+        spot = replace(join.spot, stage=stage, after=stages[1:] if stage is baked else (), side=False)
+        want = _in_its_skin(join.want) if join in whole else join.want
+        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top))
+    return Line(stages), tuple(found)
+
+
 def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
     """Whether a food holds the rest of a dish that is called so: in one piece, and named by the title if stuffed."""
     facts = join.want.facts
@@ -79,6 +103,12 @@ def _is_mash(join: Join) -> bool:
 
 def _is_raw(join: Join) -> bool:
     return join.want.facts.is_a(*word_list("is flesh")) and not join.want.facts.is_a("ready")
+
+
+def _in_its_skin(want: Want) -> Want:
+    """Return a food that is cooked whole and unpeeled."""
+    owes = {name: level for name, level in want.facts.owes.items() if name not in {"cut", "peel"}}
+    return replace(want, facts=replace(want.facts, owes=owes))
 
 
 def _hollow(want: Want) -> Want:

@@ -142,6 +142,9 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
+    shape = words(one.object)[-1:]
+    if not one.state and facts.sold_as == "whole" and word_list("is cut so by name").issuperset(shape) and shape:
+        return replace(want, make=shape[0])
     foamed = _foamed(want, known.foods.food(one.object))
     if foamed is not None or not one.state or facts.sold_as == one.state:
         return foamed or replace(want, leaf=(one.state,) if one.state else want.leaf)

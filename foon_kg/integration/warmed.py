@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.course import MIXES, WORKS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.operators import Operators
 from foon_kg.integration.places import NATURAL, Join
@@ -66,6 +68,26 @@ def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Lin
     return Line((glass, top)), tuple(found)
 
 
+def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line that ends with stirring what is poured together in a glass, where nothing of it mixes them."""
+    for stage in line.all_stages():
+        comers = [join for join in joins if stage in (join.spot.stage, *join.spot.after)]
+        if len(comers) > 1 and not stage.does.isdisjoint(MIXES):
+            return line, tuple(joins)
+    if any(not stage.does.isdisjoint(WORKS) and stage.source for stage in line.all_stages()):
+        return line, tuple(joins)
+    last = line.stages[-1]
+    stir = replace(_GLASS, step=last.step, vessel=last.vessel if is_served_in(last.vessel) else _GLASS.vessel)
+    found = (replace(join, spot=replace(join.spot, stage=stir, after=(), side=False)) for join in joins)
+    return Line((stir,)), tuple(found)
+
+
+def is_served_in(label: str) -> bool:
+    """Whether people drink out of a vessel."""
+    row = tables().utensil(label) if label else None
+    return row is not None and row.group in word_list("is drunk from")
+
+
 def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return a line at whose end slices and leaves come on top of what is drunk, where nothing says they are in it."""
     last = line.stages[-1]
@@ -73,11 +95,11 @@ def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[
     if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:
         return line, tuple(joins)
     top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
-    at_top = (replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None) for join in found)
+    at_top = (replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None, on_top=True) for join in found)
     rest = [join for join in joins if join not in found]
     return Line((*line.stages, top)), (*rest, *at_top)
 
 
 def _is_garnish(join: Join) -> bool:
-    cut = join.want.asked in word_list("garnishes a glass")
+    cut = not word_list("garnishes a glass").isdisjoint({join.want.asked, *words(join.want.label)[-1:]})
     return join.want.facts.is_a(*word_list("is a leaf on a glass")) or (cut and join.want.facts.is_a(*_SLICES))

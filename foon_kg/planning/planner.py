@@ -28,7 +28,7 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line
-from foon_kg.integration.lined import lined
+from foon_kg.integration.lined import lined, topped
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
@@ -40,7 +40,7 @@ from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, warmed
+from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
 from foon_kg.kitchen import Kitchen
 from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -260,13 +260,17 @@ class _Question:
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
         line, joins = baked_at_last(line, joins, self.recipe.title or "")
         baked = is_baked(dish_type, self.recipe.title or "", self.known)
-        line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
+        made, found = topped(line, joins, words(self.recipe.title or ""))
+        if made is not line:
+            line, joins = made, found
+        else:
+            line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
         if is_folded(joins, words(self.recipe.title or frame.goal.label)):
             line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
-            line, joins = garnished(line, joins, told)
+            line, joins = garnished(*stirred(line, joins), told)
         if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
@@ -286,6 +290,7 @@ class _Question:
             in_pieces=any(dish.dressed for dish in named),
             laid=any(dish.laid for dish in named),
             soup=boiled,
+            drunk=dish_type in word_list("is drunk"),
             portioned=not word_list("is portioned").isdisjoint(told),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)

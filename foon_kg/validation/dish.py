@@ -145,10 +145,11 @@ def _left_out(case: Case, part: Part, last: int) -> bool:
         return False
     baked_on = any(h.does("dry") and h.number > part.joined for h in case.happenings)  # as what lies on a pizza
     hot = any(part.heated is not None for part in case.parts)
+    drunk = not word_list("is drunk").isdisjoint(case.dish_types)
     crowns = word_list("lies on what is cooked") | word_list("lies on what is eaten with a spoon")
     return (
         not baked_on
-        and not (hot and part.food.is_a(*crowns))
+        and not ((hot or drunk) and part.food.is_a(*crowns))
         and not part.food.is_a(
             "topping", "herb", "spice", "salty", "sweet", "fat", "creamy", "liquid", "water", "ready"
         )
