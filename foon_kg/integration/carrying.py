@@ -106,7 +106,7 @@ class Carrier:
         small = all(food.is_a(*word_list("is a mouthful")) for food in foods if food.is_a(*word_list("is coated")))
         if stuff.mixed and (small or any(f"kind:{food.kind}" in word_list("stays liquid") for food in foods)):
             return False
-        if self._is_breaded(stuff):
+        if self._is_breaded(stuff) or (not stuff.mixed and {"baked", "whole"} <= set(stuff.states)):
             return True
         facts = self.known.foods.food(stuff.label)
         cut = any((self.known.state(state).fine or 0) > 0 for state in stuff.states)

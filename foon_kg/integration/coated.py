@@ -107,7 +107,9 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
         else:
             cooks = "cook" in owed(join.want, known)
             slot = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if cooks else None
-            found.append(Join(join.want, replace(join.spot, stage=top, after=(), side=False), NATURAL, slot, on_top=True))
+            found.append(
+                Join(join.want, replace(join.spot, stage=top, after=(), side=False), NATURAL, slot, on_top=True)
+            )
     return Line((top,)), tuple(found)
 
 

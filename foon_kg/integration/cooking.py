@@ -306,7 +306,7 @@ class Cooking:
         hot_first = bool(grease) or not any(self.carry.is_wet(stuff) for stuff in vessel.contents)
         if relation == "on" and hot_first and "heat" in stage.does:
             self._heat_on(fresh)
-        self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel))
+        self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel) or stage.does == {"cut"})
         return fresh
 
     def _grease(self, fresh: Vessel, vessel: Vessel) -> None:
@@ -492,7 +492,8 @@ class Cooking:
         if mixes and stage.does <= {"mash", "mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
-        return not mixes and not heats and "wait" not in stage.does and single and not rolled
+        opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
+        return not mixes and not heats and "wait" not in stage.does and single and not rolled and not opened
 
     def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
         """Return the next stage, past one that only turns food over and that nobody does here."""

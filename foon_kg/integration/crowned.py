@@ -58,7 +58,11 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     if plan.one_pot and _floats(facts, others):
         return True
     wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)
-    if wet and want.make in word_list("is so by boiling") and facts.is_a(*word_list("lies on what is wet when it is boiled")):
+    if (
+        wet
+        and want.make in word_list("is so by boiling")
+        and facts.is_a(*word_list("lies on what is wet when it is boiled"))
+    ):
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False

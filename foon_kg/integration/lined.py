@@ -70,12 +70,21 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
     cut = replace(_LAID, motion="cut", does=frozenset({"cut"}), tools=("knife",), vessel="plate", relation="on")
     rubs = [join for join in joins if join.want.facts.is_a("liquid") and join.want.facts.is_a("fat")]
     stages = (baked, cut, top)
+    twice = not word_list("is baked twice").isdisjoint(told)
+    if twice:
+        cut, top = replace(_MIX, motion="mash", does=frozenset({"mash", "mix"}), tools=("masher",)), replace(_BAKED)
+        stages = (baked, cut, top)
+    elif any(_runs(join) for join in joins if join not in rubs):
+        return line, tuple(joins)
     found = []
     for join in joins:
         stage = baked if join in whole or join in rubs else top
-        spot = replace(join.spot, stage=stage, after=stages[1:] if stage is baked else (), side=False)
+        if twice and stage is top and not join.want.facts.is_a(*word_list("melts on top"), "topping", "scallion"):
+            stage = cut
+        place = next(place for place, one in enumerate(stages) if one is stage)
+        spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
         want = _in_its_skin(join.want) if join in whole else join.want
-        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top))
+        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
 
@@ -103,6 +112,10 @@ def _is_mash(join: Join) -> bool:
 
 def _is_raw(join: Join) -> bool:
     return join.want.facts.is_a(*word_list("is flesh")) and not join.want.facts.is_a("ready")
+
+
+def _runs(join: Join) -> bool:
+    return join.want.facts.is_a("liquid", "egg")
 
 
 def _in_its_skin(want: Want) -> Want:

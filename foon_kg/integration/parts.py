@@ -203,7 +203,9 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
 def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
     """Let crumbs come on what is baked, where they neither coat nor bind anything."""
-    bound = any(join.want.facts.is_a("egg", *word_list("is coated")) and "ready" not in join.want.facts.traits for join in joins)
+    bound = any(
+        join.want.facts.is_a("egg", *word_list("is coated")) and "ready" not in join.want.facts.traits for join in joins
+    )
     boiled = any(join.want.facts.is_a(*word_list("is eaten with a sauce"), "vegetable") for join in joins)
     if bound or not boiled:
         return tuple(joins)

@@ -1,4 +1,4 @@
-"""What a video heats though the dish is called so that it is cold."""
+"""What a video heats though the dish is called so that it is cold, and what it mixes cold that has to fry in turn."""
 
 from __future__ import annotations
 
@@ -6,11 +6,14 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import owed
+
+_MIXES = frozenset({"coat", "fetch", "mix", "move", "scatter", "whip"})
 
 
 def is_never_heated(dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
@@ -30,6 +33,38 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
         last = stage if stage in kept else last
         became[id(stage)] = last
     return Line(kept), tuple(_at(join, became.get(id(join.spot.stage), join.spot.stage), kept) for join in joins)
+
+
+def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line without its stages that mix cold what is fried then, where pasta or noodles are among it.
+
+    A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
+    """
+    hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
+    facts = [join.want.facts for join in joins]
+    boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
+    bound = any(one.is_a("creamy", "dough", "egg", "flour") for one in facts)
+    pan, before = line.stages[hot], line.stages[:hot]
+    cold = bool(before) and all(stage.does <= _MIXES for stage in before)
+    if not boiled or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
+        return line, tuple(joins)
+    stages = [stage for one in before for stage in Line((one,)).all_stages()]
+    kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
+    gone = [stage for stage in stages if not any(stage in add.all_stages() for add in kept)]
+    fresh = replace(pan, adds=(*kept, *pan.adds))
+    rest = tuple(line.stages[hot + 1 :])
+    found = []
+    for join in joins:
+        spot = join.spot
+        after = tuple(fresh if stage is pan else stage for stage in spot.after if not any(stage is g for g in gone))
+        there = spot.stage is pan or any(spot.stage is one for one in gone)
+        spot = replace(spot, stage=fresh, after=rest, side=False) if there else replace(spot, after=after)
+        found.append(replace(join, spot=spot, slot=None if there else join.slot))
+    return Line((fresh, *rest)), tuple(found)
+
+
+def _heats(line: Line) -> bool:
+    return any(not stage.does.isdisjoint(HEATS) for stage in line.all_stages())
 
 
 def _at(join: Join, stage: Stage, stages: Sequence[Stage]) -> Join:

@@ -95,7 +95,10 @@ def garnished(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[
     if not word_list("is muddled or blended").isdisjoint(told) or len(found) in {0, len(joins)}:
         return line, tuple(joins)
     top = replace(last, adds=(), motion="", does=frozenset(), tools=(), label="")
-    at_top = (replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None, on_top=True) for join in found)
+    at_top = (
+        replace(join, spot=replace(join.spot, stage=top, after=(), side=False), slot=None, on_top=True)
+        for join in found
+    )
     rest = [join for join in joins if join not in found]
     return Line((*line.stages, top)), (*rest, *at_top)
 

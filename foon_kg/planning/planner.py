@@ -34,7 +34,7 @@ from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.portions import in_portions, roasted
-from foon_kg.integration.pots import is_never_heated, unheated
+from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
@@ -271,6 +271,7 @@ class _Question:
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
             line, joins = garnished(*stirred(line, joins), told)
+        line, joins = unmixed(line, joins)
         if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
