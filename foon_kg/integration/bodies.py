@@ -23,9 +23,11 @@ _SMALL = 3
 
 
 def made_apart(
-    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables
+    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables, *, grilled: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return a line that lays on bread what it makes before; ``told`` are the words of the dish's type and title.
+
+    ``grilled``: all is fried together at last, so nothing that needs no cooking is fried before.
 
     A mass is mixed, shaped and fried; flesh in one piece is coated, where something coats it, and fried. Nothing
     changes where there is no bread, or nothing raw to lie on it.
@@ -33,7 +35,7 @@ def made_apart(
     if not any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins):
         return coated_apart(line, joins)
     body = _Body(joins, told, known)
-    if not body.main and body.falls_apart:
+    if not body.main and (body.falls_apart or (grilled and not body.raw and not body.fried)):
         top = replace(_TOP)
         return Line((top,)), tuple(_at(join, top, ()) for join in joins)
     return body.line() if body.main else coated_apart(line, joins)
@@ -44,7 +46,7 @@ class _Body:
         self.joins = joins
         self.known = known
         self.falls_apart = any(self._falls_apart(join) for join in joins)
-        raw = [join for join in joins if self._is_raw(join)]
+        self.raw = raw = [join for join in joins if self._is_raw(join)]
         mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
         self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]

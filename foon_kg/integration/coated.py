@@ -17,6 +17,7 @@ _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
 _SEASONS = ("leaven", "salty", "spice", "sweet")
 _IN_BATTER = word_list("is battered")
+_POURED = word_list("is poured on what is battered")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
@@ -81,6 +82,8 @@ def coated_alone(
 def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how one food is turned in a batter of flour and what thins it, and fried; what goes with it is fried too.
 
+    Bread is dipped into eggs and milk. What is poured on it comes at the end.
+
     Nothing changes where there is no such batter, or where more than one food may be turned in it.
     """
     batter = [join for join in joins if join.want.facts.is_a(*_DRY, *_WET, *word_list("thins what is fried in"))]
@@ -102,7 +105,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
             found.append(_side(join, dip, (fried, turned, done, top)))
         elif join in fats:
             found.append(_side(join, fried, (turned, done, top)))
-        elif join in batter or join.want.facts.is_a(*_SEASONS):
+        elif join in batter or (join.want.facts.is_a(*_SEASONS) and not join.want.facts.is_a(*_POURED)):
             found.append(_side(join, mixed, (dip, fried, turned, done, top)))
         else:
             cooks = "cook" in owed(join.want, known)

@@ -22,8 +22,8 @@ class Plan:
     or dough of such a dish is baked in; ``stacked``: the dish is put together on bread at the end;
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
-    ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces; ``soup``: all
-    that is in it is eaten with the spoon; ``drunk``: it is served in a glass.
+    ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
+    ``soup``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass.
     """
 
     label: str

@@ -101,7 +101,7 @@ def wants_of(
 ) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood."""
     distinct = dict.fromkeys(one for one in ingredients if one.object)
-    wants = (understood(number, one, known, operators) for number, one in enumerate(distinct, 1))
+    wants = (_cut_by_name(understood(number, one, known, operators)) for number, one in enumerate(distinct, 1))
     return tuple(_as_entitled(want, title, known, operators) for want in wants)
 
 
@@ -112,6 +112,8 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     for before, word in itertools.pairwise(told):
         if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
             continue
+        if f"{before} {word}" in known.dishes:
+            continue  # grilled cheese is a sandwich
         row = known.state(before)
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
@@ -120,6 +122,13 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want
+
+
+def _cut_by_name(want: Want) -> Want:
+    """Return a food that is cut as its name says (lime wedge), where no state is asked."""
+    shape = words(want.label)[-1:]
+    cut = not want.asked and want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
+    return replace(want, make=shape[0]) if cut else want
 
 
 def _is_bought_so(row: State, state: str, operators: Operators) -> bool:
@@ -142,9 +151,6 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
-    shape = words(one.object)[-1:]
-    if not one.state and facts.sold_as == "whole" and word_list("is cut so by name").issuperset(shape) and shape:
-        return replace(want, make=shape[0])
     foamed = _foamed(want, known.foods.food(one.object))
     if foamed is not None or not one.state or facts.sold_as == one.state:
         return foamed or replace(want, leaf=(one.state,) if one.state else want.leaf)
@@ -153,10 +159,9 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
     if sold_so or not (row.earns or row.fine or row.half):
         if one.state in word_list("only what was cooked is so") and {"cook", "boil"} & facts.owes.keys():
             return replace(want, cooked=True)
-        if row.needs_heat and one.state in word_list("is only made warm") and facts.is_a(*word_list("is warmed alone")):
-            return replace(want, make=one.state)
-        taken = _taken_at_its_word(want, plain, known, operators)
-        return replace(want, leaf=(one.state,)) if taken else replace(want, read_as=plain)
+        warm = one.state in word_list("is only made warm") and facts.is_a(*word_list("is warmed alone"))
+        had_so = replace(want, make=one.state) if warm else replace(want, leaf=(one.state,))
+        return had_so if warm or _taken_at_its_word(want, plain, known, operators) else replace(want, read_as=plain)
     form = form_of(known, one.object, want.leaf)
     by_boiling = one.state in word_list("is so by boiling") and facts.is_a("vegetable")
     if (row.needs_heat and "cook" in row.earns) or by_boiling:

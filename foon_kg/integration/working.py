@@ -231,6 +231,6 @@ class Worker:
             given = self.bench.operators.giving
             able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
             own = way[0][:4]  # what is shaped is told as shaped, and not as leveled
-            able = sorted((not s.startswith(own), s) for s in able if not self.known.state(s).needs_heat)
-            states |= known | {state for _, state in able[:1]}
+            able = [s for s in able if not self.known.state(s).needs_heat]
+            states |= known | set(sorted(able, key=lambda s: (not s.startswith(own), s))[:1])
         return tuple(sorted(states))

@@ -216,7 +216,8 @@ class _Question:
     @cached_property
     def _fits(self) -> list[Fit]:
         outlines = self.methods.outlines
-        dish_type, title = self.recipe.dish_type, self.recipe.title or ""
+        title = self.recipe.title or ""
+        dish_type = _made_as(self.recipe.dish_type, title, self.known)
         if not outlines.are_of(dish_type):
             there = ", ".join(sorted(outlines.dish_types)) or "none"
             raise NoTreeError(
@@ -379,6 +380,12 @@ class _Question:
         )
 
 
+def _made_as(dish_type: str, title: str, known: Tables) -> str:
+    """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
+    dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
+    return next((name for name in dressed if name in DISH_TYPES), dish_type)
+
+
 def _put_together(
     line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
@@ -392,7 +399,7 @@ def _put_together(
     if any(dish.mashed for dish in dishes):
         line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):
-        line, joins = made_apart(line, joins, told, known)
+        line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
     elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
         made, found = coated_alone(line, joins, told, known)
         line, joins = in_portions(line, joins, told, known, baked=baked) if made is line else (made, found)

@@ -32,7 +32,8 @@ def defined(case: Case) -> Iterator[Finding]:
         if dish.heated and not warm:
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
-        if dish.baked and not _baked(case) and not is_unbaked(title):
+        bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
+        if dish.baked and not bought and not _baked(case) and not is_unbaked(title):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
 
 
