@@ -3,17 +3,17 @@
     python benchmarks/drafts.py ../shared/data/foon-111/TXT --every 4
 
 A video is told twice: as verb and noun rows (the motion, its main object, the foods that join it, the place), and as
-sentences, which foon-kg writes of units (``foon_kg.exports.sentences``) and spaCy's parser reads again. A unit counts
-as drafted when the draft has one with the same motion and main object (names compared as foon-kg does); "with states"
-asks for the states of that object before and after, too. Of several foods that a unit changes, the one that its
+sentences, which foon-kg writes of units (``foon_kg.formats.exports.sentences``) and spaCy's parser reads again. A unit
+counts as drafted when the draft has one with the same motion and main object (names compared as foon-kg does); "with
+states" asks for the states of that object before and after, too. Of several foods that a unit changes, the one that its
 annotators wrote first is the main one, which no sentence tells: "any of its foods" counts the units whose main object
-is one of them. Both sides are multisets: a unit drafted twice counts once.
-Units that a draft adds as assumed are counted like all others.
+is one of them. Both sides are multisets: a unit drafted twice counts once. Units that a draft adds as assumed are
+counted like all others.
 
 What the confidence is worth is printed as a reliability table and as Brier scores (mean squared error of a probability,
 less is better): of the confidence as it is, of what a logistic curve makes of it, and of the share of right units.
 Curve and share are cross-fitted: those of a video are learned from the other folds of videos. The curve over all videos
-says how ``foon_kg.drafting.calibration`` should change: multiply its slope, multiply its height and add.
+says how ``foon_kg.language.drafting.calibration`` should change: multiply its slope, multiply its height and add.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from pathlib import Path
 
 import networkx as nx
 
-from foon_kg.drafting import draft
-from foon_kg.drafting.precedents import FoonPrecedents
-from foon_kg.exports.sentences import sentence
-from foon_kg.instructions import with_actions
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.sentences import sentence
+from foon_kg.language.drafting import draft
+from foon_kg.language.drafting.precedents import FoonPrecedents
+from foon_kg.language.instructions import with_actions
 from foon_kg.loaders import read_paths
 from foon_kg.model import FunctionalUnit
-from foon_kg.names import canonical
-from foon_kg.narration import Mention, NarratedAction, Narration, Place, Sentence
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 BINS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.01)

@@ -21,8 +21,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from foon_kg import motions
-from foon_kg.food import Level, Match, singular, tables
+from foon_kg.food import Level, Match, motions, singular, tables
 from foon_kg.loaders import read_paths
 from foon_kg.model import FunctionalUnit, ObjectNode, Subgraph
 

@@ -44,7 +44,7 @@ COMMANDS = (
     Command(("--help",), 34, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 53, 275, HEAVY | {"numpy"}),
     Command(("stats",), 59, 275, HEAVY | {"numpy"}),
-    Command(("similar", "caper"), 120, 365, HEAVY),
+    Command(("similar", "caper"), 122, 365, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 198, 365, HEAVY),
 )
 

@@ -15,12 +15,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
-from foon_kg.graph.warming import warm
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
-from foon_kg.server import connection_settings
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.graph.warming import warm
+from foon_kg.store.server import connection_settings
+from foon_kg.store.snapshot import Snapshot
 
 FOODS = [("onion", "chopped"), ("lettuce", "chopped"), ("tomato", "sliced"), ("egg", "beaten"), ("cucumber", "sliced")]
 

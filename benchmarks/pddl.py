@@ -26,9 +26,9 @@ from unified_planning.engines import PlanGenerationResultStatus, ValidationResul
 from unified_planning.io import PDDLReader
 from unified_planning.shortcuts import OneshotPlanner, PlanValidator, get_environment
 
-from foon_kg.exports.pddl import tree_to_pddl
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.result import PlanResult
+from foon_kg.formats.exports.pddl import tree_to_pddl
+from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.plans.result import PlanResult
 
 SOLVED = {PlanGenerationResultStatus.SOLVED_SATISFICING, PlanGenerationResultStatus.SOLVED_OPTIMALLY}
 

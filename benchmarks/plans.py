@@ -18,18 +18,18 @@ from collections import Counter, defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.errors import NoTreeError
 from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.verdicts import Verdicts
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.processes import collect_seldom
-from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
-from foon_kg.result import PlanFailure, PlanResult
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.processes import collect_seldom
+from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanFailure, PlanResult
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon, Report, TaskTree, check
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"

@@ -16,11 +16,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from foon_kg.kitchen import Kitchen, singular
 from foon_kg.loaders.paths import read_paths
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
-from foon_kg.progress import ProgressLine, progress_lines
-from foon_kg.snapshot import goals_of
+from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.progress import ProgressLine, progress_lines
+from foon_kg.store.snapshot import goals_of
 
 KITCHEN = Kitchen.default()
 

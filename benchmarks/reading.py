@@ -18,16 +18,16 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from foon_kg.errors import FoonError
 from foon_kg.evaluation.reading import ReadingTree, draw, key_to_json, names_in, planned_trees, read_key, video_trees
 from foon_kg.evaluation.reading_figures import OVERALL, Differing, Reading, Shares, compare, judged
 from foon_kg.evaluation.reading_page import page, words_in
 from foon_kg.evaluation.reading_sheet import Sheet, read_sheet
 from foon_kg.evaluation.resampling import Interval
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Subgraph
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import FoonError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon, check
 
 SHARED = Path(__file__).parents[1].parent / "shared"

@@ -23,12 +23,12 @@ import psutil
 from made_recipes import make
 from recipe_import import compare
 
-from foon_kg.collection import CollectionReader, labels_of
-from foon_kg.graph import Connection, Neo4jGraph
-from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.language.collection import CollectionReader, labels_of
+from foon_kg.language.recipe_lines import LineReader
 from foon_kg.loaders.recipe_collections import RecipeCollections
-from foon_kg.recipe_lines import LineReader
-from foon_kg.server import connection_settings, status
+from foon_kg.store.graph import Connection, Neo4jGraph
+from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.store.server import connection_settings, status
 
 
 def load(folder: Path, parse: str, every: int) -> None:

@@ -18,17 +18,17 @@ from pathlib import Path
 
 import psutil
 
-from foon_kg.collected import UnderstoodRecipe
-from foon_kg.collection import CollectionReader, labels_of
-from foon_kg.graph import Connection, Neo4jGraph
-from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.language.collection import CollectionReader, labels_of
 from foon_kg.loaders.recipe_collections import RecipeCollections
-from foon_kg.names import canonical
-from foon_kg.server import connection_settings, status
-from foon_kg.server.home import Home
-from foon_kg.server.java import run_admin
-from foon_kg.server.launch import write_configuration
-from foon_kg.server.startup_cache import the_startup_cache
+from foon_kg.model.collected import UnderstoodRecipe
+from foon_kg.model.names import canonical
+from foon_kg.store.graph import Connection, Neo4jGraph
+from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.store.server import connection_settings, status
+from foon_kg.store.server.home import Home
+from foon_kg.store.server.java import run_admin
+from foon_kg.store.server.launch import write_configuration
+from foon_kg.store.server.startup_cache import the_startup_cache
 
 NODES = {
     "Ingredient": (":ID(Ingredient)", "name", "canonical"),

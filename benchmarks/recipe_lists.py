@@ -12,10 +12,10 @@ it stands a line for each ingredient, and a blank line ends it:
 What comes of it is ``OUT/soup/soup-01.json`` and so on, numbered as they stand in the file. Odd numbers are for
 development; even ones are blind: nobody looks at them, nor at their trees, only at figures over all of them.
 
-The lines are read by ``foon_kg.recipe_lines``, and nothing is put right by hand: what it makes of a line is what the
-planner is asked. A food without a state is written with an empty one, for which ``foon plan`` takes the usual state. Of
-a line that names several foods the first is taken. A line that names none is told on stderr; of a blind recipe only the
-place, not the text.
+The lines are read by ``foon_kg.language.recipe_lines``, and nothing is put right by hand: what it makes of a line is
+what the planner is asked. A food without a state is written with an empty one, for which ``foon plan`` takes the usual
+state. Of a line that names several foods the first is taken. A line that names none is told on stderr; of a blind
+recipe only the place, not the text.
 """
 
 import argparse
@@ -25,9 +25,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.collection import is_heading
+from foon_kg.language.collection import is_heading
+from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model import DISH_TYPES
-from foon_kg.recipe_lines import read_recipe_lines
 
 LISTS = Path(__file__).parent / "recipes"
 HALVES = ("development", "blind")

@@ -15,12 +15,12 @@ import statistics
 import time
 from pathlib import Path
 
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import RetrievedTree
 from foon_kg.loaders import read_paths
+from foon_kg.model.knowledge import RetrievedTree
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, retrieve, retrieve_once
 from foon_kg.search.gaps import gap_cost, mixtures
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "foon-111" / "TXT"
 

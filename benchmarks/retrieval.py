@@ -20,17 +20,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from foon_kg.classic_retrieval import Criterion, GoalSought
-from foon_kg.classic_retrieval.behind import part_behind
-from foon_kg.classic_retrieval.success import likeliest_tree
-from foon_kg.kitchen import Kitchen
-from foon_kg.levels import Level, node_at
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.loaders import read_paths, read_weights
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.motion_costs import MotionCosts
+from foon_kg.model.levels import Level, node_at
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, enumerate_paths, retrieve
+from foon_kg.search.classic import Criterion, GoalSought
+from foon_kg.search.classic.behind import part_behind
+from foon_kg.search.classic.success import likeliest_tree
 from foon_kg.search.deadline import Deadline
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 T = TypeVar("T")
 SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "foon-111"

@@ -24,15 +24,15 @@ from pathlib import Path
 
 from big_foon import SHARED, big_foon, real_subgraphs
 
-from foon_kg.errors import NoTreeError
-from foon_kg.graph import Connection, GraphView, Neo4jGraph, load
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Recipe
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.recipes import IngredientWords, foods_named, read_recipe, recipe_files
-from foon_kg.server import ConnectionSettings, connection_settings
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.recipes import IngredientWords, foods_named, read_recipe, recipe_files
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, GraphView, Neo4jGraph, load
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.server import ConnectionSettings, connection_settings
 
 QUERIES = SHARED.parents[1] / "queries"
 COLUMNS = ("trips", "kB", "methods", "words", "goals", "behind", "trees", "database", "plan", "CPU")

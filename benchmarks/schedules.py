@@ -14,13 +14,13 @@ from pathlib import Path
 
 from ortools.sat.python import cp_model
 
-from foon_kg.durations import Durations
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders.paths import read_paths
-from foon_kg.result import PlanResult
-from foon_kg.schedule import WITHOUT_HANDS, Schedule, schedule
-from foon_kg.snapshot import Snapshot
-from foon_kg.step_order import earlier_steps
+from foon_kg.plans.durations import Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanResult
+from foon_kg.plans.schedule import WITHOUT_HANDS, Schedule, schedule
+from foon_kg.plans.step_order import earlier_steps
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 TENTHS = 10  # of a second: CP-SAT counts in whole numbers

@@ -19,9 +19,9 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Goal
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError, SearchProblem, UnitIndex, enumerate_paths, retrieve, with_gaps_of
 from foon_kg.search.core import Core, core_behind
 from foon_kg.search.deadline import Deadline
@@ -29,7 +29,7 @@ from foon_kg.search.forward import chain, cheapest_first
 from foon_kg.search.gaps import gap_cost, mixtures
 from foon_kg.search.penalty import needy, reachable, within_least_penalty
 from foon_kg.search.reduction import value_of
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 ENUMERATED = 200

@@ -22,11 +22,11 @@ import httpx
 import psutil
 import uvicorn
 
-from foon_kg.batch import cores
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
-from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.batch import cores
+from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.api import web_app
 from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits

@@ -20,11 +20,11 @@ from pathlib import Path
 import neo4j
 from filelock import FileLock
 
-from foon_kg.graph.warming import warm
-from foon_kg.server import ConnectionSettings, start, status, stop
-from foon_kg.server.fetch import fetch
-from foon_kg.server.jars import pinned
-from foon_kg.server.startup_cache import the_startup_cache
+from foon_kg.store.graph.warming import warm
+from foon_kg.store.server import ConnectionSettings, start, status, stop
+from foon_kg.store.server.fetch import fetch
+from foon_kg.store.server.jars import pinned
+from foon_kg.store.server.startup_cache import the_startup_cache
 
 
 def seconds(action: Callable[[], object]) -> float:

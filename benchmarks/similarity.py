@@ -18,16 +18,16 @@ from pathlib import Path
 
 import numpy as np
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders.text_reader import read_text
-from foon_kg.names import canonical
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity
 from foon_kg.similarity.evidence import KINDS, Evidence
 from foon_kg.similarity.food import FoodSimilarity
 from foon_kg.similarity.groups import FoodGroups, food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 ROOT = Path(__file__).parents[1]
 SHARED = ROOT.parent / "shared" / "data"

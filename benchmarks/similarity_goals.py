@@ -13,12 +13,12 @@ from collections.abc import Callable, Sequence
 
 from similarity import SHARED, judgements
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Goal
-from foon_kg.names import canonical
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import Similarity, cosine_similarity, count_similar, food_similarity, matching
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 Score = Callable[[Sequence[str], Sequence[str]], float]
 RECIPES = 10

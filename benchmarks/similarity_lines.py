@@ -13,8 +13,8 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 
-from foon_kg.names import canonical
-from foon_kg.recipe_lines import LineReader, RecipeLine, read_fully, read_quickly
+from foon_kg.language.recipe_lines import LineReader, RecipeLine, read_fully, read_quickly
+from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 
 PLAIN = [

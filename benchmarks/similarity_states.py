@@ -8,7 +8,7 @@ vectors. The mean confidence should be the share that is right.
 
 import dataclasses
 
-from foon_kg.state_classes import BY_WORD, StateClasses, state_classes
+from foon_kg.similarity.state_classes import BY_WORD, StateClasses, state_classes
 
 
 def guess_without(state: str, classes: StateClasses) -> tuple[str, float]:

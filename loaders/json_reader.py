@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 
-from foon_kg.errors import ReadError
-from foon_kg.json_fields import Fields
 from foon_kg.loaders.json_document import parse_document
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.text_lines import fold
 from foon_kg.loaders.times import is_time
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model.errors import ReadError
+from foon_kg.model.json_fields import Fields
 
 _FILE_FIELDS = frozenset({"sources", "units"})
 _UNIT_FIELDS = frozenset({"accepts_any", "input_nodes", "motion_node", "output_nodes", "timing"})

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.json_document import ENDS_EARLY, stream_items
 from foon_kg.loaders.notices import UnreadableFile
 from foon_kg.loaders.text_blocks import text_blocks
+from foon_kg.model.errors import ReadError
 
 
 def stream_list(path: Path) -> Iterator[tuple[int, object]]:
     """Answer each element of the list in ``path`` with its number, from 1.
 
-    Raises :class:`~foon_kg.errors.ReadError` with the line and the number of the element where the text ends too early,
-    is no JSON or no UTF-8, or where the file holds no list.
+    Raises :class:`~foon_kg.model.errors.ReadError` with the line and the number of the element where the text ends too
+    early, is no JSON or no UTF-8, or where the file holds no list.
     """
     number = 0
     try:

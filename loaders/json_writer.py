@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 
-from foon_kg.errors import FormatError
-from foon_kg.json_fields import JsonObject
 from foon_kg.loaders.json_reader import read_json
 from foon_kg.model import Annotation, Participant, Subgraph
-from foon_kg.model_json import node_to_json
+from foon_kg.model.errors import FormatError
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.node_json import node_to_json
 
 
 def write_json(subgraph: Subgraph) -> str:

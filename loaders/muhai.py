@@ -12,11 +12,11 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from foon_kg.dish_classes import dish_classes
-from foon_kg.errors import ReadError
 from foon_kg.loaders.lisp import Form, Symbol, read_lisp
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, Severity, UnreadableFile
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
+from foon_kg.model.dish_classes import dish_classes
+from foon_kg.model.errors import ReadError
 
 _ENDING = ".lisp"
 _DEFINITIONS = ("defparameter", "defvar", "setf")

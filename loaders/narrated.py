@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from foon_kg.loaders.notices import Notice, Severity
-from foon_kg.narration import NarratedAction, Narration, Sentence
+from foon_kg.model.narration import NarratedAction, Narration, Sentence
 
 _NAME = re.compile(r"[\w-][\w .+-]{0,119}")
 

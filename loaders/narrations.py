@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.captions import is_captions, read_captions
 from foon_kg.loaders.epic_kitchens import is_epic_kitchens, read_epic_kitchens
 from foon_kg.loaders.narrated import NarratedFile
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, UnreadableFile
 from foon_kg.loaders.paths import decode
+from foon_kg.model.errors import ReadError
 
 _ENDINGS = (".csv", ".json")
 _FORMS = "an EPIC-KITCHENS-100 table, ActivityNet Captions or YouCook2 JSON"

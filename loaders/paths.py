@@ -8,13 +8,13 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.json_reader import read_json
 from foon_kg.loaders.muhai import read_muhai_file
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
-from foon_kg.regular_files import read_bytes
+from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_bytes
 
 _ENDINGS = (".txt", ".json", ".lisp")
 _BYTE_ORDER_MARK = "\ufeff"

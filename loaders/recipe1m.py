@@ -17,10 +17,10 @@ from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any, Self
 
-from foon_kg.collected import CollectedLine, CollectedRecipe
 from foon_kg.loaders.json_stream import stream_list
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 from foon_kg.loaders.text_blocks import half_character
+from foon_kg.model.collected import CollectedLine, CollectedRecipe
 
 LAYER_1 = "layer1.json"
 DETECTED = "det_ingrs.json"

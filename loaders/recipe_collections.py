@@ -7,13 +7,13 @@ from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
 from typing import Self
 
-from foon_kg.collected import LONGEST_ID, LONGEST_LINE, CollectedRecipe
-from foon_kg.errors import UsageError
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 from foon_kg.loaders.recipe1m import LAYER_1, Recipe1M, Tell
 from foon_kg.loaders.recipe_tables import KNOWN_ENDINGS, read_rows
 from foon_kg.loaders.text_blocks import half_character
 from foon_kg.model import DISH_TYPES
+from foon_kg.model.collected import LONGEST_ID, LONGEST_LINE, CollectedRecipe
+from foon_kg.model.errors import UsageError
 
 
 class RecipeCollections(AbstractContextManager["RecipeCollections"]):

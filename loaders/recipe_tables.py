@@ -14,14 +14,14 @@ from io import TextIOWrapper
 from pathlib import Path
 from types import ModuleType
 
-from foon_kg.collected import CollectedLine, CollectedRecipe
-from foon_kg.errors import ReadError, UsageError
 from foon_kg.loaders.json_document import ENDS_EARLY, ends_early
 from foon_kg.loaders.json_stream import stream_list
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.loaders.recipe1m import Tell, count_problem
-from foon_kg.regular_files import open_regular, read_bytes
+from foon_kg.model.collected import CollectedLine, CollectedRecipe
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.regular_files import open_regular, read_bytes
 
 _ROWS = 5_000
 _BETWEEN = re.compile(r"[\n|;]")

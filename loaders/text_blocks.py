@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from foon_kg.loaders.notices import UnreadableFile
-from foon_kg.regular_files import open_regular
+from foon_kg.model.regular_files import open_regular
 
 CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")
 

@@ -14,10 +14,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from foon_kg.errors import FormatError
 from foon_kg.loaders.text_reader import read_text
 from foon_kg.loaders.times import write_timing
 from foon_kg.model import DISH_TYPES, Annotation, ObjectNode, Participant, Subgraph
+from foon_kg.model.errors import FormatError
 
 _PLACE_AS_STATE = re.compile(r"([^\[{]*?) ?(\[[^\[\]{}]*\])")
 _NUMBER_OF_CLASS = {dish_type: number for number, dish_type in enumerate(DISH_TYPES)}

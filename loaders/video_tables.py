@@ -23,7 +23,7 @@ from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Re
 from foon_kg.loaders.paths import decode, read_paths
 from foon_kg.loaders.times import counts_hours, read_timing
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
-from foon_kg.regular_files import read_bytes
+from foon_kg.model.regular_files import read_bytes
 
 COLUMNS = ("start", "end", "motion", "inputs", "outputs")
 RELATIONS = ("attached to", "covered with", "covered", "below", "under", "over", "with", "from", "on", "in")

@@ -6,9 +6,9 @@ import json
 from collections.abc import Iterable
 from pathlib import Path
 
-from foon_kg.errors import ReadError
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.regular_files import read_text
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_text
 
 _SHAPE = 'It should be one JSON object with a number for each motion: {"chop": 0.9, "pour": 0.1}.'
 _RANGE = "A weight is a number from 0 (a robot always succeeds) to 1 (it never does)."

@@ -25,9 +25,9 @@ import pytest
 from chromium import chromium
 from filelock import FileLock
 
-from foon_kg.errors import FoonError
-from foon_kg.graph import Connection, Neo4jGraph
-from foon_kg.server import ConnectionSettings, connection_from_environment
+from foon_kg.model.errors import FoonError
+from foon_kg.store.graph import Connection, Neo4jGraph
+from foon_kg.store.server import ConnectionSettings, connection_from_environment
 
 if TYPE_CHECKING:
     import docker
@@ -57,7 +57,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     if (folder / "home").exists():
         with pytest.MonkeyPatch.context() as patch:
             patch.setenv("FOON_KG_HOME", str(folder / "home"))
-            from foon_kg.server import stop
+            from foon_kg.store.server import stop
 
             stop()
     shutil.rmtree(folder)
@@ -192,7 +192,7 @@ def _container(folder: Path) -> ConnectionSettings | None:
 
 
 def _own_server(folder: Path) -> ConnectionSettings:
-    from foon_kg.server import start
+    from foon_kg.store.server import start
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FOON_KG_HOME", str(folder / "home"))

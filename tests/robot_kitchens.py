@@ -10,12 +10,12 @@ from fractions import Fraction
 from hypothesis import strategies as st
 from kitchen_stories import node
 
-from foon_kg.classic_retrieval import Criterion, GoalSought
-from foon_kg.kitchen import Kitchen
-from foon_kg.levels import Level
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.stock import StockedKitchen
+from foon_kg.model.levels import Level
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.stock import StockedKitchen
+from foon_kg.search.classic import Criterion, GoalSought
 
 NODES = (
     *map(node, ("onion(whole)", "onion(chopped)", "onion(chopped)@bowl", "bowl(empty)", "egg(whole)", "egg(beaten)")),

@@ -10,8 +10,8 @@ from functools import partial
 from pathlib import Path
 from typing import BinaryIO
 
-from foon_kg.errors import NoTreeError, ReadError, UsageError
-from foon_kg.json_fields import JsonObject
+from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.model.json_fields import JsonObject
 
 _EXIT_CODES = {"read": ReadError.exit_code, "usage": UsageError.exit_code, "unknown-dish-type": UsageError.exit_code}
 
@@ -28,7 +28,7 @@ class AnswerFile:
     def read(cls, path: Path) -> AnswerFile:
         """Read ``path``, which need not be there; a last line without its end counts as not there.
 
-        Raises :class:`~foon_kg.errors.UsageError` where it cannot be read or holds something else than answers.
+        Raises :class:`~foon_kg.model.errors.UsageError` where it cannot be read or holds something else than answers.
         """
         try:
             content = path.read_bytes() if path.exists() else b""
@@ -39,7 +39,7 @@ class AnswerFile:
         return cls(path, lines, len(whole))
 
     def check(self, recipes: Sequence[JsonObject]) -> None:
-        """Raise :class:`~foon_kg.errors.UsageError` unless the lines answer the first of ``recipes``, in order."""
+        """Raise ``UsageError`` unless the lines answer the first of ``recipes``, in order."""
         for number, line in enumerate(self.lines, 1):
             if number > len(recipes) or line["recipe"] != recipes[number - 1]:
                 raise _not_ours(self.path, number, "answers another question than this command asks")

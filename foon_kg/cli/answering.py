@@ -13,9 +13,9 @@ import typer
 from foon_kg.cli.console import Say, json_line, print_view, progress_bar, show_error
 
 if TYPE_CHECKING:
-    from foon_kg.batch import Answer, Question, Wishes
     from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.knowledge import KnowledgeView
+    from foon_kg.model.knowledge import KnowledgeView
+    from foon_kg.planning.batch import Answer, Question, Wishes
 
 Show = Callable[["Answer"], None]
 
@@ -37,8 +37,8 @@ class Writing:
 @contextmanager
 def knowledge_for(files: Sequence[Path] | None, count: int, say: Say) -> Iterator[KnowledgeView]:
     """Open the FOON: for many recipes all of it at once, as it stands now."""
-    from foon_kg.batch import MANY
     from foon_kg.cli.knowledge import open_knowledge, whole_foon
+    from foon_kg.planning.batch import MANY
 
     if count >= MANY:
         yield whole_foon(files, say)
@@ -80,7 +80,7 @@ def show_line(answer: Answer) -> None:
 def show_text(answer: Answer) -> None:
     """Print a tree as FOON text; nothing where there is none."""
     from foon_kg.loaders import write_text
-    from foon_kg.result import PlanResult
+    from foon_kg.plans.result import PlanResult
 
     if isinstance(answer.outcome, PlanResult):
         typer.echo(write_text(answer.outcome.to_subgraph()), nl=False)
@@ -88,9 +88,9 @@ def show_text(answer: Answer) -> None:
 
 def show_view(answer: Answer) -> None:
     """Print a tree for reading, with its explanations; nothing where there is none."""
-    from foon_kg.result import PlanResult
-    from foon_kg.views.explanation import explanation_view
-    from foon_kg.views.tree import plan_view
+    from foon_kg.formats.views.explanation import explanation_view
+    from foon_kg.formats.views.tree import plan_view
+    from foon_kg.plans.result import PlanResult
 
     if isinstance(answer.outcome, PlanResult):
         print_view(plan_view(answer.outcome))
@@ -100,9 +100,9 @@ def show_view(answer: Answer) -> None:
 
 def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes) -> AnswerFile:
     from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.model_json import recipe_to_json
-    from foon_kg.recipes import IngredientWords
+    from foon_kg.model.node_json import recipe_to_json
+    from foon_kg.planning.recipes import IngredientWords
+    from foon_kg.plans.kitchen import Kitchen
 
     done = AnswerFile.read(path)
     if done.lines:
@@ -115,8 +115,8 @@ def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeV
 def _answering(
     questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None, dask: str | None
 ) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.batch import MANY, Cook, answering, answering_on, cores
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
+    from foon_kg.store.snapshot import Snapshot
 
     units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
     if dask is not None and units is not None:

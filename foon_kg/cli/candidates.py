@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from foon_kg.cli.console import Say, print_json, print_view
 
 if TYPE_CHECKING:
-    from foon_kg.batch import Question, Wishes
-    from foon_kg.json_fields import JsonObject
-    from foon_kg.knowledge import KnowledgeView
+    from foon_kg.model.json_fields import JsonObject
+    from foon_kg.model.knowledge import KnowledgeView
+    from foon_kg.planning.batch import Question, Wishes
     from foon_kg.search import ReferenceTree
 
 
@@ -17,11 +17,11 @@ def show_candidates(
     question: Question, view: KnowledgeView, wishes: Wishes, most: int, *, as_json: bool, say: Say
 ) -> None:
     """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
-    from foon_kg.batch import Cook
-    from foon_kg.model_json import node_to_json, recipe_to_json
+    from foon_kg.formats.views.candidates import candidates_view
+    from foon_kg.model.node_json import node_to_json, recipe_to_json
+    from foon_kg.planning.batch import Cook
     from foon_kg.planning.candidates import reference_question
     from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
-    from foon_kg.views.candidates import candidates_view
 
     cook = Cook(view, wishes)
     read = question.read(cook.words_for(question), wishes.avoided)
@@ -46,7 +46,7 @@ def show_candidates(
 
 
 def _tree(tree: ReferenceTree) -> JsonObject:
-    from foon_kg.model_json import node_to_json, sighting_to_json
+    from foon_kg.model.node_json import node_to_json, sighting_to_json
 
     return {
         "overlap": tree.overlap,

@@ -12,14 +12,14 @@ import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
 from foon_kg.cli.kitchen import KitchenFile
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
-    from foon_kg.json_fields import JsonObject
-    from foon_kg.kitchen import Kitchen
     from foon_kg.model import ObjectNode, Recipe
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.model.json_fields import JsonObject
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.snapshot import Snapshot
     from foon_kg.validation import Finding, KnownFoon, Report, TaskTree
 
 EXAMPLES = examples(
@@ -105,7 +105,7 @@ def _judged(
 
 def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:
     """Read the recipe as ``foon plan`` reads it, so that both mean the same foods and states."""
-    from foon_kg.recipes import IngredientWords, read_recipe
+    from foon_kg.planning.recipes import IngredientWords, read_recipe
 
     if path is None:
         return None
@@ -126,7 +126,7 @@ def _report(tree: TaskTree, foon: KnownFoon, kitchen: Kitchen) -> Report:
 
 
 def _at_hand_so(finding: Finding, kitchen: Kitchen) -> bool:
-    from foon_kg.stock import StockedKitchen
+    from foon_kg.plans.stock import StockedKitchen
 
     if finding.rule != "C6" or finding.step is None or not isinstance(kitchen, StockedKitchen):
         return False

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 import typer
 from typer.core import TyperGroup
 
-from foon_kg.errors import FoonError
+from foon_kg.model.errors import FoonError
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -48,7 +48,7 @@ def examples(*lines: str) -> str:
 
 
 class ErrorsAtTheEdge(TyperGroup):
-    """The root of the commands: turns a :class:`~foon_kg.errors.FoonError` into a message and its exit code.
+    """The root of the commands: turns a :class:`~foon_kg.model.errors.FoonError` into a message and its exit code.
 
     Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.
     """
@@ -60,7 +60,7 @@ class ErrorsAtTheEdge(TyperGroup):
         except FoonError as error:
             raise self._told(ctx, error) from error
         except ModuleNotFoundError as error:
-            from foon_kg.extras import missing
+            from foon_kg.model.extras import missing
 
             lacks = missing(error)
             if lacks is None:
@@ -72,7 +72,7 @@ class ErrorsAtTheEdge(TyperGroup):
         """Tell an error, and return the end of the program that it asks for."""
         show_error(error)
         if ctx.meta.get(_JSON_ASKED):
-            from foon_kg.result import error_to_json
+            from foon_kg.plans.result import error_to_json
 
             print_json({"error": error_to_json(error)})
         return typer.Exit(error.exit_code)

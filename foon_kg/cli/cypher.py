@@ -14,7 +14,7 @@ from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
 
 if TYPE_CHECKING:
-    from foon_kg.graph.free_cypher import Answer
+    from foon_kg.store.graph.free_cypher import Answer
 
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
@@ -45,12 +45,12 @@ def cypher(
     Refused are writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL {...} IN TRANSACTIONS,
     and procedures that do more than look at the graph.
     """
-    from foon_kg.errors import UsageError
+    from foon_kg.model.errors import UsageError
 
     with driver_without_arrays():
-        from foon_kg.graph.connection import Connection
-    from foon_kg.graph.free_cypher import ask_freely
-    from foon_kg.server import connection_settings
+        from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.graph.free_cypher import ask_freely
+    from foon_kg.store.server import connection_settings
 
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", hint="Leave one of them out.")
@@ -104,7 +104,7 @@ def _list_queries(*, as_json: bool) -> None:
 
 
 def _parameter(text: str) -> tuple[str, str]:
-    from foon_kg.errors import UsageError
+    from foon_kg.model.errors import UsageError
 
     name, equals, value = text.partition("=")
     if not equals or not name:

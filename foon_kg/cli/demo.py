@@ -8,8 +8,8 @@ from foon_kg.cli.console import Json, Quiet, Say, examples, print_json, print_vi
 
 if TYPE_CHECKING:
     from foon_kg.model import Subgraph
-    from foon_kg.result import PlanResult
-    from foon_kg.server import ConnectionSettings
+    from foon_kg.plans.result import PlanResult
+    from foon_kg.store.server import ConnectionSettings
 
 EXAMPLES = examples("foon demo", "foon demo --json --quiet")
 
@@ -39,7 +39,7 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
     subgraphs of common cooking knowledge, and plans a salad with a vegetable that it has never seen. The FOON never
     goes into the Neo4j that NEO4J_URI names, and loading it again changes nothing.
     """
-    from foon_kg.server import ensure_running
+    from foon_kg.store.server import ensure_running
 
     say = sayer(quiet=quiet)
     settings = ensure_running(say)
@@ -48,14 +48,14 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
     if as_json:
         print_json(result.to_json())
         return
-    from foon_kg.views.tree import plan_view
+    from foon_kg.formats.views.tree import plan_view
 
     print_view(plan_view(result))
     say(NEXT)
 
 
 def _load(settings: ConnectionSettings, say: Say) -> None:
-    from foon_kg.graph import Connection, load
+    from foon_kg.store.graph import Connection, load
 
     subgraphs = demo_subgraphs()
     with Connection(settings) as connection:
@@ -74,10 +74,10 @@ def demo_subgraphs() -> list[Subgraph]:
 
 def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
     from foon_kg.demo import demo_recipes
-    from foon_kg.graph import Neo4jGraph
-    from foon_kg.kitchen import Kitchen
     from foon_kg.planning.planner import plan
-    from foon_kg.recipes import IngredientWords, read_recipe
+    from foon_kg.planning.recipes import IngredientWords, read_recipe
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.graph import Neo4jGraph
 
     path = next(path for path in demo_recipes() if path.stem == RECIPE)
     with Neo4jGraph(settings) as graph, graph.reading() as view:

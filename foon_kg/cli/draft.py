@@ -20,14 +20,14 @@ from foon_kg.cli.console import (
     print_json,
     sayer,
 )
-from foon_kg.errors import FoonError, UsageError
+from foon_kg.model.errors import FoonError, UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.difference import VideoDifference
-    from foon_kg.drafting import Draft
-    from foon_kg.drafting.drafts import DraftFile
+    from foon_kg.language.drafting import Draft
+    from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
-    from foon_kg.narration import Narration, Sentence
+    from foon_kg.model.narration import Narration, Sentence
+    from foon_kg.plans.difference import VideoDifference
 
 app = typer.Typer(
     cls=ErrorsAtTheEdge,
@@ -112,7 +112,7 @@ def text(
     """
     from foon_kg.loaders.narrated import is_video_name
     from foon_kg.model import DISH_TYPES
-    from foon_kg.narration import Narration
+    from foon_kg.model.narration import Narration
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
@@ -139,11 +139,11 @@ def review(
     row makes and no kitchen has. Then what the draft would change in the FOON. Edit the table in any editor: mend a row
     and empty its doubt, or delete it.
     """
-    from foon_kg.drafting.review import missing
-    from foon_kg.drafting.tables import read_draft
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.views.difference import difference_json, difference_view
-    from foon_kg.views.draft import draft_json, draft_view
+    from foon_kg.formats.views.difference import difference_json, difference_view
+    from foon_kg.formats.views.draft import draft_json, draft_view
+    from foon_kg.language.drafting.review import missing
+    from foon_kg.language.drafting.tables import read_draft
+    from foon_kg.plans.kitchen import Kitchen
 
     kitchen = Kitchen.default()
     drafts = [read_draft(path) for path in paths]
@@ -180,7 +180,7 @@ def accept(
     Their doubts are dropped. A draft is refused while a row is no unit, or is doubtful and not sure: change the row and
     empty its doubt, or delete it. It is refused, too, where it would replace a video that has other units.
     """
-    from foon_kg.drafting.tables import read_draft
+    from foon_kg.language.drafting.tables import read_draft
 
     say = sayer(quiet=quiet)
     drafts = [read_draft(path) for path in paths]
@@ -198,7 +198,7 @@ def accept(
 
 
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
-    from foon_kg.drafting.review import unresolved
+    from foon_kg.language.drafting.review import unresolved
 
     doubtful = [(draft, row) for draft in drafts for row in unresolved(draft, sure)]
     for draft, row in doubtful:
@@ -212,10 +212,10 @@ def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
 
 def _accept(subgraphs: Sequence[Subgraph], say: Say, *, replacing: bool) -> tuple[str, ...]:
     """Load everything in one transaction."""
-    from foon_kg.difference import Status
-    from foon_kg.graph import Connection, load
-    from foon_kg.graph.differences import differences
-    from foon_kg.server import connection_settings
+    from foon_kg.plans.difference import Status
+    from foon_kg.store.graph import Connection, load
+    from foon_kg.store.graph.differences import differences
+    from foon_kg.store.server import connection_settings
 
     with Connection(connection_settings(say)) as connection:
         there = [one.name for one in differences(connection, subgraphs) if one.status is Status.CHANGED]
@@ -243,9 +243,9 @@ def _drafts(
 ) -> Iterable[Draft]:
     """Yield the drafts; one that cannot be made is told and, where ``failed`` is given, only named there."""
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.drafting import draft as drafted
-    from foon_kg.drafting.precedents import FoonPrecedents
-    from foon_kg.instructions import with_actions
+    from foon_kg.language.drafting import draft as drafted
+    from foon_kg.language.drafting.precedents import FoonPrecedents
+    from foon_kg.language.instructions import with_actions
 
     foon = whole_foon(files, say)
     precedents = FoonPrecedents(foon.units, foon.kitchen)
@@ -263,11 +263,11 @@ def _drafts(
 
 
 def _sentences(path: Path) -> tuple[Sentence, ...]:
-    from foon_kg.errors import ReadError
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
-    from foon_kg.narration import Sentence
-    from foon_kg.regular_files import read_bytes
+    from foon_kg.model.errors import ReadError
+    from foon_kg.model.narration import Sentence
+    from foon_kg.model.regular_files import read_bytes
 
     try:
         lines = decode(read_bytes(path)).removeprefix("\ufeff").splitlines()
@@ -283,7 +283,7 @@ def _sentences(path: Path) -> tuple[Sentence, ...]:
 
 def _write(drafts: Iterable[Draft], folder: Path, *, force: bool, as_json: bool) -> None:
     """Write each draft into ``folder``, and say how sure it is."""
-    from foon_kg.drafting.tables import write_draft
+    from foon_kg.language.drafting.tables import write_draft
 
     counts = []
     try:

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 import typer
 
 from foon_kg.cli.console import Say
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
-    from foon_kg.json_fields import JsonObject
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.model.json_fields import JsonObject
+    from foon_kg.store.snapshot import Snapshot
 
 T = TypeVar("T")
 A = TypeVar("A")
@@ -60,9 +60,9 @@ class Run:
 
     def spread(self, make: Callable[[], Callable[[T], A]], items: Sequence[T]) -> AbstractContextManager[Iterator[A]]:
         """Open what works on ``items``: the cluster, the processes, or for few items just this one."""
-        from foon_kg.batch import MANY, cores
-        from foon_kg.cluster import spread_over
-        from foon_kg.processes import spread
+        from foon_kg.planning.batch import MANY, cores
+        from foon_kg.planning.cluster import spread_over
+        from foon_kg.planning.processes import spread
 
         if self.dask is not None:
             return spread_over(make, items, self.dask)

@@ -11,18 +11,18 @@ import typer
 
 from foon_kg.cli import evaluate_options as options
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
-from foon_kg.errors import ReadError, UsageError
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
+from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:
     from foon_kg.evaluation.agreement import Agreement
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.figures import RecipeEvaluation
     from foon_kg.evaluation.sheet import FilledSheet
-    from foon_kg.json_fields import JsonObject
-    from foon_kg.recipes import IngredientWords
-    from foon_kg.result import PlanFailure, PlanResult
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.model.json_fields import JsonObject
+    from foon_kg.planning.recipes import IngredientWords
+    from foon_kg.plans.result import PlanFailure, PlanResult
+    from foon_kg.store.snapshot import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate recipes recipes/ --files subgraphs/",
@@ -105,8 +105,8 @@ def _asked(
 ) -> list[Recipe]:
     """Answer the recipes to be planned, sorted by dish type and name: the order of files decides nothing."""
     from foon_kg.evaluation.sampling import sampled
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.recipes import IngredientWords
+    from foon_kg.planning.recipes import IngredientWords
+    from foon_kg.plans.kitchen import Kitchen
 
     unknown = next((name for name in dishes if name not in DISH_TYPES), None)
     if unknown is not None:
@@ -124,7 +124,7 @@ def _asked(
 
 def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recipe]:
     """Read recipe files; raises ReadError where one cannot be read, or two have one id."""
-    from foon_kg.recipes import read_recipe, recipe_files
+    from foon_kg.planning.recipes import read_recipe, recipe_files
 
     found = []
     for path in recipe_files(paths):
@@ -142,10 +142,10 @@ def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recip
 def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: IngredientWords, say: Say) -> list[Recipe]:
     """Answer recipes of the graph that surely are of these dish types."""
     from foon_kg.evaluation.sampling import drawn
-    from foon_kg.graph import Connection
-    from foon_kg.graph.recipes import recipe_ids, stored_recipe
-    from foon_kg.recipes import with_states
-    from foon_kg.server import connection_settings
+    from foon_kg.planning.recipes import with_states
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.recipes import recipe_ids, stored_recipe
+    from foon_kg.store.server import connection_settings
 
     found = []
     with Connection(connection_settings(say)) as connection:
@@ -179,10 +179,10 @@ def _evaluated(asked: Sequence[Recipe], snapshot: Snapshot, seed: int, run: opti
 
 def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> list[PlanResult | PlanFailure]:
     """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
-    from foon_kg.batch import Answer, Question, Wishes
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.cli.answering import Writing, answer_all
-    from foon_kg.result import PlanFailure, PlanResult
+    from foon_kg.planning.batch import Answer, Question, Wishes
+    from foon_kg.plans.result import PlanFailure, PlanResult
 
     found: list[PlanResult | PlanFailure] = []
 
@@ -220,7 +220,7 @@ def _json(value: JsonObject, agreement: Agreement | None, comparison: Comparison
 def _show(
     evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None, left_open: int
 ) -> None:
-    from foon_kg.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
+    from foon_kg.formats.views.evaluation import agreement_view, comparison_view, recipe_evaluation_view
 
     print_view(recipe_evaluation_view(evaluation))
     if agreement is not None:
@@ -232,6 +232,6 @@ def _show(
 def _write_report(
     path: Path, evaluation: RecipeEvaluation, agreement: Agreement | None, comparison: Comparison | None
 ) -> None:
-    from foon_kg.pictures.recipes_report import recipes_report
+    from foon_kg.formats.pictures.recipes_report import recipes_report
 
     options.write_text(path, recipes_report(evaluation, agreement, comparison), "--html")

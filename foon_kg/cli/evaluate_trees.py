@@ -13,7 +13,7 @@ from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, p
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
     from foon_kg.evaluation.trees import TreesEvaluation
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.store.snapshot import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate trees plans.jsonl",
@@ -55,15 +55,15 @@ def trees(
     if as_json:
         print_json(evaluation.to_json())
     else:
-        from foon_kg.views.evaluation import trees_evaluation_view
+        from foon_kg.formats.views.evaluation import trees_evaluation_view
 
         print_view(trees_evaluation_view(evaluation))
 
 
 def _judgeable(documents: Sequence[TreeDocument], say: Say) -> list[TreeDocument]:
     """Leave out reference trees, of which neither robot nor cook is asked; say so, and what is odd about the files."""
-    from foon_kg.errors import ReadError
     from foon_kg.loaders import summary
+    from foon_kg.model.errors import ReadError
 
     notices = [notice for document in documents for notice in document.notices]
     if notices:

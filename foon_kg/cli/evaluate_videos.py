@@ -22,14 +22,14 @@ from foon_kg.cli.console import (
     progress_bar,
     sayer,
 )
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.evaluation.comparison import Comparison
     from foon_kg.evaluation.left_out_video import LeftOutVideo
     from foon_kg.evaluation.video_figures import LeaveOneOut, VideoFigures
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.store.snapshot import Snapshot
 
 EXAMPLES = examples(
     "foon evaluate leave-one-out --files subgraphs/",
@@ -91,8 +91,8 @@ def leave_one_out(  # noqa: PLR0917 - each parameter is an option of its own
 
 
 def _show(evaluation: LeaveOneOut, comparison: Comparison | None) -> None:
-    from foon_kg.views.evaluation import comparison_view
-    from foon_kg.views.leave_one_out import leave_one_out_view
+    from foon_kg.formats.views.evaluation import comparison_view
+    from foon_kg.formats.views.leave_one_out import leave_one_out_view
 
     print_view(leave_one_out_view(evaluation))
     if comparison is not None:
@@ -149,7 +149,7 @@ def _figures(
 
 def _answered_before(asked: Sequence[LeftOutVideo], run: options.Run) -> AnswerFile | None:
     from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.model_json import recipe_to_json
+    from foon_kg.model.node_json import recipe_to_json
 
     if run.output is None:
         return None
@@ -162,7 +162,7 @@ def _answered_before(asked: Sequence[LeftOutVideo], run: options.Run) -> AnswerF
 
 def _write_report(path: Path, evaluation: LeaveOneOut, comparison: Comparison | None, snapshot: Snapshot) -> None:
     from foon_kg.evaluation.leave_one_out import planned_without
-    from foon_kg.pictures.leave_one_out_report import leave_one_out_report
+    from foon_kg.formats.pictures.leave_one_out_report import leave_one_out_report
 
     subgraphs, kitchen = snapshot.subgraphs, snapshot.kitchen
     planned = partial(planned_without, subgraphs, kitchen)

@@ -12,11 +12,11 @@ import typer
 from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.cli.retrieve import Weights
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.exports.files import ExportFile
-    from foon_kg.motion_costs import MotionCosts
+    from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.formats.exports.files import ExportFile
 
 EXAMPLES = examples(
     "foon export plan.json --format markdown",
@@ -116,15 +116,15 @@ def export(
 
 def _trees(file: Path, form: str, recipe: Path | None, weights: Path | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.exported_trees import amounts_of, read_exported_trees
-    from foon_kg.exports.formats import export_tree
+    from foon_kg.formats.exports.formats import export_tree
 
     trees, costs = read_exported_trees(file, say), _costs_of_file(weights)
     return [written for tree in trees for written in export_tree(tree, form, amounts_of(tree, recipe), costs)]
 
 
 def _costs_of_file(weights: Path | None) -> MotionCosts:
+    from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.loaders import read_weights
-    from foon_kg.motion_costs import MotionCosts
 
     return MotionCosts() if weights is None else read_weights(weights)
 
@@ -137,7 +137,7 @@ def _stored_costs(say: Say) -> MotionCosts:
 
 
 def _chosen(form: str | None, output: Path | None) -> str:
-    from foon_kg.exports.formats import ENDINGS
+    from foon_kg.formats.exports.formats import ENDINGS
 
     if form is None and output is not None:
         form = next((name for name, endings in ENDINGS.items() if output.suffix.lower() in endings), None)
@@ -155,7 +155,7 @@ def _refuse(asked: dict[str, object], where: str) -> None:
 
 def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.exports.formats import export_foon, weights_file
+    from foon_kg.formats.exports.formats import export_foon, weights_file
 
     costs = _costs_of_file(weights) if weights or files else _stored_costs(say)
     return [weights_file(costs)] if form == "weights" else list(export_foon(whole_foon(files, say), form, costs))
@@ -164,8 +164,8 @@ def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: S
 def _problem(goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.exports.formats import pddl_files
-    from foon_kg.exports.pddl import foon_to_pddl
+    from foon_kg.formats.exports.formats import pddl_files
+    from foon_kg.formats.exports.pddl import foon_to_pddl
 
     if goal is None:
         raise UsageError("a planning problem of the whole FOON needs a goal", hint='Say --goal "greek salad".')

@@ -8,21 +8,21 @@ from pathlib import Path
 
 from foon_kg.cli.console import Say
 from foon_kg.cli.tree_files import json_values, text_of
-from foon_kg.errors import NoTreeError, ReadError
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.json_fields import Fields
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.loaders import ReadResult, read_json, read_text
 from foon_kg.model import RequiredIngredient
-from foon_kg.names import canonical
-from foon_kg.result import PlanResult
+from foon_kg.model.errors import NoTreeError, ReadError
+from foon_kg.model.json_fields import Fields
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanResult
 
 
 def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
     """Answer the trees of a file, in their order; ``-`` is standard input.
 
-    Plan results that are no trees are passed over with a word. Raises :class:`~foon_kg.errors.NoTreeError` where that
-    leaves none, :class:`~foon_kg.errors.ReadError` for what is neither a plan result nor a FOON.
+    Plan results that are no trees are passed over with a word. Raises :class:`~foon_kg.model.errors.NoTreeError` where
+    that leaves none, :class:`~foon_kg.model.errors.ReadError` for what is neither a plan result nor a FOON.
     """
     text = text_of(path)
     if not text.lstrip().startswith(("{", "[")):

@@ -10,8 +10,8 @@ import typer
 from foon_kg.cli.console import Say
 
 if TYPE_CHECKING:
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.knowledge import Vocabulary
+    from foon_kg.model.knowledge import Vocabulary
+    from foon_kg.plans.kitchen import Kitchen
 
 KitchenFile = Annotated[
     Path | None,
@@ -21,12 +21,12 @@ KitchenFile = Annotated[
 
 def kitchen_of(file: Path | None, vocabulary: Vocabulary, say: Say) -> Kitchen:
     """Answer the kitchen that ``file`` describes; what had to be decided to read it goes to ``say``."""
-    from foon_kg.kitchen import Kitchen
+    from foon_kg.plans.kitchen import Kitchen
 
     if file is None:
         return Kitchen.default()
-    from foon_kg.kitchen_file import read_kitchen
-    from foon_kg.recipes import IngredientWords
+    from foon_kg.planning.kitchen_file import read_kitchen
+    from foon_kg.planning.recipes import IngredientWords
 
     read = read_kitchen(file, IngredientWords(vocabulary, Kitchen.default()))
     for note in read.notes:

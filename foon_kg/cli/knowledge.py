@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from foon_kg.cli.console import Say
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.graph import GraphView
     from foon_kg.loaders import Notice
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.store.graph import GraphView
+    from foon_kg.store.snapshot import Snapshot
 
 
 @contextmanager
@@ -22,8 +22,8 @@ def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Snapshot 
     if files:
         yield snapshot_of(files, say)
         return
-    from foon_kg.graph import Neo4jGraph
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Neo4jGraph
+    from foon_kg.store.server import connection_settings
 
     with Neo4jGraph(connection_settings(say)) as graph, graph.reading() as view:
         yield view
@@ -33,8 +33,8 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
     """Bring a whole FOON into memory: of ``files``, else from Neo4j."""
     if files:
         return snapshot_of(files, say)
-    from foon_kg.graph import Neo4jGraph
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Neo4jGraph
+    from foon_kg.store.server import connection_settings
 
     with Neo4jGraph(connection_settings(say)) as graph:
         return graph.snapshot()
@@ -55,9 +55,9 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     """
     from foon_kg.cli.loading import tell_unknown
     from foon_kg.food.unknown import unknown_words
-    from foon_kg.kitchen import Kitchen
     from foon_kg.loaders import read_paths
-    from foon_kg.snapshot import Snapshot
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.snapshot import Snapshot
 
     for path in paths:
         if not path.exists():

@@ -24,9 +24,9 @@ from foon_kg.cli.loading import (
 
 if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.graph import LoadReport
     from foon_kg.loaders import ReadResult
     from foon_kg.model import Subgraph
+    from foon_kg.store.graph import LoadReport
 
 app = typer.Typer(
     cls=ErrorsAtTheEdge,
@@ -127,9 +127,9 @@ app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 def _refuse_drafts(paths: Sequence[Path]) -> None:
     """Refuse what nobody has reviewed: drafts, and videos that are told without states."""
-    from foon_kg.drafting.tables import is_draft_file
-    from foon_kg.errors import UsageError
+    from foon_kg.language.drafting.tables import is_draft_file
     from foon_kg.loaders.narrations import is_narrated
+    from foon_kg.model.errors import UsageError
 
     files = [file for path in paths for file in (sorted(path.rglob("*.*")) if path.is_dir() else [path])]
     for file in files:
@@ -163,8 +163,8 @@ def _bring(
 
 def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) -> None:
     """Write every notice to ``report``; say the rejected ones, and count the others."""
-    from foon_kg.errors import UsageError
     from foon_kg.loaders import Severity, write_report
+    from foon_kg.model.errors import UsageError
 
     notices = [notice for result in results for notice in result.notices]
     words = _unknown_words(results)
@@ -200,8 +200,8 @@ def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport
     """Load with a progress bar, which only a terminal shows."""
     from rich.progress import Progress
 
-    from foon_kg.graph import Connection, load
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Connection, load
+    from foon_kg.store.server import connection_settings
 
     settings = connection_settings(say)
     console = messages(quiet=quiet)

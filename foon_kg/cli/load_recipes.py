@@ -27,11 +27,11 @@ from foon_kg.cli.loading import (
 )
 
 if TYPE_CHECKING:
-    from foon_kg.collected import CollectedRecipe, UnderstoodRecipe
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.graph.recipes import RecipesStored
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
+    from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
+    from foon_kg.store.graph.recipes import RecipesStored
 
 EXAMPLES = examples(
     "foon load recipes recipe1m/",
@@ -162,7 +162,7 @@ class Journal:
 
 @contextmanager
 def _journal(report: Path | None) -> Iterator[Journal]:
-    from foon_kg.errors import UsageError
+    from foon_kg.model.errors import UsageError
 
     with ExitStack() as stack:
         try:
@@ -185,7 +185,7 @@ def _check(collections: RecipeCollections, *, quiet: bool) -> int:
 
 
 def _refuse_nothing(paths: Sequence[Path], count: int) -> None:
-    from foon_kg.errors import UsageError
+    from foon_kg.model.errors import UsageError
 
     if not count:
         hint = "A collection is a JSON list of recipes, or a table with one recipe a row."
@@ -203,11 +203,11 @@ def _load(
 ) -> RecipesStored:
     from rich.progress import Progress
 
-    from foon_kg.collection import CollectionReader, labels_of
-    from foon_kg.graph import Connection, Neo4jGraph
-    from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
-    from foon_kg.recipe_lines import LineReader
-    from foon_kg.server import connection_settings
+    from foon_kg.language.collection import CollectionReader, labels_of
+    from foon_kg.language.recipe_lines import LineReader
+    from foon_kg.store.graph import Connection, Neo4jGraph
+    from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
+    from foon_kg.store.server import connection_settings
 
     settings = connection_settings(say)
     console = messages(quiet=quiet)

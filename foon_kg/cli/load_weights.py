@@ -30,9 +30,9 @@ def weights(
     The file takes the place of all weights from before, or nothing is changed. Units that are loaded later get theirs
     from it too. foon retrieve --by success asks for them.
     """
-    from foon_kg.graph import Connection, load_weights
     from foon_kg.loaders import read_weights
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Connection, load_weights
+    from foon_kg.store.server import connection_settings
 
     say = sayer(quiet=quiet)
     costs = read_weights(file)

@@ -79,7 +79,7 @@ def where_listed(report: Path | None) -> str:
 
 def refuse_too_many(rejected: int, tolerance: int, what: str, where: str = "") -> None:
     """Raise ToleranceError where more is ``rejected`` than allowed; ``what`` is one of it, as in: unit."""
-    from foon_kg.errors import ToleranceError
+    from foon_kg.model.errors import ToleranceError
 
     if rejected > tolerance:
         unusable = f"1 {what} is" if rejected == 1 else f"{rejected} {what}s are"

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 from foon_kg.cli.console import Files, Quiet, examples, sayer
 
 if TYPE_CHECKING:
-    from foon_kg.json_fields import JsonObject
-    from foon_kg.server import ConnectionSettings
+    from foon_kg.model.json_fields import JsonObject
+    from foon_kg.store.server import ConnectionSettings
     from foon_kg.web.agents import Cypher
 
 EXAMPLES = examples("foon mcp", "foon mcp --files subgraphs/ --quiet")
@@ -24,7 +24,7 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
     program starts it: its settings name the command. It ends with its input.
     """
     from foon_kg.cli.serve import served_foon
-    from foon_kg.server import connection_settings
+    from foon_kg.store.server import connection_settings
     from foon_kg.web.agents import agent_server
     from foon_kg.web.service import FoonService
 
@@ -36,8 +36,8 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
 
 def _cypher(settings: ConnectionSettings) -> Cypher:
     from foon_kg.cli.cypher import as_plain
-    from foon_kg.graph.connection import Connection
-    from foon_kg.graph.free_cypher import ask_freely
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.graph.free_cypher import ask_freely
 
     def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
         with Connection(settings) as connection:

@@ -11,13 +11,13 @@ import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
-from foon_kg.errors import UsageError
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.batch import Question
     from foon_kg.cli.answering import Show
-    from foon_kg.settings import Substitute
+    from foon_kg.planning.batch import Question
+    from foon_kg.planning.settings import Substitute
 
 EXAMPLES = examples(
     'foon plan --dish salad "chopped onion" "whole prune" "olive oil"',
@@ -120,11 +120,11 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
-    from foon_kg.batch import Wishes
     from foon_kg.cli.answering import Writing, answer_all, knowledge_for
     from foon_kg.cli.candidates import show_candidates
     from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.kitchen import Kitchen
+    from foon_kg.planning.batch import Wishes
+    from foon_kg.plans.kitchen import Kitchen
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
@@ -165,7 +165,7 @@ def _ours_only(asked: dict[str, bool]) -> None:
 
 
 def _substitute(text: str) -> Substitute:
-    from foon_kg.settings import Substitute
+    from foon_kg.planning.settings import Substitute
 
     food, equals, like = (part.strip() for part in text.partition("="))
     if not (food and equals and like):
@@ -175,8 +175,8 @@ def _substitute(text: str) -> Substitute:
 
 def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str], say: Say) -> list[Question]:
     """Answer what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
-    from foon_kg.batch import Question
-    from foon_kg.recipes import recipe_files
+    from foon_kg.planning.batch import Question
+    from foon_kg.planning.recipes import recipe_files
 
     if bool(wanted) == bool(ids):
         raise UsageError("say what to plan: ingredients, recipe files or --recipe ID", hint="See foon plan --help.")
@@ -189,9 +189,9 @@ def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str],
 
 def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:
     """Answer recipes of the graph: as the asked dish type, else as their sure one, else as any."""
-    from foon_kg.graph import Connection
-    from foon_kg.graph.recipes import stored_recipe
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.recipes import stored_recipe
+    from foon_kg.store.server import connection_settings
 
     with Connection(connection_settings(say)) as connection:
         stored = [stored_recipe(connection, recipe_id) for recipe_id in ids]

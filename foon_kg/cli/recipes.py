@@ -10,9 +10,9 @@ import typer
 from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
 
 if TYPE_CHECKING:
-    from foon_kg.graph import Connection
-    from foon_kg.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
-    from foon_kg.graph.recipes import StoredRecipe
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
+    from foon_kg.store.graph.recipes import StoredRecipe
 
 EXAMPLES = examples(
     "foon recipes",
@@ -41,10 +41,10 @@ def recipes(
     unseen. With --unseen N: what to annotate next. An ingredient is unseen where no unit of the FOON has that food.
     Only the sure dish type of a recipe counts.
     """
-    from foon_kg.errors import UsageError
-    from foon_kg.graph import Connection
-    from foon_kg.graph.recipes import class_counts, recipe_count, stored_recipe, wanted_foods
-    from foon_kg.server import connection_settings
+    from foon_kg.model.errors import UsageError
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.recipes import class_counts, recipe_count, stored_recipe, wanted_foods
+    from foon_kg.store.server import connection_settings
 
     if [bool(sample), bool(unseen), recipe_id is not None].count(True) > 1:
         raise UsageError("--sample, --unseen and --id exclude each other", hint="Ask for one of them.")
@@ -63,9 +63,9 @@ def recipes(
 
 
 def _drawn(connection: Connection, dish: str | None, partition: str, count: int, seed: int) -> list[str]:
-    from foon_kg.errors import UsageError
-    from foon_kg.graph.recipes import recipe_ids
     from foon_kg.model import DISH_TYPES
+    from foon_kg.model.errors import UsageError
+    from foon_kg.store.graph.recipes import recipe_ids
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type {dish}", hint=f"One of: {', '.join(DISH_TYPES)}.")

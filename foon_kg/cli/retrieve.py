@@ -9,10 +9,10 @@ import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
 from foon_kg.cli.kitchen import KitchenFile, kitchen_of
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.classic_retrieval import RetrievalResult
+    from foon_kg.search.classic import RetrievalResult
 
 EXAMPLES = examples(
     "foon retrieve omelette --state cooked",
@@ -68,11 +68,11 @@ def retrieve(
 
     Without a tree the error says what is missing (exit code 3).
     """
-    from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree
     from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.levels import Level
     from foon_kg.loaders import read_weights
+    from foon_kg.model.levels import Level
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
 
     if as_json and foon:
         raise UsageError("--json and --foon ask for two forms of one answer", hint="Choose one of them.")
@@ -106,6 +106,6 @@ def _show(tree: RetrievalResult, say: Say, *, as_json: bool, foon: bool) -> None
 
         typer.echo(write_text(tree.to_subgraph()), nl=False)
     else:
-        from foon_kg.views.retrieval import retrieval_view
+        from foon_kg.formats.views.retrieval import retrieval_view
 
         print_view(retrieval_view(tree))

@@ -9,7 +9,7 @@ import typer
 from foon_kg.cli.console import print_json, print_view
 
 if TYPE_CHECKING:
-    from foon_kg.json_fields import JsonObject
+    from foon_kg.model.json_fields import JsonObject
     from foon_kg.validation.contract import Rule
 
 

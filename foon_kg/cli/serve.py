@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     import socket
@@ -67,7 +67,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     TLS. All who come through it share one rate, unless --proxy says that what it writes into X-Forwarded-For is to be
     believed.
     """
-    from foon_kg.batch import cores
+    from foon_kg.planning.batch import cores
     from foon_kg.web.api import web_app
     from foon_kg.web.callers import Callers, proxy_network
     from foon_kg.web.limits import Limits
@@ -96,8 +96,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     """Answer the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
     from foon_kg.cli.knowledge import snapshot_of
-    from foon_kg.graph import Neo4jGraph
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Neo4jGraph
+    from foon_kg.store.server import connection_settings
     from foon_kg.web.foon import FixedFoon, LiveFoon
 
     if files:

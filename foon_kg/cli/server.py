@@ -10,7 +10,7 @@ import typer
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, examples, print_json, sayer
 
 if TYPE_CHECKING:
-    from foon_kg.server import Status
+    from foon_kg.store.server import Status
 
 app = typer.Typer(
     cls=ErrorsAtTheEdge,
@@ -41,7 +41,7 @@ def start(
     It listens on this machine only, keeps its data in the user's data folder (FOON_KG_HOME names another), and stays up
     between commands. Every command that needs a database and finds no NEO4J_URI starts it by itself.
     """
-    from foon_kg import server
+    from foon_kg.store import server
 
     server.start(port=port, idle_minutes=idle, say=sayer(quiet=quiet))
     _show(server.status(), as_json=as_json)
@@ -50,7 +50,7 @@ def start(
 @app.command(epilog=examples("foon server stop"))
 def stop(*, as_json: Json = False, quiet: Quiet = False) -> None:
     """Stop the local Neo4j; its data stays."""
-    from foon_kg import server
+    from foon_kg.store import server
 
     stopped = server.stop(sayer(quiet=quiet))
     if as_json:
@@ -65,7 +65,7 @@ def status(*, as_json: Json = False) -> None:
 
     Also where it answers, and where its data, password and log are.
     """
-    from foon_kg import server
+    from foon_kg.store import server
 
     _show(server.status(), as_json=as_json)
 

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Quiet, examples, print_view, sayer
-from foon_kg.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from foon_kg.schedule import Schedule
-    from foon_kg.step_changes import StepChange
-    from foon_kg.views.shown_tree import ShownTree
+    from foon_kg.formats.views.shown_tree import ShownTree
+    from foon_kg.plans.schedule import Schedule
+    from foon_kg.plans.step_changes import StepChange
 
 EXAMPLES = examples(
     "foon show plan.json",
@@ -106,8 +106,8 @@ def shown_tree(path: Path, line: int = 1) -> ShownTree:
 
 
 def _of_text(text: str, path: Path) -> ShownTree:
+    from foon_kg.formats.views.shown_tree import ShownTree
     from foon_kg.loaders import read_text
-    from foon_kg.views.shown_tree import ShownTree
 
     subgraph = read_text(text, path.stem, str(path)).subgraph
     if subgraph is None or not subgraph.annotations:
@@ -116,8 +116,8 @@ def _of_text(text: str, path: Path) -> ShownTree:
 
 
 def _of_json(value: object, where: str) -> ShownTree:
-    from foon_kg.result import PlanFailure, PlanResult
-    from foon_kg.views.shown_tree import ShownTree
+    from foon_kg.formats.views.shown_tree import ShownTree
+    from foon_kg.plans.result import PlanFailure, PlanResult
 
     if isinstance(value, dict) and "error" in value:
         failure = PlanFailure.from_json(value, where)
@@ -140,11 +140,11 @@ class _Shown:
     folded: bool
 
     def printed(self) -> RenderableType:
-        from foon_kg.kitchen import Kitchen
-        from foon_kg.shopping import shopping_list
-        from foon_kg.views.schedule import schedule_view, shopping_view
-        from foon_kg.views.step_changes import step_changes_view
-        from foon_kg.views.tree import progress_view, tree_view
+        from foon_kg.formats.views.schedule import schedule_view, shopping_view
+        from foon_kg.formats.views.step_changes import step_changes_view
+        from foon_kg.formats.views.tree import progress_view, tree_view
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.shopping import shopping_list
 
         match self.matter:
             case "schedule":
@@ -160,11 +160,11 @@ class _Shown:
 
     def drawn(self) -> str:
         with pictures_extra():
-            from foon_kg.kitchen import Kitchen
-            from foon_kg.pictures.gantt import schedule_svg
-            from foon_kg.pictures.progress import progress_svg
-            from foon_kg.pictures.step_changes import step_changes_svg
-            from foon_kg.pictures.tree import tree_svg
+            from foon_kg.formats.pictures.gantt import schedule_svg
+            from foon_kg.formats.pictures.progress import progress_svg
+            from foon_kg.formats.pictures.step_changes import step_changes_svg
+            from foon_kg.formats.pictures.tree import tree_svg
+            from foon_kg.plans.kitchen import Kitchen
 
             match self.matter:
                 case "schedule":
@@ -178,16 +178,16 @@ class _Shown:
 
     def page(self) -> str:
         with pictures_extra():
-            from foon_kg.kitchen import Kitchen
-            from foon_kg.pictures.page import page_of
+            from foon_kg.formats.pictures.page import page_of
+            from foon_kg.plans.kitchen import Kitchen
 
             return page_of(self.tree, Kitchen.default(), folded=self.folded)
 
     def schedule(self) -> Schedule:
         from foon_kg.cli.knowledge import whole_foon
-        from foon_kg.durations import Durations
-        from foon_kg.kitchen import Kitchen
-        from foon_kg.schedule import schedule
+        from foon_kg.plans.durations import Durations
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.schedule import schedule
 
         foon = whole_foon(self.files, sayer(quiet=self.quiet))
         text = self.tree.units if self.tree.result is None else ()  # of a plan the FOON has all that was seen
@@ -197,8 +197,8 @@ class _Shown:
     def difference(self) -> tuple[StepChange, ...]:
         from foon_kg.cli.knowledge import open_knowledge
         from foon_kg.planning.planner import Planner
-        from foon_kg.settings import PlanSettings
-        from foon_kg.step_changes import step_changes
+        from foon_kg.planning.settings import PlanSettings
+        from foon_kg.plans.step_changes import step_changes
 
         plan = self.tree.result
         if plan is None:
@@ -213,7 +213,7 @@ class _Shown:
 
 def _pixels(drawn: str) -> bytes:
     with pictures_extra():
-        from foon_kg.pictures.png import png_of
+        from foon_kg.formats.pictures.png import png_of
 
         return png_of(drawn)
 

@@ -12,7 +12,7 @@ from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_j
 from foon_kg.cli.data_frames import driver_without_arrays
 
 if TYPE_CHECKING:
-    from foon_kg.statistics import Statistics
+    from foon_kg.store.statistics import Statistics
 
 EXAMPLES = examples("foon stats", "foon stats --json", "foon stats --files subgraphs/")
 
@@ -37,13 +37,13 @@ def _statistics(files: Sequence[Path] | None, say: Say) -> Statistics:
     """Return the figures: of a graph Neo4j counts them, so that it may be of any size."""
     if files:
         from foon_kg.cli.knowledge import snapshot_of
-        from foon_kg.statistics import Statistics
+        from foon_kg.store.statistics import Statistics
 
         return Statistics.of(snapshot_of(files, say))
     with driver_without_arrays():
-        from foon_kg.graph.counting import count
-    from foon_kg.graph.connection import Connection
-    from foon_kg.server import connection_settings
+        from foon_kg.store.graph.counting import count
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.server import connection_settings
 
     with Connection(connection_settings(say)) as connection:
         return count(connection)

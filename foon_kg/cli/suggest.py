@@ -12,9 +12,9 @@ from foon_kg.cli.kitchen import KitchenFile, kitchen_of
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.knowledge import Vocabulary
-    from foon_kg.stock import StockedKitchen
+    from foon_kg.model.knowledge import Vocabulary
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.plans.stock import StockedKitchen
 
 EXAMPLES = examples(
     'foon suggest egg onion "grated cheddar"',
@@ -43,8 +43,8 @@ def suggest(
     Utensils that the --kitchen file names are the only ones. For the steps: foon plan --dish TYPE FOOD...
     """
     from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.suggestion import suggest as suggested
-    from foon_kg.views.suggestions import suggestions_view
+    from foon_kg.formats.views.suggestions import suggestions_view
+    from foon_kg.planning.suggestion import suggest as suggested
 
     say = sayer(quiet=quiet)
     with open_knowledge(files, say) as view:
@@ -60,10 +60,10 @@ def suggest(
 
 def _with_foods(texts: Sequence[str], kitchen: Kitchen, vocabulary: Vocabulary, say: Say) -> StockedKitchen:
     """Answer ``kitchen`` with the foods in words as well; what of them was not understood goes to ``say``."""
-    from foon_kg.kitchen import Kitchen
-    from foon_kg.kitchen_file import Entry, ThingReader
-    from foon_kg.recipes import IngredientWords
-    from foon_kg.stock import StockedKitchen
+    from foon_kg.planning.kitchen_file import Entry, ThingReader
+    from foon_kg.planning.recipes import IngredientWords
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.plans.stock import StockedKitchen
 
     stocked = kitchen if isinstance(kitchen, StockedKitchen) else StockedKitchen.of(kitchen, ())
     reader = ThingReader(IngredientWords(vocabulary, Kitchen.default()))

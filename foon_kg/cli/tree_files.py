@@ -8,11 +8,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from foon_kg import regular_files
 from foon_kg.cli.console import Say
-from foon_kg.errors import ReadError
 from foon_kg.loaders import Notice, read_text
-from foon_kg.model import Recipe, Subgraph
+from foon_kg.model import Recipe, Subgraph, regular_files
+from foon_kg.model.errors import ReadError
 from foon_kg.validation import TaskTree
 
 STANDARD_INPUT = "-"

@@ -11,8 +11,8 @@ import typer
 from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
 
 if TYPE_CHECKING:
-    from foon_kg.difference import VideoDifference
     from foon_kg.model import Subgraph
+    from foon_kg.plans.difference import VideoDifference
 
 DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff new_salad.csv --units", "foon diff subgraphs/ --json")
 REMOVE_EXAMPLES = examples("foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad")
@@ -52,13 +52,13 @@ def found_differences(
 ) -> Sequence[VideoDifference]:
     """Answer what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
     if files:
-        from foon_kg.difference import differences as differences_in_memory
         from foon_kg.loaders import read_paths
+        from foon_kg.plans.difference import differences as differences_in_memory
 
         return differences_in_memory(subgraphs, [r.subgraph for r in read_paths(files) if r.subgraph is not None])
-    from foon_kg.graph import Connection
-    from foon_kg.graph.differences import differences
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.differences import differences
+    from foon_kg.store.server import connection_settings
 
     with Connection(connection_settings(say)) as connection:
         return differences(connection, subgraphs)
@@ -76,10 +76,10 @@ def remove(
 
     With them go the units that no other video shows. All of the named videos are taken out, or none.
     """
-    from foon_kg.graph import Connection
-    from foon_kg.graph import remove as remove_videos
-    from foon_kg.graph.differences import losses
-    from foon_kg.server import connection_settings
+    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph import remove as remove_videos
+    from foon_kg.store.graph.differences import losses
+    from foon_kg.store.server import connection_settings
 
     chosen = list(dict.fromkeys(names))
     with Connection(connection_settings(sayer(quiet=quiet))) as connection:
@@ -90,7 +90,7 @@ def remove(
 
 
 def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> None:
-    from foon_kg.views.difference import difference_json, difference_view
+    from foon_kg.formats.views.difference import difference_json, difference_view
 
     if as_json:
         print_json([difference_json(one) for one in found])

@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.errors import ReadError, UsageError
 from foon_kg.evaluation.resampling import Interval, paired_difference
-from foon_kg.json_fields import Fields, JsonObject
-from foon_kg.regular_files import read_text
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.regular_files import read_text
 
 CaseKey = tuple[str, str]
 """What tells one question of an evaluation from the others: its name and its dish type."""

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.evaluation.scores import Rule, without_tree
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import Vocabulary
 from foon_kg.model import Goal, KnownUnit
-from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.model.knowledge import Vocabulary
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanFailure, PlanResult
 from foon_kg.validation import KnownFoon, TaskTree, check
 
 

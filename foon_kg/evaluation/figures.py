@@ -12,9 +12,9 @@ from foon_kg.evaluation.resampling import Interval, bootstrap_mean
 from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.scores import LineScore, Reason, share_correct
 from foon_kg.evaluation.verdicts import ALL, Verdicts, verdict_json
-from foon_kg.json_fields import JsonObject
 from foon_kg.model import Recipe
-from foon_kg.result import PlanResult
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.plans.result import PlanResult
 from foon_kg.validation import Report
 
 _DECIMALS = 6

@@ -9,18 +9,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from foon_kg.errors import NoTreeError
 from foon_kg.evaluation.left_out_video import LeftOutVideo
 from foon_kg.evaluation.methods import METHODS
 from foon_kg.evaluation.tree_overlap import NOTHING, Overlap, overlap
 from foon_kg.evaluation.video_figures import VideoFigures
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Recipe, Subgraph
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.recipes import IngredientWords, with_states
-from foon_kg.result import PlanResult
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.recipes import IngredientWords, with_states
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanResult
+from foon_kg.store.snapshot import Snapshot
 
 
 def asking_without(

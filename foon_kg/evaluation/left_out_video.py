@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from foon_kg.kitchen import Kitchen, is_place, singular, words
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, RequiredIngredient, Subgraph
-from foon_kg.snapshot import goals_of
+from foon_kg.plans.kitchen import Kitchen, is_place, singular, words
+from foon_kg.store.snapshot import goals_of
 
 
 @dataclass(frozen=True)

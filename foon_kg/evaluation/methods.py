@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from foon_kg.errors import NoTreeError
-from foon_kg.knowledge import KnowledgeView, Neighbour
 from foon_kg.model import FunctionalUnit, Goal, Recipe
-from foon_kg.names import canonical
-from foon_kg.paper import plan_by_the_paper
+from foon_kg.model.errors import NoTreeError
+from foon_kg.model.knowledge import KnowledgeView, Neighbour
+from foon_kg.model.names import canonical
+from foon_kg.planning.paper import plan_by_the_paper
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.settings import PlanSettings
 from foon_kg.similarity import matching
 from foon_kg.similarity.answers import Confidences, best
 

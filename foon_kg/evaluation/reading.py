@@ -13,13 +13,12 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg import regular_files
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.sampling import drawn
-from foon_kg.json_fields import Fields, JsonObject
-from foon_kg.kitchen import Kitchen
-from foon_kg.model import Subgraph
+from foon_kg.model import Subgraph, regular_files
+from foon_kg.model.errors import ReadError
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.validation import TaskTree
 
 VideoTrees = Mapping[str, TaskTree]

@@ -13,7 +13,7 @@ from foon_kg.evaluation.agreement import agreement
 from foon_kg.evaluation.reading import ReadingTree
 from foon_kg.evaluation.reading_sheet import Sheet, Verdict
 from foon_kg.evaluation.resampling import Interval, share
-from foon_kg.json_fields import JsonObject
+from foon_kg.model.json_fields import JsonObject
 from foon_kg.validation import Report
 
 JUDGE = "judge"

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.reading import read_text
 from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model.errors import ReadError
 from foon_kg.validation import TaskTree
 from foon_kg.validation.tree import TreeUnit
 

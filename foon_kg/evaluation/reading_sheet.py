@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.reading import read_text
+from foon_kg.model.errors import ReadError
 
 YES, YES_BUT, NO = "yes", "yes, but", "no"
 

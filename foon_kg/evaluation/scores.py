@@ -9,7 +9,7 @@ The rule (``foon evaluate recipes --help`` says the same). An ingredient is wort
 
 *Starts in the kitchen*: the first stage of the line is an input of the tree that no earlier unit outputs. *Motions that
 make that state*: the motion after which the line first shows the food in the asked state is among those with which
-units of the FOON give that state to some food (:class:`~foon_kg.knowledge.MadeBy`). *Ends in the dish*: the line
+units of the FOON give that state to some food (:class:`~foon_kg.model.knowledge.MadeBy`). *Ends in the dish*: the line
 gets to the goal, and the goal names the food, as its label or among its ingredients.
 """
 
@@ -19,12 +19,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from foon_kg.kitchen import Kitchen, singular
-from foon_kg.knowledge import Vocabulary
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
-from foon_kg.names import canonical
-from foon_kg.progress import ProgressLine, ProgressStep, progress_lines
-from foon_kg.result import PlanResult
+from foon_kg.model.knowledge import Vocabulary
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.progress import ProgressLine, ProgressStep, progress_lines
+from foon_kg.plans.result import PlanResult
 
 MOST = 2
 """The best score of one ingredient."""

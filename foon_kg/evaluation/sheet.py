@@ -12,10 +12,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.figures import RecipeFigures
-from foon_kg.progress import ProgressLine, ProgressStep
-from foon_kg.regular_files import read_text
+from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_text
+from foon_kg.plans.progress import ProgressLine, ProgressStep
 
 COLUMNS = ("recipe", "dish_type", "ingredient", "state", "progress_line", "score")
 _KEY = COLUMNS[:4]
@@ -49,8 +49,8 @@ def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
 def read_sheet(path: Path) -> FilledSheet:
     """Read a sheet that people filled; columns may be moved and added, lines left out or left open.
 
-    Raises :class:`~foon_kg.errors.ReadError` with file and line for what is no such sheet, a column that is missing, a
-    score other than 0, 1 and 2, a line that is there twice, and a sheet on which nothing is scored.
+    Raises :class:`~foon_kg.model.errors.ReadError` with file and line for what is no such sheet, a column that is
+    missing, a score other than 0, 1 and 2, a line that is there twice, and a sheet on which nothing is scored.
     """
     scores: dict[LineKey, int] = {}
     left_open = 0
@@ -72,7 +72,7 @@ def read_sheet(path: Path) -> FilledSheet:
 def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: Path) -> tuple[list[int], list[int]]:
     """Answer the rule's and the people's scores of the lines on ``sheet``, in the order of ``recipes``.
 
-    Raises :class:`~foon_kg.errors.ReadError` where the sheet scores a line that this evaluation does not have.
+    Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have.
     """
     ours = {
         line_key(recipe, scored.ingredient.object, scored.ingredient.state): scored.score

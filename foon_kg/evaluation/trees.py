@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from foon_kg.evaluation.verdicts import ALL, Verdicts, verdict_json
-from foon_kg.json_fields import JsonObject
+from foon_kg.model.json_fields import JsonObject
 from foon_kg.validation import KnownFoon, Report, TaskTree, check
 
 NO_DISH_TYPE = "no dish type"

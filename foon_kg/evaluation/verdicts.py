@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from foon_kg.json_fields import JsonObject
+from foon_kg.model.json_fields import JsonObject
 from foon_kg.validation import RULES, Report
 
 ALL = "all"

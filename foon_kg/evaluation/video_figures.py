@@ -9,8 +9,8 @@ from foon_kg.evaluation.methods import OURS
 from foon_kg.evaluation.resampling import Interval, bootstrap_mean, paired_difference
 from foon_kg.evaluation.sampling import LeftOut
 from foon_kg.evaluation.tree_overlap import MEASURES, Overlap
-from foon_kg.json_fields import JsonObject
 from foon_kg.model import Recipe
+from foon_kg.model.json_fields import JsonObject
 
 ALL = "all"
 """The name under which all videos are taken together."""

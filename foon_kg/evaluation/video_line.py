@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict
 
-from foon_kg.errors import UsageError
 from foon_kg.evaluation.tree_overlap import MEASURES, Overlap
 from foon_kg.evaluation.video_figures import VideoFigures
-from foon_kg.json_fields import Fields, JsonObject
 from foon_kg.model import Recipe
-from foon_kg.model_json import recipe_to_json
+from foon_kg.model.errors import UsageError
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.node_json import recipe_to_json
 
 
 def to_line(figures: VideoFigures, foon: str) -> JsonObject:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from foon_kg.errors import ReadError
 from foon_kg.food.foods import FoodTable
 from foon_kg.food.rows import Dish, Kind, Level, Motion, State, Utensil
 from foon_kg.food.words import singular
+from foon_kg.model.errors import ReadError
 
 ROLES = frozenset({"vessel", "storage", "tool", "appliance", "lid", "wrap", "place"})
 SOURCES = frozenset({"", "heat", "cold", "power", "water"})

@@ -13,12 +13,12 @@ from functools import cached_property, lru_cache
 from importlib.resources import files
 from pathlib import Path
 
-from foon_kg.errors import ReadError
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.words import plain_words, singular, words
+from foon_kg.model.errors import ReadError
 
 UTENSILS_VARIABLE = "FOON_KG_UTENSILS"
 FOODS_VARIABLE = "FOON_KG_FOODS"

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.operators import LIKE_AT_ALL, Alike, Attested, Likes, Nearness, Operators, Way
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.world import Mention, Step
 
 _FLAT = word_list("flat utensils")

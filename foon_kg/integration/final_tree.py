@@ -12,7 +12,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.operators import Nearness
 from foon_kg.integration.preparation import Want
 from foon_kg.model import ObjectNode
-from foon_kg.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
+from foon_kg.plans.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
 
 MOST_ALTERNATIVES = 3
 _COOKED = "cooked"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from foon_kg.food import singular
 from foon_kg.integration.places import Join
 from foon_kg.model import RequiredIngredient
-from foon_kg.result import PlannedUnit
+from foon_kg.plans.result import PlannedUnit
 
 if TYPE_CHECKING:
     from foon_kg.planning.likes import RecipeLikes

@@ -5,13 +5,13 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
 
-from foon_kg.errors import UsageError
 from foon_kg.food import singular
 from foon_kg.integration.operators import LIKE_AT_ALL
 from foon_kg.integration.preparation import Want
-from foon_kg.names import canonical
-from foon_kg.recent import Recent
-from foon_kg.settings import Substitute
+from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
+from foon_kg.model.recent import Recent
+from foon_kg.planning.settings import Substitute
 from foon_kg.similarity import Similarity
 
 FAIR = 0.5

@@ -14,8 +14,6 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
-from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
@@ -41,16 +39,18 @@ from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import KnowledgeView
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
-from foon_kg.progress import lines_of_things
-from foon_kg.result import PassedOver, PlannedUnit, PlanResult
-from foon_kg.settings import PlanSettings
-from foon_kg.shortage import nearest_first, shortage
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.progress import lines_of_things
+from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult
+from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import Finding, Report, TaskTree, check
 from foon_kg.validation.tree import Assumed, Substituted, TreeUnit

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from foon_kg.knowledge import KnowledgeView, Vocabulary
 from foon_kg.model import Goal, KnownUnit, ObjectNode
-from foon_kg.recent import Recent
-from foon_kg.result import ReferenceSummary
+from foon_kg.model.knowledge import KnowledgeView, Vocabulary
+from foon_kg.model.recent import Recent
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import ReferenceSummary
 from foon_kg.search import Explored, ReferenceTree, SearchProblem, UnitIndex, retrieve_once
 from foon_kg.search.gaps import ABSENT, gap_cost, mixtures
-from foon_kg.settings import PlanSettings
 
 _NONE = Vocabulary((), (), ())
 MOST_TREES = 4096

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
 
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import SeenAs, Vocabulary
 from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.model.knowledge import SeenAs, Vocabulary
+from foon_kg.plans.kitchen import Kitchen
 
 # What a search pays for a leaf that is not at hand. A sum of cheaper faults should rarely buy off a dearer one:
 # a food in an odd place is found easily, a processed one has to be made, a mixture is a dish of its own. A mixture

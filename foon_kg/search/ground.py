@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from foon_kg.recent import Recent
+from foon_kg.model.recent import Recent
 from foon_kg.search.core import Core, bits_of, core_behind, core_behind_any, foods_of_steps
 from foon_kg.search.deadline import Deadline
 from foon_kg.search.penalty import LeastPenalty, within_least_penalty

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
+from foon_kg.plans.shortage import MOST_NAMED, named, remedies
 from foon_kg.search.core import core_behind
 from foon_kg.search.forward import chain
 from foon_kg.search.problem import NoWayError, SearchProblem
-from foon_kg.shortage import MOST_NAMED, named, remedies
 
 
 def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:

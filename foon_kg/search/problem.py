@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.plans.shortage import ShortageError
 from foon_kg.search.unit_index import UnitIndex
-from foon_kg.shortage import ShortageError
 
 Objective = tuple[int, int, int]
 """(gap penalty, minus the overlap, units): the lesser the better."""

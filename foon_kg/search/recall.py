@@ -7,8 +7,8 @@ memory or to the FOON in between can make an answer wrong; at worst it makes it 
 
 from __future__ import annotations
 
-from foon_kg.knowledge import RetrievedTree, TreeMemory
 from foon_kg.model import content_key
+from foon_kg.model.knowledge import RetrievedTree, TreeMemory
 from foon_kg.search.core import Core, core_behind
 from foon_kg.search.ground import Explored
 from foon_kg.search.problem import ReferenceTree, SearchProblem

@@ -3,7 +3,7 @@
 ``food_similarity()`` is the default; ``spacy_similarity(name)`` and ``cosine_similarity()`` are the paper's way.
 """
 
-from foon_kg.knowledge import Neighbour
+from foon_kg.model.knowledge import Neighbour
 from foon_kg.similarity.answers import Confidences, Similarity
 from foon_kg.similarity.food import food_similarity
 from foon_kg.similarity.lists import count_similar, matching

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.knowledge import Neighbour
+from foon_kg.model.knowledge import Neighbour
 
 Confidences = npt.NDArray[np.float64]
 

@@ -19,8 +19,8 @@ from importlib.resources import files
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.knowledge import Neighbour
-from foon_kg.names import canonical, canonical_all
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.model.names import canonical, canonical_all
 from foon_kg.similarity.answers import DECIMALS, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups

@@ -13,7 +13,7 @@ from importlib.resources import files
 import numpy as np
 import numpy.typing as npt
 
-from foon_kg.names import canonical
+from foon_kg.model.names import canonical
 
 Memberships = npt.NDArray[np.float64]
 Nearness = Callable[[Sequence[str]], Memberships]

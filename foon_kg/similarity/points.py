@@ -23,7 +23,7 @@ from pathlib import Path
 
 import numpy as np
 
-from foon_kg.names import ALIASES_VARIABLE, alias_table, canonical
+from foon_kg.model.names import ALIASES_VARIABLE, alias_table, canonical
 from foon_kg.similarity.answers import DECIMALS
 from foon_kg.similarity.evidence import Names
 from foon_kg.similarity.food import FoodSimilarity, confidence_of, food_similarity

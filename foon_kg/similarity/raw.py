@@ -8,9 +8,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from foon_kg.errors import UsageError
-from foon_kg.knowledge import Neighbour
-from foon_kg.names import canonical
+from foon_kg.model.errors import UsageError
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.model.names import canonical
 from foon_kg.similarity.answers import DECIMALS, Confidences, best
 from foon_kg.similarity.vectors import Vectors, food_vectors
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 DOCUMENT = "contract.md"
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg.food import Tables, singular, tables
-from foon_kg.levels import Level, node_at, units_at
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit
+from foon_kg.model.levels import Level, node_at, units_at
 
 
 @dataclass(frozen=True)

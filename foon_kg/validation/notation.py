@@ -27,9 +27,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from foon_kg.errors import ReadError
-from foon_kg.levels import Level
 from foon_kg.model import Recipe
+from foon_kg.model.errors import ReadError
+from foon_kg.model.levels import Level
 from foon_kg.validation import notation_nodes as nodes
 from foon_kg.validation.notation_line import HINT, NOTHING, Line, written_rest
 from foon_kg.validation.tree import TaskTree, TreeUnit

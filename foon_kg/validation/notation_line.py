@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import NoReturn
 
-from foon_kg.errors import ReadError
+from foon_kg.model.errors import ReadError
 
 NOTHING = "nothing"
 """Stands for an empty list, an empty side of a step, and what is not told."""

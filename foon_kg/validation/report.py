@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from foon_kg.model import ObjectNode
-from foon_kg.model_json import node_to_json
+from foon_kg.model.node_json import node_to_json
 
 FORM: tuple[str, ...] = ("C1", "C2", "C3", "C4", "C5", "C6", "C7", "C8", "C9")
 WORLD: tuple[str, ...] = ("W1", "W2", "W3", "W4", "W5")

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
-from foon_kg.errors import ReadError
 from foon_kg.food import tables
-from foon_kg.json_fields import Fields
-from foon_kg.levels import Level
 from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, Sighting, Subgraph
-from foon_kg.model_json import node_from_json, recipe_from_json, sighting_from_json
+from foon_kg.model.errors import ReadError
+from foon_kg.model.json_fields import Fields
+from foon_kg.model.levels import Level
+from foon_kg.model.node_json import node_from_json, recipe_from_json, sighting_from_json
 from foon_kg.world import Mention, Step
 
 

@@ -11,9 +11,9 @@ from mcp_types import ToolAnnotations
 from pydantic import Field
 
 from foon_kg import __version__
-from foon_kg.errors import FoonError, UsageError
-from foon_kg.json_fields import JsonObject
-from foon_kg.settings import Substitute
+from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.planning.settings import Substitute
 from foon_kg.web.asking import AT_HAND, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService

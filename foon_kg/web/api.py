@@ -17,9 +17,9 @@ from starlette.middleware import Middleware
 from starlette.staticfiles import StaticFiles
 
 from foon_kg import __version__
-from foon_kg.errors import FoonError
-from foon_kg.pictures.svg import dark_colours
-from foon_kg.settings import Substitute
+from foon_kg.formats.pictures.svg import dark_colours
+from foon_kg.model.errors import FoonError
+from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
@@ -200,7 +200,7 @@ def _picture_colours() -> Response:
 
 def _stage() -> Response:
     """Answer the program that moves a picture: the page of ``foon show --html`` has the same."""
-    program = resources.files("foon_kg.pictures").joinpath("stage.js").read_text(encoding="utf-8")
+    program = resources.files("foon_kg.formats.pictures").joinpath("stage.js").read_text(encoding="utf-8")
     return Response(program, media_type="text/javascript")
 
 

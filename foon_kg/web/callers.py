@@ -15,7 +15,7 @@ from ipaddress import (
 from starlette.datastructures import Headers
 from starlette.types import Scope
 
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 
 Address = IPv4Address | IPv6Address
 Network = IPv4Network | IPv6Network

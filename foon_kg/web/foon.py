@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from foon_kg.errors import GraphError
-from foon_kg.graph import Neo4jGraph
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import GraphError
+from foon_kg.store.graph import Neo4jGraph
+from foon_kg.store.snapshot import Snapshot
 
 EVERY = 2.0
 """Seconds between two looks whether the graph is still the same."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from starlette.datastructures import Headers
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from foon_kg.errors import FoonError
+from foon_kg.model.errors import FoonError
 from foon_kg.web.callers import Callers
 from foon_kg.web.questions import Reply
 

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from dataclasses import asdict
 
-from foon_kg.batch import Answer
-from foon_kg.durations import Durations
-from foon_kg.json_fields import JsonObject
-from foon_kg.kitchen import Kitchen
-from foon_kg.model_json import node_to_json
-from foon_kg.pictures.gantt import schedule_svg
-from foon_kg.pictures.progress import progress_svg
-from foon_kg.pictures.tree import tree_svg
+from foon_kg.formats.pictures.gantt import schedule_svg
+from foon_kg.formats.pictures.progress import progress_svg
+from foon_kg.formats.pictures.tree import tree_svg
+from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.node_json import node_to_json
+from foon_kg.planning.batch import Answer
 from foon_kg.planning.explanation import Explanation
-from foon_kg.result import PlanResult
-from foon_kg.schedule import Schedule, schedule
-from foon_kg.shopping import shopping_list
-from foon_kg.views.shown_tree import ShownTree
+from foon_kg.plans.durations import Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanResult
+from foon_kg.plans.schedule import Schedule, schedule
+from foon_kg.plans.shopping import shopping_list
 from foon_kg.web.questions import PlanQuestion
 from foon_kg.web.words import seen_at
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
-from foon_kg.batch import Cook, Wishes
-from foon_kg.batch import Question as CookQuestion
-from foon_kg.durations import Durations
-from foon_kg.errors import FoonError
-from foon_kg.json_fields import JsonObject
-from foon_kg.kitchen import Kitchen
-from foon_kg.kitchen_file import Entry, ReadKitchen, kitchen_with
-from foon_kg.recipes import IngredientWords
-from foon_kg.snapshot import Snapshot
-from foon_kg.suggestion import suggest
+from foon_kg.model.errors import FoonError
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.planning.batch import Cook, Wishes
+from foon_kg.planning.batch import Question as CookQuestion
+from foon_kg.planning.kitchen_file import Entry, ReadKitchen, kitchen_with
+from foon_kg.planning.recipes import IngredientWords
+from foon_kg.planning.suggestion import suggest
+from foon_kg.plans.durations import Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
 

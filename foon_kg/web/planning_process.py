@@ -8,8 +8,8 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from foon_kg.processes import collect_seldom, end_with_parent
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.processes import collect_seldom, end_with_parent
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
 

@@ -6,18 +6,18 @@ import json
 from dataclasses import dataclass
 from typing import Self
 
-from foon_kg.errors import FoonError, GraphError, NoTreeError, ServerError, UsageError, WriteRefused
-from foon_kg.json_fields import JsonObject
-from foon_kg.settings import Substitute
+from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ServerError, UsageError, WriteRefused
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.planning.settings import Substitute
 
 
 @dataclass(frozen=True)
 class PlanQuestion:
     """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``.
 
-    ``kitchen`` names what is at hand (:mod:`foon_kg.stock`); nothing is everything. The answer says why each ingredient
-    is made as it is where it shall ``explain``, has a schedule for each number of pairs of ``hands``, and pictures
-    where there is a ``picture_width`` (pixels of the progress lines and schedules).
+    ``kitchen`` names what is at hand (:mod:`foon_kg.plans.stock`); nothing is everything. The answer says why each
+    ingredient is made as it is where it shall ``explain``, has a schedule for each number of pairs of ``hands``, and
+    pictures where there is a ``picture_width`` (pixels of the progress lines and schedules).
     """
 
     dish_type: str

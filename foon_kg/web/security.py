@@ -14,7 +14,7 @@ from pathlib import Path
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from foon_kg.errors import FoonError, UsageError
+from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.web.limits import refuse
 
 POLICY = (

@@ -8,7 +8,7 @@ from concurrent.futures import CancelledError, Future
 from dataclasses import dataclass
 from typing import Protocol
 
-from foon_kg.json_fields import JsonObject
+from foon_kg.model.json_fields import JsonObject
 from foon_kg.web.foon import Served
 from foon_kg.web.questions import BusyError, Question, Reply, TooLongError
 from foon_kg.web.words import FoonWords, Kind

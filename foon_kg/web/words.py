@@ -8,15 +8,15 @@ from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
 
-from foon_kg.exports.recipe import video_address
-from foon_kg.json_fields import JsonObject
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.recipe import video_address
 from foon_kg.model import KnownUnit, Sighting
-from foon_kg.model_json import node_to_json, sighting_to_json
-from foon_kg.names import canonical
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.names import canonical
+from foon_kg.model.node_json import node_to_json, sighting_to_json
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.groups import food_groups
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
 Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish"]

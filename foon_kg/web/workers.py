@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from queue import SimpleQueue
 from typing import Protocol
 
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.planning_process import PlanningProcess
 from foon_kg.web.questions import BusyError, Question, Reply

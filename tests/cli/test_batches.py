@@ -15,8 +15,8 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder, demo_recipes
-from foon_kg.errors import FoonError
-from foon_kg.processes import _told
+from foon_kg.model.errors import FoonError
+from foon_kg.planning.processes import _told
 
 FOON = [sys.executable, "-c", "from foon_kg.cli import main; main()"]
 FILES = ["--files", str(demo_folder())]

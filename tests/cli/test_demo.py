@@ -7,11 +7,11 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from foon_kg import server
 from foon_kg.cli import app
 from foon_kg.cli.demo import NEXT, RECIPE, demo_subgraphs
 from foon_kg.demo import demo_folder, demo_recipes
-from foon_kg.result import PlanResult
+from foon_kg.plans.result import PlanResult
+from foon_kg.store import server
 
 pytestmark = pytest.mark.neo4j
 

@@ -16,7 +16,7 @@ from foon_kg import __version__
 from foon_kg.cli import app
 from foon_kg.cli.console import ErrorsAtTheEdge
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError
+from foon_kg.model.errors import NoTreeError
 
 README = Path(__file__).parents[2] / "README.md"
 
@@ -145,4 +145,4 @@ def test_stats_reads_no_foon_and_imports_nothing_that_plans():
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment)
     assert "no Neo4j answers" in done.stderr
-    assert {"numpy", "foon_kg.snapshot", "foon_kg.food", "foon_kg.planning"}.isdisjoint(done.stdout.split())
+    assert {"numpy", "foon_kg.store.snapshot", "foon_kg.food", "foon_kg.planning"}.isdisjoint(done.stdout.split())

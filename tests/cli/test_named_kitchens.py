@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder
-from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.plans.result import PlanFailure, PlanResult
 
 SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]
 UTENSILS = "knife\ncutting board\nsalad bowl\nbowl\nspoon\nwhisk\n"

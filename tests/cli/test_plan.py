@@ -11,7 +11,7 @@ from foon_kg.cli import app
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.loaders import read_text
-from foon_kg.result import PlanFailure, PlanResult
+from foon_kg.plans.result import PlanFailure, PlanResult
 
 SALAD = ["--dish", "salad", "chopped onion", "chopped tomato", "olive oil", "salt"]
 

@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 from kitchen_stories import node, unit
 
-from foon_kg.errors import SchemaError
-from foon_kg.graph import load, remove
-from foon_kg.graph.equivalents import FIRST
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph
-from foon_kg.names import ALIASES_VARIABLE
+from foon_kg.model.errors import SchemaError
+from foon_kg.model.names import ALIASES_VARIABLE
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.groups import food_groups
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.graph import load, remove
+from foon_kg.store.graph.equivalents import FIRST
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.snapshot import Snapshot
 
 TESTS = Path(__file__).parents[1]
 SHARED = TESTS.parents[1] / "shared" / "data"

@@ -14,11 +14,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from kitchen_stories import node, unit
 
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import Gathering, MadeBy, SeenAs
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 

@@ -12,19 +12,19 @@ from hypothesis import strategies as st
 from methods_told import told
 
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError, SchemaError
-from foon_kg.graph import load, loading, reading, remove
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.graph.lifting import methods_key
-from foon_kg.graph.writing import Writer
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
+from foon_kg.model.errors import NoTreeError, SchemaError
 from foon_kg.planning.likes import FoodLikes
 from foon_kg.planning.planner import Planner
-from foon_kg.recipes import IngredientWords, read_recipe, recipe_files
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.graph import load, loading, reading, remove
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.writing import Writer
+from foon_kg.store.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
 

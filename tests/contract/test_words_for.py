@@ -12,18 +12,18 @@ from hypothesis import strategies as st
 from kitchen_stories import subgraph, unit
 from planner.dishes import KITCHEN, questions
 
-from foon_kg.errors import NoTreeError
-from foon_kg.graph import Connection, Neo4jGraph, load, remove, words
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.kitchen import singular
 from foon_kg.model import Annotation, Subgraph
-from foon_kg.names import canonical
+from foon_kg.model.errors import NoTreeError
+from foon_kg.model.names import canonical
 from foon_kg.planning.planner import Planner
-from foon_kg.recipes import IngredientWords, names_in, recipe_of
-from foon_kg.result import PlanFailure
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.recipes import IngredientWords, names_in, recipe_of
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import singular
+from foon_kg.plans.result import PlanFailure
 from foon_kg.similarity import food_similarity
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove, words
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.snapshot import Snapshot
 
 SETTINGS = PlanSettings(KITCHEN, time_limit=None)
 ASKED = sorted({*LABELS, "shallot", "egg", "coconut milk", "onion ring", "qwxyz"} - {"bowl", "knife"})

@@ -10,9 +10,9 @@ import logging
 import sys
 from pathlib import Path
 
-from foon_kg.graph import Connection, load
 from foon_kg.loaders import read_paths
-from foon_kg.server.settings import ConnectionSettings
+from foon_kg.store.graph import Connection, load
+from foon_kg.store.server.settings import ConnectionSettings
 
 
 def tell(line: str) -> None:
@@ -29,7 +29,7 @@ class Telling(logging.Handler):
 
 def main() -> None:
     settings = ConnectionSettings(**json.loads(sys.argv[1]))
-    queries = logging.getLogger("foon_kg.graph.statements")
+    queries = logging.getLogger("foon_kg.store.graph.statements")
     queries.setLevel(logging.DEBUG)
     queries.addHandler(Telling())
     subgraphs = [result.subgraph for result in read_paths([Path(sys.argv[2])]) if result.subgraph]

@@ -12,9 +12,9 @@ import pytest
 from kitchen_stories import SALAD, subgraph
 from methods_told import told
 
-from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import write_json
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.snapshot import Snapshot
 
 pytestmark = [pytest.mark.neo4j, pytest.mark.slow]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 
-from foon_kg.drafting.precedents import FoonPrecedents
-from foon_kg.kitchen import Kitchen
+from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.loaders.video_tables import read_video_text
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 SOUP = """start,end,motion,inputs,outputs,dish
 0:01,0:03,peel,onion (whole); knife,onion (peeled),

@@ -9,12 +9,12 @@ import pytest
 from drafting.kitchen_foon import SOUP, activitynet, epic
 from typer.testing import CliRunner
 
-from foon_kg import drafting
 from foon_kg.cli import app
-from foon_kg.drafting.tables import read_draft
-from foon_kg.graph import Connection, load
+from foon_kg.language import drafting
+from foon_kg.language.drafting.tables import read_draft
 from foon_kg.loaders.text_writer import write_text
 from foon_kg.loaders.video_tables import read_video_text
+from foon_kg.store.graph import Connection, load
 
 
 @pytest.fixture

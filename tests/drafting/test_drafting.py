@@ -10,14 +10,14 @@ from drafting.kitchen_foon import precedents
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from foon_kg.drafting import draft
-from foon_kg.drafting.calibration import ACTIONS, probability
-from foon_kg.drafting.drafting import plain_name
-from foon_kg.drafting.nodes import done
-from foon_kg.drafting.tables import read_draft, write_draft
-from foon_kg.drafting.verbs import Verbs
+from foon_kg.language.drafting import draft
+from foon_kg.language.drafting.calibration import ACTIONS, probability
+from foon_kg.language.drafting.drafting import plain_name
+from foon_kg.language.drafting.nodes import done
+from foon_kg.language.drafting.tables import read_draft, write_draft
+from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import ObjectNode
-from foon_kg.narration import Mention, NarratedAction, Narration, Place
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
 
 FOON = precedents()
 

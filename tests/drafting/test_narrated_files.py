@@ -10,7 +10,6 @@ from drafting.kitchen_foon import EPIC_ROWS, YOUCOOK, activitynet, epic
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.captions import is_captions, read_captions
 from foon_kg.loaders.epic_kitchens import is_epic_kitchens, read_epic_kitchens
 from foon_kg.loaders.json_document import stream_fields
@@ -18,7 +17,8 @@ from foon_kg.loaders.narrations import is_narrated, read_narrations
 from foon_kg.loaders.notices import NoticeKind, UnreadableFile
 from foon_kg.loaders.text_blocks import text_blocks
 from foon_kg.model import Timing
-from foon_kg.narration import Mention, Place
+from foon_kg.model.errors import ReadError
+from foon_kg.model.narration import Mention, Place
 
 
 def actions(*rows):

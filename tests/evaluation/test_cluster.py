@@ -6,9 +6,9 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.cluster import spread_over
 from foon_kg.demo import demo_folder, demo_recipes
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
+from foon_kg.planning.cluster import spread_over
 
 distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
 
@@ -64,7 +64,7 @@ def test_left_out_videos_get_the_same_bytes_from_a_cluster(address):
 
 
 def test_a_scheduler_that_does_not_answer_is_named(monkeypatch):
-    monkeypatch.setattr("foon_kg.cluster.PATIENCE", 0.2)
+    monkeypatch.setattr("foon_kg.planning.cluster.PATIENCE", 0.2)
     asked = ["evaluate", "leave-one-out", "--files", str(demo_folder()), "--dask", "tcp://127.0.0.1:9"]
     answer = CliRunner().invoke(app, asked)
     assert answer.exit_code == 2

@@ -6,8 +6,8 @@ import json
 
 import pytest
 
-from foon_kg.errors import ReadError, UsageError
 from foon_kg.evaluation.comparison import compare, read_evaluation, shares_of
+from foon_kg.model.errors import ReadError, UsageError
 
 
 def shares(*values):

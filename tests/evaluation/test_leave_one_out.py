@@ -13,8 +13,8 @@ from foon_kg.evaluation.leave_one_out import asking_without
 from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.evaluation.methods import METHODS, OURS, SameName
 from foon_kg.evaluation.tree_overlap import Overlap
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import write_text
+from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
 

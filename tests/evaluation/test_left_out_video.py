@@ -6,7 +6,7 @@ import pytest
 from kitchen_stories import subgraph
 
 from foon_kg.evaluation.left_out_video import left_out_video
-from foon_kg.kitchen import Kitchen
+from foon_kg.plans.kitchen import Kitchen
 
 CHOP = "onion(whole); knife > chop > onion(chopped)"
 POUR = "onion(chopped); bowl > pour > bowl{onion}; onion(chopped)@in bowl"

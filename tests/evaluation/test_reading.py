@@ -13,7 +13,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.reading import (
     ReadingTree,
     draw,
@@ -26,8 +25,9 @@ from foon_kg.evaluation.reading import (
 from foon_kg.evaluation.reading_figures import ALL_READERS, ASPECTS, JUDGE, compare, judged
 from foon_kg.evaluation.reading_page import page, words_in
 from foon_kg.evaluation.reading_sheet import Verdict, read_sheet, write_sheet
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
+from foon_kg.model.errors import ReadError
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.validation import Finding, Report
 
 PROGRAM = Path(__file__).parents[2] / "benchmarks" / "reading.py"

@@ -18,8 +18,8 @@ from foon_kg.evaluation.scores import without_tree
 from foon_kg.model import Recipe, RequiredIngredient
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.pictures.charts import curve_chart, histogram_chart, interval_chart
-from foon_kg.pictures.recipes_report import recipes_report, worst
+from foon_kg.formats.pictures.charts import curve_chart, histogram_chart, interval_chart
+from foon_kg.formats.pictures.recipes_report import recipes_report, worst
 
 COLD = [path for path in sorted(demo_recipes()) if not path.stem.endswith(("omelette", "soup"))][:4]
 

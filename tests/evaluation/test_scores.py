@@ -6,10 +6,10 @@ import pytest
 from kitchen_stories import node, unit
 
 from foon_kg.evaluation.scores import LineScore, Reason, Rule, share_correct, without_tree
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import MadeBy, Vocabulary
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.result import PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.model.knowledge import MadeBy, Vocabulary
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlannedUnit, PlanResult, ReferenceSummary
 
 CHOP = "onion(whole); knife > chop > onion(chopped)"
 ADD = "onion(chopped); bowl > pour > bowl{onion}"

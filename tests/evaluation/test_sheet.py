@@ -7,12 +7,12 @@ import io
 
 import pytest
 
-from foon_kg.errors import ReadError
 from foon_kg.evaluation.figures import RecipeFigures
 from foon_kg.evaluation.scores import LineScore, Reason
 from foon_kg.evaluation.sheet import read_sheet, scored_by_both, write_sheet
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.progress import ProgressLine, ProgressStep
+from foon_kg.model.errors import ReadError
+from foon_kg.plans.progress import ProgressLine, ProgressStep
 
 ONION, OIL = RequiredIngredient("onion", "chopped"), RequiredIngredient('oil, "virgin"', "liquid")
 LINE = ProgressLine("onion", (ProgressStep(("whole",), "on", "board", "chop", "onion"),), "salad")

@@ -8,12 +8,12 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.collected import CollectedLine, CollectedRecipe
-from foon_kg.collection import CollectionReader
 from foon_kg.demo import demo_folder
-from foon_kg.graph import Connection, load
-from foon_kg.graph.recipes import load_recipes, prepare_for_recipes
+from foon_kg.language.collection import CollectionReader
 from foon_kg.loaders import read_paths
+from foon_kg.model.collected import CollectedLine, CollectedRecipe
+from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
 
 pytestmark = pytest.mark.neo4j
 

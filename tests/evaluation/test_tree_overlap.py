@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from kitchen_stories import node, unit
 
 from foon_kg.evaluation.tree_overlap import in_common, main_object, overlap
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import FunctionalUnit, Participant
+from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
 CHOP = unit("knife; onion(whole) > chop > onion(chopped)")

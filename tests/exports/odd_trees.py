@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, Sighting
-from foon_kg.result import PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlannedUnit, PlanResult, ReferenceSummary
 
 ODD = (
     "crème fraîche", "焼き豆腐", "a \"b\" 'c'", "<b>&amp;</b>", "x;y,z:(w)", "{in} [out]", "%25 \\n \\", "end", "n1",

@@ -12,12 +12,12 @@ from hypothesis import given, settings
 from kitchen_stories import SALAD, node, subgraph
 from pictures.demo_plans import demo_plan
 
-from foon_kg.errors import FormatError
-from foon_kg.exports.behaviour_tree import write_behaviour_tree
-from foon_kg.exports.notation import node_text
-from foon_kg.exports.tree import ExportedTree
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.formats.exports.behaviour_tree import write_behaviour_tree
+from foon_kg.formats.exports.notation import node_text
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode
-from foon_kg.motion_costs import MotionCosts
+from foon_kg.model.errors import FormatError
 
 NOTATION = re.compile(
     r"(?P<label>[^;(){}\[\]]*?)(?: \((?P<states>[^)]*)\))?(?: \{(?P<inside>[^}]*)\})?"

@@ -12,12 +12,12 @@ from kitchen_stories import SALAD, node, subgraph, unit
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.exports.formats import ENDINGS
-from foon_kg.graph import Connection, load, load_weights
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.formats.exports.formats import ENDINGS
 from foon_kg.loaders import read_json, read_text, read_weights, write_json, write_text
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.result import PlanFailure, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PlanFailure, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.store.graph import Connection, load, load_weights
 
 STORY = subgraph("story", "salad", *SALAD)
 SALAD_NODE = node("salad(mixed){onion,salt,tomato}@bowl")

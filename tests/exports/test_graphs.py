@@ -14,17 +14,17 @@ from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
 from kitchen_stories import SALAD, node, subgraph, unit
 
-from foon_kg.errors import FormatError
-from foon_kg.exports.dot import write_dot
-from foon_kg.exports.graph import BipartiteGraph
-from foon_kg.exports.graphml import write_graphml
-from foon_kg.exports.mermaid import write_mermaid
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.kitchen import Kitchen
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.formats.exports.dot import write_dot
+from foon_kg.formats.exports.graph import BipartiteGraph
+from foon_kg.formats.exports.graphml import write_graphml
+from foon_kg.formats.exports.mermaid import write_mermaid
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, Sighting
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.result import PlannedUnit, PlanResult, ReferenceSummary
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import FormatError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.store.snapshot import Snapshot
 
 MERMAID_NODE = re.compile(r'  (\w+)(\(\[|\[)"((?:[\w ,.()\-+*\'/!]|#\d+;)*)"(\]\)|\]):::(food|utensil|goal|motion)')
 MERMAID_EDGE = re.compile(r"  (\w+) (-->|==>) (\w+)")

@@ -12,12 +12,12 @@ from foons import foons
 from hypothesis import given, settings
 
 from foon_kg.demo import demo_folder
-from foon_kg.exports.neo4j_csv import AFTER, ARGUMENTS, LIST_DELIMITER, write_neo4j_csv
-from foon_kg.graph import Connection, Neo4jGraph, load
-from foon_kg.kitchen import Kitchen
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.formats.exports.neo4j_csv import AFTER, ARGUMENTS, LIST_DELIMITER, write_neo4j_csv
 from foon_kg.loaders import read_paths
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 READ = {"long": int, "double": float, "boolean": lambda text: text == "true", "string": str}

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from kitchen_stories import SALAD, node, subgraph
 from pictures.demo_plans import demo_plan
 
-from foon_kg.errors import FormatError, UsageError
-from foon_kg.exports.pddl import foon_to_pddl, tree_to_pddl
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.kitchen import Kitchen
-from foon_kg.snapshot import Snapshot
+from foon_kg.formats.exports.pddl import foon_to_pddl, tree_to_pddl
+from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.model.errors import FormatError, UsageError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 NAME = re.compile(r"[a-z][a-z0-9_-]*")

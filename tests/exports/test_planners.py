@@ -9,11 +9,11 @@ from exports.odd_trees import ODD, of_file
 from kitchen_stories import SALAD, subgraph
 from pictures.demo_plans import demo_plan
 
-from foon_kg.exports.pddl import foon_to_pddl, tree_to_pddl
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.pddl import foon_to_pddl, tree_to_pddl
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 pytest.importorskip("unified_planning", reason="the extra [planners] is not installed")
 pytest.importorskip("up_fast_downward", reason="the extra [planners] is not installed")

@@ -9,12 +9,12 @@ from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
 from kitchen_stories import ADD_ONION, ADD_SALT, CHOP_ONION, MIX, SALAD, node, subgraph, unit
 
-from foon_kg.exports.recipe import video_address, write_recipe
-from foon_kg.exports.sentences import listed, sentence
-from foon_kg.exports.tree import ExportedTree
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.exports.recipe import video_address, write_recipe
+from foon_kg.formats.exports.sentences import listed, sentence
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
-from foon_kg.result import Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
 
 KITCHEN = Kitchen.default()
 

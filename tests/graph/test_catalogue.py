@@ -13,8 +13,8 @@ import neo4j
 import pytest
 
 from foon_kg.cypher import catalogue, read_query, schema_steps
-from foon_kg.graph import statements
-from foon_kg.graph.statements import Statement
+from foon_kg.store.graph import statements
+from foon_kg.store.graph.statements import Statement
 
 REPO = Path(__file__).parents[2]
 STATEMENTS = {value.name: value for value in vars(statements).values() if isinstance(value, Statement)}

@@ -9,10 +9,10 @@ from dataclasses import replace
 
 import pytest
 
-from foon_kg.errors import GraphError
-from foon_kg.graph import Connection, Neo4jGraph, load
-from foon_kg.graph.warming import warm
-from foon_kg.server.settings import ConnectionSettings
+from foon_kg.model.errors import GraphError
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.graph.warming import warm
+from foon_kg.store.server.settings import ConnectionSettings
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def test_a_read_is_not_tried_again_and_again_where_no_neo4j_is():
 
 @pytest.mark.parametrize("scheme", ["bolt", "neo4j"])
 def test_who_takes_a_connection_and_says_nothing_is_no_neo4j(scheme, monkeypatch):
-    monkeypatch.setattr("foon_kg.graph.connection._ANSWER_SECONDS", 0.2)
+    monkeypatch.setattr("foon_kg.store.graph.connection._ANSWER_SECONDS", 0.2)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         settings = ConnectionSettings(f"{scheme}://127.0.0.1:{silent.getsockname()[1]}")
         with (

@@ -7,12 +7,12 @@ from foons import foons
 from hypothesis import HealthCheck, given, settings
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.errors import GraphError
-from foon_kg.graph import load, remove
-from foon_kg.graph.counting import count
-from foon_kg.kitchen import Kitchen
-from foon_kg.snapshot import Snapshot
-from foon_kg.statistics import Statistics
+from foon_kg.model.errors import GraphError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import load, remove
+from foon_kg.store.graph.counting import count
+from foon_kg.store.snapshot import Snapshot
+from foon_kg.store.statistics import Statistics
 
 pytestmark = pytest.mark.neo4j
 

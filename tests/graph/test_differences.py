@@ -12,11 +12,11 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder
-from foon_kg.difference import differences as in_memory
-from foon_kg.errors import UsageError
-from foon_kg.graph import Connection, load, remove
-from foon_kg.graph.differences import differences, losses
 from foon_kg.loaders import read_paths
+from foon_kg.model.errors import UsageError
+from foon_kg.plans.difference import differences as in_memory
+from foon_kg.store.graph import Connection, load, remove
+from foon_kg.store.graph.differences import differences, losses
 
 pytestmark = pytest.mark.neo4j
 

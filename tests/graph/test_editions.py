@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.graph import load, remove
-from foon_kg.graph.edition import MOST_UNITS, Edition
-from foon_kg.kitchen import Kitchen
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import load, remove
+from foon_kg.store.graph.edition import MOST_UNITS, Edition
+from foon_kg.store.snapshot import Snapshot
 
 salad = subgraph("salad", "salad", *SALAD)
 shorter = subgraph("salad", "salad", *SALAD[:3])

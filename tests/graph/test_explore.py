@@ -13,12 +13,12 @@ from foon_kg.cli import app
 from foon_kg.cli.explore import command, explore_query, values
 from foon_kg.cypher import catalogue, explore_queries
 from foon_kg.demo import demo_folder
-from foon_kg.errors import UsageError
-from foon_kg.graph import Connection, load
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import UsageError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.snapshot import Snapshot
 
 PAGE = Path(__file__).parents[2] / "docs" / "explore.md"
 every_query = pytest.mark.parametrize("query", explore_queries(), ids=lambda query: query.name)

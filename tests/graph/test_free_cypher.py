@@ -6,9 +6,9 @@ import neo4j
 import pytest
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.errors import GraphError, WriteRefused
-from foon_kg.graph import Connection, load
-from foon_kg.graph.free_cypher import ask_freely
+from foon_kg.model.errors import GraphError, WriteRefused
+from foon_kg.store.graph import Connection, load
+from foon_kg.store.graph.free_cypher import ask_freely
 
 pytestmark = pytest.mark.neo4j
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import pytest
 from kitchen_stories import SALAD, subgraph
 
-from foon_kg.graph import Connection, Neo4jGraph, kept_rows, load
-from foon_kg.graph.kept_rows import KeptRows
-from foon_kg.graph.statements import Statement
-from foon_kg.kitchen import Kitchen
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, kept_rows, load
+from foon_kg.store.graph.kept_rows import KeptRows
+from foon_kg.store.graph.statements import Statement
+from foon_kg.store.snapshot import Snapshot
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from foon_kg.graph.known_units import known_units
-from foon_kg.graph.rows import KnownUnitsRow
+from foon_kg.store.graph.known_units import known_units
+from foon_kg.store.graph.rows import KnownUnitsRow
 
 
 def test_a_unit_that_goes_while_the_graph_answers_is_left_out():

@@ -10,13 +10,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from kitchen_stories import SALAD, subgraph, unit
 
-from foon_kg.errors import GraphError, ReadError, SchemaError, UsageError
-from foon_kg.graph import Connection, LoadReport, Neo4jGraph, load, remove
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.graph.schema import schema_version
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Annotation, Subgraph, Timing
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import GraphError, ReadError, SchemaError, UsageError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, LoadReport, Neo4jGraph, load, remove
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.graph.schema import schema_version
+from foon_kg.store.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
 

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.cypher import explore_queries
-from foon_kg.errors import GraphError, WriteRefused
-from foon_kg.graph import Connection
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.graph.looking import DEEPEST, MOST_CHARACTERS, MOST_WORDS, only_looking, read
+from foon_kg.model.errors import GraphError, WriteRefused
+from foon_kg.store.graph import Connection
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.graph.looking import DEEPEST, MOST_CHARACTERS, MOST_WORDS, only_looking, read
 
 INSIDE = {
     "a file": "LOAD CSV FROM 'file:///etc/passwd' AS l RETURN l",

@@ -12,13 +12,15 @@ from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe
-from foon_kg.collection import CollectionReader
 from foon_kg.demo import demo_folder
-from foon_kg.dish_classes import DishClass
-from foon_kg.errors import UsageError
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
-from foon_kg.graph.recipes import (
+from foon_kg.language.collection import CollectionReader
+from foon_kg.loaders import read_paths
+from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe
+from foon_kg.model.dish_classes import DishClass
+from foon_kg.model.errors import UsageError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.graph.recipes import (
     class_counts,
     load_recipes,
     prepare_for_recipes,
@@ -27,8 +29,6 @@ from foon_kg.graph.recipes import (
     stored_recipe,
     wanted_foods,
 )
-from foon_kg.kitchen import Kitchen
-from foon_kg.loaders import read_paths
 
 pytestmark = pytest.mark.neo4j
 
@@ -119,11 +119,11 @@ def test_after_each_transaction_its_recipes_are_safe_and_counted(connection):
 KILLED = """
 import os, signal, sys
 sys.path[:0] = {path!r}
-from foon_kg.collection import CollectionReader
-from foon_kg.graph import Connection
-from foon_kg.graph.recipes import load_recipes
-from foon_kg.server.settings import ConnectionSettings
-from foon_kg.collected import CollectedLine, CollectedRecipe
+from foon_kg.language.collection import CollectionReader
+from foon_kg.store.graph import Connection
+from foon_kg.store.graph.recipes import load_recipes
+from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.model.collected import CollectedLine, CollectedRecipe
 
 settings = ConnectionSettings(*sys.argv[1:5])
 recipes = [

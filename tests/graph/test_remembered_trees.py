@@ -10,17 +10,17 @@ from foons import foons
 from hypothesis import HealthCheck, given, settings
 from kitchen_stories import CHOP_ONION, SALAD, subgraph
 
-from foon_kg.errors import UsageError
-from foon_kg.graph import Connection, Neo4jGraph, load, remove
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.graph.remembering import keep_trees
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import RetrievedTree
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import UsageError
+from foon_kg.model.knowledge import RetrievedTree
 from foon_kg.planning import references
 from foon_kg.planning.planner import plan
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import recall
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.graph.remembering import keep_trees
+from foon_kg.store.snapshot import Snapshot
 
 pytestmark = pytest.mark.neo4j
 

@@ -6,7 +6,7 @@ from integration.told import KITCHEN, snapshot_of
 
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.settings import PlanSettings
 
 SALAD = """
 name: salad

@@ -12,7 +12,7 @@ from foon_kg.integration.parts import parts_of
 from foon_kg.integration.preparation import wants_of
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.settings import PlanSettings
 
 KNOWN = tables()
 CAKE = {

@@ -10,12 +10,12 @@ from planner.judged import judge
 from planner.public_foon import public_snapshot
 
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.store.snapshot import Snapshot
 
 DATA = Path(__file__).parent / "data"
 NEW = {one.subgraph.name: one.subgraph for one in read_paths([DATA])}

@@ -28,7 +28,7 @@ from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.warmed import garnished, warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.settings import PlanSettings
 
 
 def stage(motion, does, *, vessel="bowl", appliance="", adds=()):

@@ -11,8 +11,8 @@ from foon_kg.integration.phases import phase_of
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.store.snapshot import Snapshot
 
 KNOWN = tables()
 

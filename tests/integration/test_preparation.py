@@ -7,10 +7,10 @@ from integration.school import PLANNER, SNAPSHOT, life_of, planned
 from integration.told import KITCHEN
 from planner.judged import fatal
 
-from foon_kg.errors import NoTreeError
 from foon_kg.food import Level, tables
 from foon_kg.integration.preparation import owed, understood, wants_of
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError
 from foon_kg.similarity import food_similarity
 
 BOILED_WHOLE = "boil, drain, rinse, peel"

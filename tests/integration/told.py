@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from foon_kg.integration.operators import Operators
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Annotation, FunctionalUnit, Participant, Subgraph
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation.notation import read_trees
 
 KITCHEN = Kitchen.default()

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.collected import CalledFor, CollectedLine, CollectedRecipe
-from foon_kg.collection import CollectionReader, is_heading, state_beside
+from foon_kg.language.collection import CollectionReader, is_heading, state_beside
+from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe
 
 
 def recipe(*lines, title="Onion Soup", dish_type=None):

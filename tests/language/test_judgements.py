@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
-from foon_kg.names import canonical
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity, food_similarity
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 OWN = json.loads((Path(__file__).parent / "data" / "accepted.json").read_text(encoding="utf-8"))
 PARTS = ["unseen foods", "recipe words", "judged afterwards"]

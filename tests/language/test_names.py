@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
-from foon_kg.names import ALIASES_VARIABLE, alias_table, canonical
+from foon_kg.model.errors import ReadError
+from foon_kg.model.names import ALIASES_VARIABLE, alias_table, canonical
 
 SAME_THING = [
     ("Courgettes", "zucchini"),

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.names import canonical
-from foon_kg.plain_lines import AGREES, amount_in_front, read_quickly
-from foon_kg.recipe_lines import read_fully
+from foon_kg.language.plain_lines import AGREES, amount_in_front, read_quickly
+from foon_kg.language.recipe_lines import read_fully
+from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 
 needs_the_parser = pytest.mark.skipif(
@@ -65,7 +65,7 @@ def plain_lines(count):
 @needs_the_parser
 def test_plain_lines_are_read_as_the_parser_reads_them():
     """The parser's own mistakes apart, of which a hundred lines have one: AGREES says so."""
-    from foon_kg.recipe_lines import read_fully
+    from foon_kg.language.recipe_lines import read_fully
 
     lines = list(dict.fromkeys(plain_lines(250)))
     quick = {line: answer for line in lines if (answer := read_quickly(line)) is not None}
@@ -92,7 +92,7 @@ def test_plain_lines_are_read_as_the_parser_reads_them():
     ],
 )
 def test_lines_of_every_shape_are_read_alike(line):
-    from foon_kg.recipe_lines import read_fully
+    from foon_kg.language.recipe_lines import read_fully
 
     assert read_quickly(line) == replace(read_fully(line), confidence=AGREES)
 

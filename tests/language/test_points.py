@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from foon_kg.cypher import schema_steps
-from foon_kg.names import ALIASES_VARIABLE, canonical
+from foon_kg.model.names import ALIASES_VARIABLE, canonical
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.points import LONGEST, POINT_LENGTH, _shared, points, question, word_lists_key
 

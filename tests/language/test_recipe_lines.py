@@ -7,9 +7,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from foon_kg import recipe_lines
-from foon_kg.errors import FoonError
-from foon_kg.recipe_lines import LineReader, RecipeLine, read_fully, read_recipe_lines
+from foon_kg.language import recipe_lines
+from foon_kg.language.recipe_lines import LineReader, RecipeLine, read_fully, read_recipe_lines
+from foon_kg.model.errors import FoonError
 
 pytestmark = pytest.mark.skipif(  # looked for, not imported: an import before ours would try to download a tagger
     find_spec("ingredient_parser") is None,
@@ -161,7 +161,7 @@ def test_nothing_is_downloaded():
         "import urllib.request, nltk\n"
         "def refuse(*a, **k): raise SystemExit('tried to download')\n"
         "nltk.download = nltk.downloader.download = urllib.request.urlopen = refuse\n"
-        "from foon_kg.recipe_lines import read_recipe_lines\n"
+        "from foon_kg.language.recipe_lines import read_recipe_lines\n"
         "print(read_recipe_lines(['1 onion, diced'])[0].object)\n"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)

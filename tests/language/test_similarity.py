@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import UsageError
-from foon_kg.names import canonical
+from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
 from foon_kg.similarity import Neighbour, cosine_similarity, food_similarity, spacy_similarity
 from foon_kg.similarity.evidence import KINDS
 from foon_kg.similarity.groups import food_groups

@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
-from foon_kg.snapshot import Snapshot
-from foon_kg.state_classes import STATES_VARIABLE, state_classes
-from foon_kg.states import state_class, state_in
+from foon_kg.model.errors import ReadError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.similarity.state_classes import STATES_VARIABLE, state_classes
+from foon_kg.similarity.states import state_class, state_in
+from foon_kg.store.snapshot import Snapshot
 
 SHARED = Path(__file__).parents[3] / "shared" / "data"
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.muhai import read_muhai, read_muhai_text
 from foon_kg.loaders.notices import NoticeKind, ReadResult, Severity
 from foon_kg.loaders.paths import read_path
+from foon_kg.model.errors import ReadError
 
 BREAD = """(defparameter *recipe* '((get-kitchen ?k)
  (fetch-and-proportion ?butter ?k1 ?k ?c1 butter 60 g)

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders import NoticeKind, ReadResult, Severity, read_path, read_paths, read_text, write_json, write_text
+from foon_kg.model.errors import ReadError
 
 UNIT = "O\tonion\t1\nM\tchop\nO\tonion\t0\nS\tchopped\n//\n"
 OTHER = UNIT.replace("onion", "carrot")

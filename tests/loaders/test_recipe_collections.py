@@ -9,12 +9,12 @@ import sys
 import pandas as pd
 import pytest
 
-from foon_kg.collected import LONGEST_ID, LONGEST_LINE, CollectedLine
-from foon_kg.collection import CollectionReader, classes_of
-from foon_kg.errors import ReadError, UsageError
+from foon_kg.language.collection import CollectionReader, classes_of
 from foon_kg.loaders.notices import NoticeKind, Severity
 from foon_kg.loaders.recipe1m import MOST_INGREDIENTS
 from foon_kg.loaders.recipe_collections import RecipeCollections
+from foon_kg.model.collected import LONGEST_ID, LONGEST_LINE, CollectedLine
+from foon_kg.model.errors import ReadError, UsageError
 
 
 def texts(*words):

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from foon_kg.errors import FormatError
 from foon_kg.loaders import NoticeKind, read_json, read_text, write_json, write_text
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model.errors import FormatError
 
 unhurried = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders.notices import NoticeKind, Severity
 from foon_kg.loaders.video_tables import (
     COLUMNS,
@@ -21,6 +20,7 @@ from foon_kg.loaders.video_tables import (
     read_videos,
 )
 from foon_kg.model import ObjectNode, Participant, Timing
+from foon_kg.model.errors import ReadError
 
 HEADER = ",".join((*COLUMNS, "dish"))
 CHOP = "0:12,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,"

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from kitchen_stories import subgraph
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.answers import Confidences, Neighbour, best
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 
 @dataclass(frozen=True)

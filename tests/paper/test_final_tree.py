@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 from kitchen_stories import ADD_TOMATO, CHOP_ONION, SALAD, node, script
 from paper.see_through import foon, recipe, told
 
-from foon_kg.errors import NoTreeError
-from foon_kg.names import canonical
-from foon_kg.paper import plan_by_the_paper
-from foon_kg.result import PlanResult
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import NoTreeError
+from foon_kg.model.names import canonical
+from foon_kg.planning.paper import plan_by_the_paper
+from foon_kg.plans.result import PlanResult
+from foon_kg.store.snapshot import Snapshot
 
 CARROTS = (
     "cutting board(empty); carrot(whole) > pick-and-place > cutting board{carrot}; carrot(whole)@on cutting_board",

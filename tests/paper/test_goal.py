@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from kitchen_stories import node
 from paper.see_through import Told, foon, recipe, told
 
-from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.model import Goal
-from foon_kg.paper import plan_by_the_paper
-from foon_kg.paper.reference import compute_similarity, identify_goal_node
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.planning.paper import plan_by_the_paper
+from foon_kg.planning.paper.reference import compute_similarity, identify_goal_node
 
 NAMES = ("onion", "leek", "salt", "egg")
 lists = st.lists(st.sampled_from(NAMES), max_size=5)

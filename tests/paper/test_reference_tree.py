@@ -8,11 +8,11 @@ from kitchen_stories import node, script
 from paper.see_through import told
 from search_problems import deep_problems, problems
 
-from foon_kg.errors import NoTreeError
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import Vocabulary
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant
-from foon_kg.paper.reference import Knowledge, retrieve_reference_task_tree
+from foon_kg.model.errors import NoTreeError
+from foon_kg.model.knowledge import Vocabulary
+from foon_kg.planning.paper.reference import Knowledge, retrieve_reference_task_tree
+from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
 WORDS = Vocabulary((), (), ())

@@ -6,10 +6,10 @@ import functools
 
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.demo import demo_recipes
-from foon_kg.kitchen import Kitchen
 from foon_kg.planning.planner import plan
-from foon_kg.recipes import IngredientWords, read_recipe
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.recipes import IngredientWords, read_recipe
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 
 @functools.cache

@@ -8,16 +8,16 @@ import pytest
 from pictures.demo_plans import demo_foon, demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.durations import Duration, Durations
-from foon_kg.kitchen import Kitchen
-from foon_kg.pictures.gantt import schedule_svg
-from foon_kg.pictures.step_changes import step_changes_svg
+from foon_kg.formats.pictures.gantt import schedule_svg
+from foon_kg.formats.pictures.step_changes import step_changes_svg
+from foon_kg.formats.views.schedule import clock
+from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.planning.planner import Planner
-from foon_kg.schedule import schedule
-from foon_kg.settings import PlanSettings
-from foon_kg.step_changes import step_changes
-from foon_kg.views.schedule import clock
-from foon_kg.views.shown_tree import ShownTree
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.durations import Duration, Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.schedule import schedule
+from foon_kg.plans.step_changes import step_changes
 
 SVG = "{http://www.w3.org/2000/svg}"
 

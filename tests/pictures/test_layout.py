@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.pictures.layout import GAP, _settle, layered
+from foon_kg.formats.pictures.layout import GAP, _settle, layered
 
 NEARLY = 1e-6
 

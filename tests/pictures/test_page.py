@@ -9,9 +9,9 @@ from chromium import PAPERS, as_usual, as_wide_as_the_screen, fingers, on_screen
 from pictures.demo_plans import demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.kitchen import Kitchen
-from foon_kg.pictures.page import page_of
-from foon_kg.views.shown_tree import ShownTree
+from foon_kg.formats.pictures.page import page_of
+from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.plans.kitchen import Kitchen
 
 KITCHEN = Kitchen.default()
 
@@ -174,7 +174,7 @@ def test_the_page_is_no_wider_than_the_screen(opened, width):
 def test_hostile_words_stay_words():
     plan = demo_plan("kohlrabi_salad").to_json()
     hostile = json.loads(json.dumps(plan).replace("kohlrabi", "<img src=x onerror=alert(1)>"))
-    from foon_kg.result import PlanResult
+    from foon_kg.plans.result import PlanResult
 
     html = page_of(ShownTree.of_result(PlanResult.from_json(hostile)), KITCHEN)
     assert "<img" not in html

@@ -12,14 +12,14 @@ from pictures.demo_plans import demo_plan, demo_recipe_names
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
 from foon_kg.cli.demo import demo_subgraphs
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.pictures.png import png_of
+from foon_kg.formats.pictures.progress import progress_svg
+from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, scene_of
+from foon_kg.formats.pictures.tree import tree_svg
+from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model import ObjectNode
-from foon_kg.pictures.png import png_of
-from foon_kg.pictures.progress import progress_svg
-from foon_kg.pictures.scene import MotionBox, ObjectBox, scene_of
-from foon_kg.pictures.tree import tree_svg
-from foon_kg.result import PlannedUnit, PlanResult
-from foon_kg.views.shown_tree import ShownTree
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlannedUnit, PlanResult
 
 KITCHEN = Kitchen.default()
 SVG = "{http://www.w3.org/2000/svg}"

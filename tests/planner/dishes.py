@@ -13,9 +13,9 @@ import numpy as np
 from hypothesis import strategies as st
 from kitchen_stories import subgraph
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Subgraph
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.answers import Confidences, Neighbour, best
 
 KITCHEN = Kitchen.default()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from foon_kg.kitchen import Kitchen
-from foon_kg.result import PlanResult
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanResult
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon, Report, TaskTree, check
 
 KITCHEN = Kitchen.default()

@@ -8,15 +8,15 @@ from pathlib import Path
 import pytest
 
 from foon_kg import validation
-from foon_kg.errors import NoTreeError
 from foon_kg.evaluation.verdicts import Verdicts
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.result import PlanFailure, PlanResult
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanFailure, PlanResult
+from foon_kg.store.snapshot import Snapshot
 
 SHARED = Path(__file__).resolve().parents[2] / ".." / "shared" / "data"
 

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 
-from foon_kg.errors import NoTreeError
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.result import PlanFailure, PlanResult
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.result import PlanFailure, PlanResult
+from foon_kg.store.snapshot import Snapshot
 
 for_many_questions = settings(max_examples=150, deadline=None)
 for_some_questions = settings(max_examples=50, deadline=None)

@@ -15,13 +15,13 @@ from planner.judged import fatal, judge
 from foon_kg import validation
 from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.evaluation.verdicts import Verdicts
-from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
 from foon_kg.planning.planner import Planner, plan
-from foon_kg.recipes import IngredientWords, read_recipe
-from foon_kg.settings import PlanSettings
-from foon_kg.snapshot import Snapshot, goals_of
+from foon_kg.planning.recipes import IngredientWords, read_recipe
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.snapshot import Snapshot, goals_of
 
 SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 SNAPSHOT = Snapshot.of(SUBGRAPHS, KITCHEN)
@@ -87,7 +87,7 @@ PLAN_ALL = """
 import json, random, sys
 from planner.test_demo_dishes import RECIPES, KITCHEN, SETTINGS, SUBGRAPHS
 from foon_kg.planning.planner import Planner
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 shuffled = random.Random(sys.argv[1]).sample(SUBGRAPHS, len(SUBGRAPHS))
 snapshot = Snapshot.of(shuffled, KITCHEN)
 planner = Planner(snapshot, SETTINGS, snapshot.units)

@@ -12,13 +12,13 @@ from planner.test_demo_dishes import SNAPSHOT, every_recipe
 from planner.test_overrides import SALAD
 from rich.console import Console
 
-from foon_kg.errors import NoTreeError
+from foon_kg.formats.views.explanation import explanation_view
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.explanation import Explanation, Joining, PassedOver
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import Substitute
-from foon_kg.snapshot import Snapshot
-from foon_kg.views.explanation import explanation_view
+from foon_kg.planning.settings import Substitute
+from foon_kg.store.snapshot import Snapshot
 
 
 def explain(asked, *substitutes):

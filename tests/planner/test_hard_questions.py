@@ -7,10 +7,10 @@ from kitchen_stories import SALAD, subgraph
 from planner.dishes import KITCHEN, SETTINGS
 from planner.judged import fatal
 
-from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.planner import plan
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 JUICE = (
     "orange(whole); knife > halve > orange(halved)",

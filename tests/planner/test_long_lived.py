@@ -9,13 +9,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
-from foon_kg.errors import NoTreeError
 from foon_kg.model import Recipe
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import likes, references
 from foon_kg.planning.planner import Planner
-from foon_kg.result import PlanFailure
+from foon_kg.plans.result import PlanFailure
 from foon_kg.search import ground
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 ROOM = ((references, "MOST_TREES"), (ground, "MOST_TREES"), (likes, "MOST_KEPT"))
 

@@ -12,19 +12,19 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError
-from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import planner
 from foon_kg.planning.candidates import reference_question
 from foon_kg.planning.planner import Planner, plan
-from foon_kg.result import PlanFailure
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import PlanFailure
+from foon_kg.plans.shortage import ShortageError, nearest_first, remedy
+from foon_kg.plans.stock import StockedKitchen
 from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
-from foon_kg.settings import PlanSettings
-from foon_kg.shortage import ShortageError, nearest_first, remedy
-from foon_kg.snapshot import Snapshot
-from foon_kg.stock import StockedKitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.snapshot import Snapshot
 
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], KITCHEN)
 WANTED = Recipe(

@@ -8,7 +8,7 @@ from planner.judged import fatal
 
 from foon_kg.model import Annotation, Recipe, RequiredIngredient, Subgraph
 from foon_kg.planning.planner import plan
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 AVOCADO = (
     "cutting board(empty); avocado(whole) > pick-and-place > avocado(whole)@on cutting_board",

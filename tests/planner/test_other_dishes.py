@@ -6,7 +6,7 @@ import pytest
 from planner.other_dishes import other_dishes, unseen_dishes
 from planner.public_foon import answers_to, failures, faults, public_snapshot, verdicts_on
 
-from foon_kg.result import PlanResult
+from foon_kg.plans.result import PlanResult
 
 pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 

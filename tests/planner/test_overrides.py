@@ -11,14 +11,14 @@ from planner.dishes import KITCHEN, SETTINGS, questions
 from planner.judged import fatal
 from planner.test_demo_dishes import SNAPSHOT
 
-from foon_kg.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
-from foon_kg.batch import Cook, Question, Wishes
-from foon_kg.errors import NoTreeError, UsageError
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.planning.batch import Cook, Question, Wishes
 from foon_kg.planning.planner import Planner
-from foon_kg.settings import Substitute
-from foon_kg.snapshot import Snapshot
+from foon_kg.planning.settings import Substitute
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 
 def recipe(*foods, dish_type="salad"):

@@ -8,9 +8,9 @@ import pytest
 from planner.public_foon import SHARED, answers_to, failures, faults, public_snapshot, verdicts_on
 
 from foon_kg.planning.planner import Planner
-from foon_kg.recipes import IngredientWords, read_recipe
-from foon_kg.result import PlanResult
-from foon_kg.settings import PlanSettings
+from foon_kg.planning.recipes import IngredientWords, read_recipe
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import PlanResult
 
 pytestmark = [pytest.mark.shared_data, pytest.mark.slow]
 

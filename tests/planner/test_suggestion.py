@@ -11,13 +11,13 @@ from kitchen_stories import SALAD, node, subgraph
 from planner.dishes import FRESH, KITCHEN, SOLD_IN, UNKNOWN, LikeByKind, foons
 
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError, UsageError
-from foon_kg.graph import Connection, Neo4jGraph, load
 from foon_kg.loaders import read_paths
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.planning.suggestion import suggest
+from foon_kg.plans.stock import StockedKitchen
 from foon_kg.search.gaps import mixtures
-from foon_kg.snapshot import Snapshot
-from foon_kg.stock import StockedKitchen
-from foon_kg.suggestion import suggest
+from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.snapshot import Snapshot
 
 SIMILARITY = LikeByKind()
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], KITCHEN)

@@ -9,7 +9,7 @@ from planner.test_opening import SOUP, STOVE
 
 from foon_kg.model import Annotation, Recipe, RequiredIngredient, Subgraph
 from foon_kg.planning.planner import plan
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 NEVER_ON = tuple(line for line in SOUP if "turn on" not in line)
 

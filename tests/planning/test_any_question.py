@@ -19,19 +19,19 @@ from integration.told import subgraphs
 from planner.judged import fatal
 
 import foon_kg
-from foon_kg.avoidance import names_avoided
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError, UsageError
 from foon_kg.food import singular, tables
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.planning.avoidance import names_avoided
 from foon_kg.planning.planner import Planner
-from foon_kg.result import PlanFailure
-from foon_kg.settings import PlanSettings, Substitute
-from foon_kg.shortage import ShortageError
-from foon_kg.snapshot import Snapshot
-from foon_kg.stock import StockedKitchen
+from foon_kg.planning.settings import PlanSettings, Substitute
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanFailure
+from foon_kg.plans.shortage import ShortageError
+from foon_kg.plans.stock import StockedKitchen
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 DEMO = [one.subgraph for one in read_paths([demo_folder()]) if one.subgraph is not None]

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from foon_kg.classic_retrieval.effort import coprime_base, efforts
+from foon_kg.search.classic.effort import coprime_base, efforts
 
 rates = st.one_of(
     st.integers(1, 20).map(lambda share: Fraction(share, 20)),

@@ -8,14 +8,14 @@ from hypothesis import strategies as st
 from kitchen_stories import node, unit
 from robot_kitchens import best_of_all, costs, deep_foons, foons, goals, kitchens, sought
 
-from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree
-from foon_kg.errors import NoTreeError, UsageError
-from foon_kg.kitchen import Kitchen
-from foon_kg.levels import Level, units_at
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, Subgraph
-from foon_kg.motion_costs import MotionCosts
+from foon_kg.model.errors import NoTreeError, UsageError
+from foon_kg.model.levels import Level, units_at
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError
-from foon_kg.snapshot import Snapshot
+from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon, TaskTree, check
 
 KITCHEN = Kitchen.default()

@@ -13,15 +13,15 @@ from kitchen_stories import unit
 from robot_kitchens import costs, deep_foons, foons, goals, kitchens, sought
 from typer.testing import CliRunner
 
-from foon_kg.classic_retrieval import Criterion, GoalSought, retrieve_tree
 from foon_kg.cli import app
-from foon_kg.errors import GraphError, NoTreeError
-from foon_kg.graph import Neo4jGraph, load, load_weights, remove
-from foon_kg.kitchen import Kitchen
-from foon_kg.levels import Level
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, Subgraph
-from foon_kg.motion_costs import MotionCosts
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import GraphError, NoTreeError
+from foon_kg.model.levels import Level
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
+from foon_kg.store.graph import Neo4jGraph, load, load_weights, remove
+from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()
 WEIGHTS = MotionCosts({"chop": 0.9, "mix": 0.25, "fly": 0.1})

@@ -6,8 +6,8 @@ import json
 
 import pytest
 
-from foon_kg.errors import ReadError
 from foon_kg.loaders import read_weights
+from foon_kg.model.errors import ReadError
 
 
 def weights(folder, text):

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.durations import Durations
-from foon_kg.kitchen import Kitchen
 from foon_kg.model import ObjectNode, Sighting
-from foon_kg.shopping import shopping_list
+from foon_kg.plans.durations import Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.shopping import shopping_list
 
 KITCHEN = Kitchen.default()
 

@@ -9,14 +9,14 @@ from foons import units as any_units
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from foon_kg.durations import Duration, Durations
-from foon_kg.errors import UsageError
-from foon_kg.kitchen import Kitchen
+from foon_kg.formats.views.shown_tree import leaves_of
 from foon_kg.model import ObjectNode
-from foon_kg.result import PlannedUnit
-from foon_kg.schedule import UNTIMED, WITHOUT_HANDS, schedule
-from foon_kg.step_order import earlier_steps
-from foon_kg.views.shown_tree import leaves_of
+from foon_kg.model.errors import UsageError
+from foon_kg.plans.durations import Duration, Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlannedUnit
+from foon_kg.plans.schedule import UNTIMED, WITHOUT_HANDS, schedule
+from foon_kg.plans.step_order import earlier_steps
 
 KITCHEN = Kitchen.default()
 

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import ObjectNode
-from foon_kg.result import PlannedUnit
-from foon_kg.step_order import earlier_steps
+from foon_kg.plans.result import PlannedUnit
+from foon_kg.plans.step_order import earlier_steps
 
 
 def step(inputs, motion, outputs):

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import read_paths
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import SearchProblem, UnitIndex, retrieve
-from foon_kg.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot
 
 FOLDER = Path(__file__).parents[2].parent / "shared" / "data" / "foon-111" / "TXT"
 

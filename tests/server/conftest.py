@@ -5,8 +5,8 @@ from __future__ import annotations
 import neo4j
 import pytest
 
-from foon_kg.server import stop
-from foon_kg.server.home import Home
+from foon_kg.store.server import stop
+from foon_kg.store.server.home import Home
 
 
 @pytest.fixture(scope="module")

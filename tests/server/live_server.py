@@ -6,10 +6,10 @@ import sys
 
 import psutil
 
-from foon_kg.server import ConnectionSettings, start
-from foon_kg.server.home import Home
+from foon_kg.store.server import ConnectionSettings, start
+from foon_kg.store.server.home import Home
 
-START = [sys.executable, "-c", "from foon_kg.server import start; print(start().uri)"]
+START = [sys.executable, "-c", "from foon_kg.store.server import start; print(start().uri)"]
 """A command that starts the server and prints where it answers."""
 
 

@@ -7,7 +7,7 @@ import threading
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
-from foon_kg.server.jars import Jar, JarSet
+from foon_kg.store.server.jars import Jar, JarSet
 
 
 @dataclass

@@ -9,9 +9,9 @@ import threading
 import pytest
 from server.maven_repository import MavenRepository, serve
 
-from foon_kg.errors import ServerError
-from foon_kg.server.fetch import TRIES, fetch, repositories
-from foon_kg.server.jars import JarSet
+from foon_kg.model.errors import ServerError
+from foon_kg.store.server.fetch import TRIES, fetch, repositories
+from foon_kg.store.server.jars import JarSet
 
 
 @pytest.fixture
@@ -125,9 +125,9 @@ def test_no_network_is_said_and_what_came_is_kept(repository, tmp_path, monkeypa
 FETCH = textwrap.dedent("""
     import json, sys
     from pathlib import Path
-    from foon_kg.errors import ServerError
-    from foon_kg.server.fetch import fetch
-    from foon_kg.server.jars import from_json
+    from foon_kg.model.errors import ServerError
+    from foon_kg.store.server.fetch import fetch
+    from foon_kg.store.server.jars import from_json
     try:
         fetch(from_json(json.loads(sys.argv[1])), Path(sys.argv[2]))
     except ServerError as error:

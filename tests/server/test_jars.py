@@ -1,6 +1,6 @@
 import pytest
 
-from foon_kg.server.jars import Jar, JarSet, pinned, sha256_of
+from foon_kg.store.server.jars import Jar, JarSet, pinned, sha256_of
 
 
 def test_the_pinned_set_is_whole_neo4j_with_no_name_twice():

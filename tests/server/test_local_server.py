@@ -13,8 +13,8 @@ import psutil
 import pytest
 from server.live_server import START, kill, servers_of, up
 
-from foon_kg.server import connection_settings, ensure_running, status, stop
-from foon_kg.server.process import is_free
+from foon_kg.store.server import connection_settings, ensure_running, status, stop
+from foon_kg.store.server.process import is_free
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
 

@@ -15,11 +15,11 @@ import psutil
 import pytest
 from server.live_server import START, servers_of, up
 
-from foon_kg.errors import ServerError
-from foon_kg.server import status, stop
-from foon_kg.server.fetch import fetch
-from foon_kg.server.jars import pinned
-from foon_kg.server.startup_cache import the_startup_cache
+from foon_kg.model.errors import ServerError
+from foon_kg.store.server import status, stop
+from foon_kg.store.server.fetch import fetch
+from foon_kg.store.server.jars import pinned
+from foon_kg.store.server.startup_cache import the_startup_cache
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
 
@@ -82,7 +82,7 @@ def test_a_start_without_room_says_so_and_the_next_one_works(place):
         resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 
     code = (
-        "import sys\nfrom foon_kg.errors import ServerError\nfrom foon_kg.server import start\n"
+        "import sys\nfrom foon_kg.model.errors import ServerError\nfrom foon_kg.store.server import start\n"
         "try:\n    start()\nexcept ServerError as error:\n    sys.exit(f'{error.code}: {error.message}')\n"
     )
     done = subprocess.run(

@@ -10,10 +10,10 @@ import psutil
 import pytest
 from server.live_server import up
 
-from foon_kg.errors import GraphError
-from foon_kg.graph import Connection
-from foon_kg.graph.free_cypher import ask_freely
-from foon_kg.server.disk import write_private
+from foon_kg.model.errors import GraphError
+from foon_kg.store.graph import Connection
+from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.server.disk import write_private
 
 VERSIONS = ("CYPHER 5 ", "CYPHER 25 ")
 SECRET = "what nobody should read"
@@ -77,7 +77,7 @@ def bare(place):
         write_private(home.configuration / "neo4j.conf", "".join(f"{name}={value}\n" for name, value in lines.items()))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("foon_kg.server.launch.write_configuration", plain)
+        patch.setattr("foon_kg.store.server.launch.write_configuration", plain)
         yield up()
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from foon_kg.server import ConnectionSettings, connection_from_environment, connection_settings
+from foon_kg.store.server import ConnectionSettings, connection_from_environment, connection_settings
 
 VARIABLES = ("NEO4J_URI", "NEO4J_USER", "NEO4J_PASSWORD", "NEO4J_DATABASE")
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from foon_kg.demo import demo_folder, demo_recipes
-from foon_kg.kitchen import Kitchen, singular
 from foon_kg.loaders import ReadResult, read_path
 from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.plans.kitchen import Kitchen, singular
 
 KITCHEN = Kitchen.default()
 DISHES = {"salad": 5, "omelette": 4, "drinks": 5, "soup": 4}

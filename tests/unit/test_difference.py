@@ -6,7 +6,7 @@ from foons import foons, subgraphs_named
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.difference import Status, differences
+from foon_kg.plans.difference import Status, differences
 
 NAMES = ("a", "b", "c", "d")
 

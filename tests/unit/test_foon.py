@@ -14,10 +14,10 @@ import pytest
 import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder
-from foon_kg.errors import NoTreeError, ReadError, UsageError
-from foon_kg.kitchen import Kitchen
-from foon_kg.kitchen_file import read_kitchen
-from foon_kg.recipes import IngredientWords
+from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.planning.kitchen_file import read_kitchen
+from foon_kg.planning.recipes import IngredientWords
+from foon_kg.plans.kitchen import Kitchen
 
 ASKED = ["chopped onion", "diced tomato", "olive oil"]
 

@@ -7,12 +7,12 @@ import json
 import pytest
 from kitchen_stories import SALAD, node, subgraph
 
-from foon_kg.errors import FoonError, ReadError
-from foon_kg.kitchen import Kitchen
-from foon_kg.kitchen_file import read_kitchen
-from foon_kg.model_json import node_to_json
-from foon_kg.recipes import IngredientWords
-from foon_kg.snapshot import Snapshot
+from foon_kg.model.errors import FoonError, ReadError
+from foon_kg.model.node_json import node_to_json
+from foon_kg.planning.kitchen_file import read_kitchen
+from foon_kg.planning.recipes import IngredientWords
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 
 EVERYBODY = Kitchen.default()
 SNAPSHOT = Snapshot.of([subgraph("salad", "salad", *SALAD)], EVERYBODY)

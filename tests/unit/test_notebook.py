@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
-from foon_kg.errors import UsageError
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
-from foon_kg.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.model.errors import UsageError
+from foon_kg.plans.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
 
 KOHLRABI, GRATED = ObjectNode("kohlrabi", ("whole",)), ObjectNode("kohlrabi", ("grated",), (), "in", "bowl")
 SALAD = ObjectNode("salad", ("mixed",), ("kohlrabi",))

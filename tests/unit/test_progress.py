@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders.paths import read_paths
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, RequiredIngredient
-from foon_kg.progress import progress_lines
-from foon_kg.snapshot import goals_of
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.progress import progress_lines
+from foon_kg.store.snapshot import goals_of
 
 SUBGRAPHS = Path(__file__).parents[2] / ".." / "shared" / "data" / "foon-111" / "TXT"
 KITCHEN = Kitchen.default()

@@ -1,6 +1,6 @@
 """A mapping that keeps what was asked of late."""
 
-from foon_kg.recent import Recent
+from foon_kg.model.recent import Recent
 
 
 def test_of_more_than_it_keeps_what_was_not_asked_the_longest_goes():

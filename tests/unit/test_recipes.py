@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError, UsageError
-from foon_kg.kitchen import Kitchen
-from foon_kg.knowledge import SeenAs, Vocabulary
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.recipes import IngredientWords, read_recipe, recipe_files, recipe_of
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.knowledge import SeenAs, Vocabulary
+from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files, recipe_of
+from foon_kg.plans.kitchen import Kitchen
 
 FOODS = (
     SeenAs("apple", "whole", made=0, used=1),

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.regular_files import open_regular, read_bytes, read_text
+from foon_kg.model.regular_files import open_regular, read_bytes, read_text
 
 COMMANDS = {
     "plan": ("plan", "@"),

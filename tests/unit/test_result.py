@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import NoTreeError, ReadError
-from foon_kg.json_fields import Fields
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, RequiredIngredient, Sighting
-from foon_kg.progress import ProgressLine, ProgressStep
-from foon_kg.result import (
+from foon_kg.model.errors import NoTreeError, ReadError
+from foon_kg.model.json_fields import Fields
+from foon_kg.plans.progress import ProgressLine, ProgressStep
+from foon_kg.plans.result import (
     Alternative,
     Assumption,
     PlanFailure,

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.result import PlannedUnit
-from foon_kg.step_changes import step_changes
+from foon_kg.plans.result import PlannedUnit
+from foon_kg.plans.step_changes import step_changes
 
 
 def known(place, inputs, motion, outputs):

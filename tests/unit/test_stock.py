@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kitchen_stories import node
 
-from foon_kg.kitchen import Kitchen, LeafFault
-from foon_kg.stock import ALWAYS_THERE, StockedKitchen
+from foon_kg.plans.kitchen import Kitchen, LeafFault
+from foon_kg.plans.stock import ALWAYS_THERE, StockedKitchen
 
 EVERYBODY = Kitchen.default()
 

@@ -10,11 +10,19 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
+from foon_kg.formats.views.tree import plan_view
+from foon_kg.formats.views.words import node_words, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
-from foon_kg.progress import ProgressLine, ProgressStep
-from foon_kg.result import Alternative, Assumption, PassedOver, PlannedUnit, PlanResult, ReferenceSummary, Substitution
-from foon_kg.views.tree import plan_view
-from foon_kg.views.words import node_words, shown_inputs, shown_outputs
+from foon_kg.plans.progress import ProgressLine, ProgressStep
+from foon_kg.plans.result import (
+    Alternative,
+    Assumption,
+    PassedOver,
+    PlannedUnit,
+    PlanResult,
+    ReferenceSummary,
+    Substitution,
+)
 
 ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
 

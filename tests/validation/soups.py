@@ -7,7 +7,7 @@ from dataclasses import replace
 from kitchen_stories import unit
 
 from foon_kg.model import Annotation, Subgraph
-from foon_kg.model_json import node_to_json
+from foon_kg.model.node_json import node_to_json
 
 SALAD = (
     "cutting board(empty); tomato(whole) > pick-and-place > cutting board{tomato}; tomato(whole)@on cutting_board",

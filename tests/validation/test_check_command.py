@@ -9,9 +9,9 @@ from typer.testing import CliRunner
 from validation.soups import SALAD, SOUP, SUBGRAPHS, salad, soup, without
 
 from foon_kg.cli import app
-from foon_kg.kitchen import Kitchen
 from foon_kg.loaders import write_text
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import RULES, KnownFoon, TaskTree
 from foon_kg.validation import check as judge
 from foon_kg.validation.contract import rule, rules

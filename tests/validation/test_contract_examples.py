@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from foon_kg.errors import UsageError
 from foon_kg.food import Level, tables
 from foon_kg.food.tables import FOODS_VARIABLE, UTENSILS_VARIABLE
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, Participant, Sighting
+from foon_kg.model.errors import UsageError
 from foon_kg.validation import FORM, RULES, KnownFoon, Report, check, repeatable
 from foon_kg.validation.contract import example_foon, rule, rules
 from foon_kg.validation.notation import read_tree, read_trees, remarks

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from validation.judging import ONE_TOMATO, foon_of
 
-from foon_kg.levels import Level
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode, Participant, Sighting
+from foon_kg.model.levels import Level
 from foon_kg.validation import KnownFoon
 
 TEXT = f"""

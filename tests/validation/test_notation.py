@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.errors import ReadError
-from foon_kg.levels import Level
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.errors import ReadError
+from foon_kg.model.levels import Level
 from foon_kg.validation import TaskTree
 from foon_kg.validation.contract import rules
 from foon_kg.validation.notation import Remark, read_tree, read_trees, remarks, write_tree

@@ -8,8 +8,6 @@ import pytest
 from validation.judging import ONE_TOMATO
 from validation.soups import SUBGRAPHS, salad
 
-from foon_kg.errors import ReadError
-from foon_kg.levels import Level
 from foon_kg.model import (
     Annotation,
     FunctionalUnit,
@@ -20,6 +18,8 @@ from foon_kg.model import (
     Sighting,
     Subgraph,
 )
+from foon_kg.model.errors import ReadError
+from foon_kg.model.levels import Level
 from foon_kg.validation import TaskTree
 from foon_kg.validation.notation import read_tree
 from foon_kg.validation.tree import Assumed, Substituted, TreeUnit

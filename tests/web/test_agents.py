@@ -11,7 +11,7 @@ from mcp import Client, StdioServerParameters
 from pictures.demo_plans import demo_foon
 
 from foon_kg.demo import demo_folder
-from foon_kg.errors import WriteRefused
+from foon_kg.model.errors import WriteRefused
 from foon_kg.web.agents import agent_server
 from foon_kg.web.foon import FixedFoon
 from foon_kg.web.service import FoonService
@@ -132,7 +132,7 @@ def test_foon_mcp_speaks_over_its_standard_input_and_output():
 def test_cypher_of_a_real_graph_only_looks(empty_graph):
     from foon_kg.cli.demo import demo_subgraphs
     from foon_kg.cli.mcp import _cypher
-    from foon_kg.graph import Connection, load
+    from foon_kg.store.graph import Connection, load
 
     with Connection(empty_graph) as connection:
         load(connection, list(demo_subgraphs())[:2])

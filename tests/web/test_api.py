@@ -12,10 +12,10 @@ from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
-from foon_kg.batch import Cook, Question, Wishes
-from foon_kg.durations import Durations
-from foon_kg.kitchen import Kitchen
-from foon_kg.schedule import schedule as schedule_of
+from foon_kg.planning.batch import Cook, Question, Wishes
+from foon_kg.plans.durations import Durations
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.schedule import schedule as schedule_of
 from foon_kg.web.limits import Limits
 
 

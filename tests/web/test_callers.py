@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 from web.serving import app
 
 from foon_kg.cli import app as commands
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 from foon_kg.web.callers import Callers, proxy_network
 from foon_kg.web.limits import Limits
 

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from web.serving import SALAD, app
 
 from foon_kg.cli import app as commands
-from foon_kg.errors import UsageError
+from foon_kg.model.errors import UsageError
 from foon_kg.web.security import KnownHosts, is_loopback, own_names, public_name, token_from
 
 TOKEN = "a-token-of-enough-letters"

@@ -10,8 +10,8 @@ import pytest
 from pictures.demo_plans import demo_foon
 
 from foon_kg.cli.demo import demo_subgraphs
-from foon_kg.kitchen import Kitchen
-from foon_kg.snapshot import Snapshot
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon, LiveFoon, Served
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, TooLongError, UnknownError
 from foon_kg.web.service import FoonService
@@ -141,7 +141,7 @@ def test_a_plan_under_way_is_given_up_when_the_service_ends():
 
 @pytest.mark.neo4j
 def test_a_graph_that_somebody_changes_is_read_anew(empty_graph):
-    from foon_kg.graph import Connection, Neo4jGraph, load
+    from foon_kg.store.graph import Connection, Neo4jGraph, load
 
     subgraphs = sorted(demo_subgraphs(), key=lambda subgraph: subgraph.name)
     with Connection(empty_graph) as connection:

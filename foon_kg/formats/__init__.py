@@ -1,0 +1,1 @@
+"""Plans for other programs and for people: exports, pictures, pages."""

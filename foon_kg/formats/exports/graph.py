@@ -1,0 +1,90 @@
+"""A tree or a whole FOON as the plain graph that DOT, Mermaid and GraphML draw: two kinds of nodes, directed edges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Self
+
+from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
+from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.model import KnownUnit, ObjectNode, Participant
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import Mentioned, PlannedUnit
+from foon_kg.store.snapshot import Snapshot
+
+
+@dataclass(frozen=True)
+class Edge:
+    """From the node with the id ``start`` to the one with the id ``end``; ``moving`` as the unit says of the object."""
+
+    start: str
+    end: str
+    moving: bool
+
+
+@dataclass(frozen=True)
+class BipartiteGraph:
+    """Object nodes (ids ``o1``, …) and motion nodes (``m1``, …), each once and in the order of appearance.
+
+    Where the things of a tree have numbers, two bowls are two object nodes though they look alike. ``edges`` go unit by
+    unit from the inputs to the motion, and from the motion to the outputs. ``goals`` are the end products, ``at_hand``
+    what no unit need make; ``costs`` say how likely motions succeed.
+    """
+
+    name: str
+    objects: dict[str, ObjectNode]
+    units: dict[str, KnownUnit]
+    edges: tuple[Edge, ...]
+    goals: frozenset[ObjectNode]
+    at_hand: frozenset[ObjectNode]
+    kitchen: Kitchen
+    costs: MotionCosts = NO_COSTS
+
+    @classmethod
+    def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
+        """Answer the graph of a task tree; its motion nodes are numbered like its steps."""
+        goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
+        planned = tree.result.units if tree.result is not None else ()
+        objects, edges = _drawn(tree.units, planned, tree.kitchen)
+        kitchen = Kitchen.default()
+        return cls(tree.title, objects, _numbered(tree.units), edges, goals, frozenset(tree.kitchen), kitchen, costs)
+
+    @classmethod
+    def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
+        """Answer the graph of a whole FOON; its motion nodes are in the order of their keys."""
+        objects, edges = _drawn(foon.units)
+        goals = frozenset(goal.node for goal in foon.goals())
+        at_hand = frozenset(filter(foon.kitchen.has, objects.values()))
+        return cls("FOON", objects, _numbered(foon.units), edges, goals, at_hand, foon.kitchen, costs)
+
+
+def _moving(side: Sequence[Participant]) -> frozenset[ObjectNode]:
+    return frozenset(participant.node for participant in side if participant.moving)
+
+
+def _numbered(units: Sequence[KnownUnit]) -> dict[str, KnownUnit]:
+    return {f"m{number}": known for number, known in enumerate(units, 1)}
+
+
+def _drawn(
+    units: Sequence[KnownUnit], of_plan: Sequence[PlannedUnit] = (), more: Iterable[ObjectNode] = ()
+) -> tuple[dict[str, ObjectNode], tuple[Edge, ...]]:
+    """Return the object nodes of ``units`` and ``more``, and the edges; ``of_plan`` has the numbers of the things."""
+    names: dict[tuple[ObjectNode, int | None], str] = {}
+    edges: list[Edge] = []
+
+    def name(one: Mentioned) -> str:
+        return names.setdefault((one.node, one.thing), f"o{len(names) + 1}")
+
+    for place, known in enumerate(units):
+        motion, unit = f"m{place + 1}", known.unit
+        planned = of_plan[place] if of_plan else PlannedUnit.of(unit, "foon", ())
+        takes, gives = _moving(unit.inputs), _moving(unit.outputs)
+        edges += [Edge(name(one), motion, one.node in takes) for one in dict.fromkeys(planned.taken)]
+        edges += [Edge(motion, name(one), one.node in gives) for one in dict.fromkeys(planned.made)]
+    there = {node for node, _ in names}
+    for node in more:
+        if node not in there:
+            name(Mentioned(node))
+    return {named: node for (node, _), named in names.items()}, tuple(edges)

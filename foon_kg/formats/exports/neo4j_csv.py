@@ -1,0 +1,126 @@
+"""CSV files for ``neo4j-admin database import``: the graph that ``foon load foon`` writes, for a database offline.
+
+One file for each label and each type of relationship, with the headers that the import reads. Texts are quoted, what is
+missing is an empty field without quotes, and lists are joined by a character that no name can hold. An import makes
+neither empty lists nor constraints. So the imported graph is no FOON yet: the one statement of :data:`AFTER` makes the
+lists and writes the record that says so; and as that record names no schema, ``foon load foon`` with any of the files
+applies it, and finds all else in place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
+from foon_kg.formats.exports.files import ExportFile
+from foon_kg.formats.exports.neo4j_tables import Cell, Row, edge_tables, node_tables
+from foon_kg.similarity.points import word_lists_key
+from foon_kg.store.graph.schema import kitchen_key
+from foon_kg.store.snapshot import Snapshot
+
+LIST_DELIMITER = "\x1f"
+ARGUMENTS = "import.txt"
+AFTER = "after.cypher"
+
+_NODES = {
+    "Video": ("name", "content", "sources:string[]"),
+    "Label": ("name",),
+    "Object": (
+        "key", "label", "states:string[]", "ingredients:string[]", "relation", "container", "start:boolean",
+    ),
+    "Motion": ("key", "verb", "accepts_any:boolean", "cost:double"),
+    "DishType": ("name",),
+    "Ingredient": ("name", "canonical", "singular", "vector:double[]"),
+    "State": ("name",),
+    "Verb": ("name", "units:long", "several:long"),
+}  # fmt: skip
+_SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
+_EDGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
+    "CALLED": ("Object", "Label", ()),
+    "INPUT_OF": ("Object", "Motion", ()),
+    "OUTPUTS": ("Motion", "Object", ()),
+    "SEEN_IN": (
+        "Motion",
+        "Video",
+        (
+            "position:long", "start:double", "end:double", "assumed:boolean",
+            "span_starts:double[]", "span_ends:double[]",
+            *(column.format(side) for side in ("inputs", "outputs") for column in _SIDE),
+        ),
+    ),
+    "IS_A": ("Object", "DishType", ("video",)),
+    "MADE_OF": ("Object", "Ingredient", ()),
+    "SEEN_AS": ("Ingredient", "State", ("made:long", "used:long")),
+    "MADE_BY": ("State", "Verb", ("count:long",)),
+}  # fmt: skip
+"""For each type: the labels at its two ends, and its properties."""
+
+_AFTER = """\
+// Makes of the imported nodes a FOON that foon-kg can read: with the lists that an import leaves out where they are
+// empty or hold one empty text, and with the record of the whole. Once: foon cypher --write - < after.cypher
+MATCH (o:Object) SET o.states = coalesce(o.states, []), o.ingredients = coalesce(o.ingredients, [])
+WITH count(*) AS objects
+MATCH (v:Video) SET v.sources = coalesce(v.sources, [])
+WITH count(*) AS videos
+MATCH (:Motion)-[s:SEEN_IN]->(:Video)
+SET s.span_starts = coalesce(s.span_starts, []), s.span_ends = coalesce(s.span_ends, []),
+  s.inputs_dish = coalesce(s.inputs_dish, ['']), s.outputs_dish = coalesce(s.outputs_dish, [''])
+WITH count(*) AS sightings
+MERGE (f:Foon {{name: 'foon-kg'}})
+SET f.version = 0, f.kitchen = '{kitchen}', f.words = '{words}', f.writes = 0{costs}
+WITH f
+MATCH (l:Label)
+MERGE (l)-[:LABEL_OF]->(f)
+"""
+
+
+def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
+    """Answer the CSV files of a whole FOON with the weights of its motions, and a file of arguments for the import."""
+    nodes, edges = node_tables(foon), edge_tables(foon)
+    nodes["Motion"] = [(*row, costs.costs.get(str(row[1]))) for row in nodes["Motion"]]
+    places = {label: {row[0]: place for place, row in enumerate(rows)} for label, rows in nodes.items()}
+    files = []
+    for label, columns in _NODES.items():
+        rows = ((place, *row) for place, row in enumerate(nodes[label]))
+        files.append(_file(label, (f":ID({label})", *columns), rows))
+    for kind, (start, end, columns) in _EDGES.items():
+        rows = ((places[start][row[0]], places[end][row[1]], *row[2:]) for row in edges[kind])
+        files.append(_file(kind, (f":START_ID({start})", f":END_ID({end})", *columns), rows))
+    after = _AFTER.format(kitchen=kitchen_key(foon.kitchen), words=word_lists_key(), costs=_table(costs))
+    return (*files, ExportFile(ARGUMENTS, _arguments()), ExportFile(AFTER, after))
+
+
+def _table(costs: MotionCosts) -> str:
+    """Answer the part of a SET clause that keeps ``costs`` for motion nodes that come later."""
+    if not costs:
+        return ""
+    motions = sorted(costs.costs)
+    names = ", ".join("'" + motion.replace("\\", "\\\\").replace("'", "\\'") + "'" for motion in motions)
+    numbers = ", ".join(str(costs.costs[motion]) for motion in motions)
+    return f",\n  f.cost_motions = [{names}],\n  f.costs = [{numbers}]"
+
+
+def _arguments() -> str:
+    lines = [f"--nodes={label}=./{label}.csv" for label in _NODES]
+    lines += [f"--relationships={kind}=./{kind}.csv" for kind in _EDGES]
+    lines += [f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true"]
+    return "\n".join(lines) + "\n"
+
+
+def _file(name: str, header: Sequence[str], rows: Iterable[Row]) -> ExportFile:
+    lines = (",".join(header), *(",".join(map(_cell, row)) for row in rows))
+    return ExportFile(f"{name}.csv", "\n".join(lines) + "\n")
+
+
+def _cell(value: Cell) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return '"' + value.replace('"', '""') + '"'
+    if isinstance(value, Sequence):
+        return _cell(LIST_DELIMITER.join(map(_plain, value)))
+    return _plain(value)
+
+
+def _plain(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)

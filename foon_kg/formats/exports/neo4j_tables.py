@@ -1,0 +1,94 @@
+"""The graph that ``foon load foon`` writes, as tables: a row a node for each label, a row an edge for each type.
+
+Its record (``Foon``) is not among them: a graph is one that foon-kg can read only when all the rest is in place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from foon_kg.model import ObjectNode, Subgraph
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import singular
+from foon_kg.similarity.points import indexed_points
+from foon_kg.store.graph.rows import properties_of
+from foon_kg.store.snapshot import Snapshot, goals_of
+from foon_kg.store.vocabulary import WordCounts
+
+Cell = str | bool | float | Sequence[object] | None
+Row = tuple[Cell, ...]
+
+SIGHTING = (
+    "position", "start", "end", "assumed", "span_starts", "span_ends",
+    "inputs", "inputs_moving", "inputs_dish", "outputs", "outputs_moving", "outputs_dish",
+)  # fmt: skip
+"""The properties of ``SEEN_IN``, in the order of their cells."""
+
+
+def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
+    """Answer, for each label, the properties of its nodes."""
+    counts = _counts(foon)
+    objects = _objects(foon)
+    foods = sorted(
+        {row.label for row in counts.seen_as()} | {name for goal in foon.goals() for name in goal.ingredients}
+    )
+    states = {row.state for row in counts.seen_as()} | {row.state for row in counts.made_by()}
+    return {
+        "Video": [(video.name, video.content_key, video.sources) for video in foon.subgraphs],
+        "Label": _names(node.label for node in objects),
+        "Object": [(*_fields(node), foon.kitchen.has(node) or None) for node in objects],
+        "Motion": [(known.unit.key, known.unit.motion, known.unit.accepts_any) for known in foon.units],
+        "DishType": _names(goal.dish_type for goal in foon.goals()),
+        "Ingredient": [
+            (food, canonical(food), singular(food), point)
+            for food, point in zip(foods, indexed_points(foods), strict=True)
+        ],
+        "State": _names(states),
+        "Verb": [(row.motion, row.units, row.several) for row in counts.gatherings()],
+    }
+
+
+def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
+    """Answer, for each type, the edges as (name of the start, name of the end, properties…).
+
+    A node is named by its key or its name, whichever it has.
+    """
+    counts = _counts(foon)
+    units = [known.unit for known in foon.units]
+    goals = [(node, dish, video.name) for video in foon.subgraphs for node, dish in goals_of(video, foon.kitchen)]
+    made_of = sorted({(node.key, food) for node, _, _ in goals for food in node.ingredients})
+    return {
+        "CALLED": [(node.key, node.label) for node in _objects(foon)],
+        "INPUT_OF": [(node.key, unit.key) for unit in units for node in unit.input_nodes],
+        "OUTPUTS": [(unit.key, node.key) for unit in units for node in unit.output_nodes],
+        "SEEN_IN": [row for video in foon.subgraphs for row in _sightings(video)],
+        "IS_A": [(node.key, dish, video) for node, dish, video in goals],
+        "MADE_OF": list(made_of),
+        "SEEN_AS": [(row.label, row.state, row.made, row.used) for row in counts.seen_as()],
+        "MADE_BY": [(row.state, row.motion, row.count) for row in counts.made_by()],
+    }
+
+
+def _counts(foon: Snapshot) -> WordCounts:
+    counts = WordCounts(foon.kitchen.is_utensil)
+    counts.count(known.unit for known in foon.units)
+    return counts
+
+
+def _objects(foon: Snapshot) -> list[ObjectNode]:
+    nodes = {node for known in foon.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+    return sorted(nodes, key=lambda node: node.key)
+
+
+def _fields(node: ObjectNode) -> Row:
+    return (node.key, node.label, node.states, node.ingredients, node.relation, node.container)
+
+
+def _sightings(video: Subgraph) -> Iterable[Row]:
+    for position, annotation in enumerate(video.annotations):
+        properties = properties_of(annotation, position)
+        yield (annotation.unit.key, video.name, *(properties[name] for name in SIGHTING))
+
+
+def _names(names: Iterable[str]) -> list[Row]:
+    return [(name,) for name in sorted(set(names))]

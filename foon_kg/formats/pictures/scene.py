@@ -1,0 +1,169 @@
+"""What a picture of a task tree has to show: boxes for object nodes and motions, and arrows between them.
+
+A node is drawn once for every time a unit makes it, so that a picture reads from the kitchen to the goal even where
+FOON's nodes go round in circles; where a plan numbers its things, two bowls that look alike are two. What comes from
+the kitchen is drawn anew beside every unit that takes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from foon_kg.formats.views.words import shown_inputs, shown_outputs
+from foon_kg.model import ObjectNode
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import Mentioned, PlannedUnit
+
+_KITCHEN = -1
+_Stage = tuple[int, Mentioned]
+"""A thing as the unit at this place left it, or as it lies in the kitchen."""
+
+
+@dataclass(frozen=True)
+class ObjectBox:
+    """An object node in the picture. ``part`` says whether it comes from the kitchen, is made, or is the goal."""
+
+    node: ObjectNode
+    part: Literal["kitchen", "made", "goal"]
+
+
+@dataclass(frozen=True)
+class MotionBox:
+    """A motion in the picture: the ``number`` of its step (from 1), and the ``tools`` that are folded into it."""
+
+    number: int
+    unit: PlannedUnit
+    tools: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Boxes, and arrows between the places of two boxes."""
+
+    boxes: tuple[ObjectBox | MotionBox, ...]
+    arrows: tuple[tuple[int, int], ...]
+
+
+def scene_of(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
+    """Answer the scene of a tree whose ``units`` are in the order of execution.
+
+    ``folded`` leaves out what a person does not look for: utensils are named within the motion, vessels whose foods
+    stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow to what follows.
+    """
+    takings = _takings(units)
+    shown = [_shown_inputs(unit, kitchen) if folded else list(_taken(unit)) for unit in units]
+    _keep_connected(units, takings, shown, goal)
+    return _Drawing(units, goal, kitchen, takings, shown).scene(folded=folded)
+
+
+def _taken(unit: PlannedUnit) -> tuple[Mentioned, ...]:
+    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.taken))
+
+
+def _made(unit: PlannedUnit) -> tuple[Mentioned, ...]:
+    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.made))
+
+
+def _takings(units: Sequence[PlannedUnit]) -> list[dict[Mentioned, int]]:
+    """Answer for every unit which unit made each of its inputs last."""
+    made: dict[Mentioned, int] = {}
+    takings = []
+    for place, unit in enumerate(units):
+        takings.append({one: made.get(one, _KITCHEN) for one in _taken(unit)})
+        made.update(dict.fromkeys(_made(unit), place))
+    return takings
+
+
+def _shown_inputs(unit: PlannedUnit, kitchen: Kitchen) -> list[Mentioned]:
+    shown = [node for node in shown_inputs(unit.input_nodes) if not _is_tool(node, kitchen)]
+    return [one for one in _taken(unit) if one.node in shown]
+
+
+def _is_tool(node: ObjectNode, kitchen: Kitchen) -> bool:
+    return kitchen.is_utensil(node.label) and not kitchen.foods_in(node)
+
+
+def _keep_connected(
+    units: Sequence[PlannedUnit],
+    takings: Sequence[dict[Mentioned, int]],
+    shown: list[list[Mentioned]],
+    goal: ObjectNode,
+) -> None:
+    """Show a folded node where it is the only way on from a unit: a stove is turned on for somebody."""
+    for place, unit in enumerate(units):
+        takers = range(place + 1, len(units))
+        if goal in unit.output_nodes or any(takings[i].get(n) == place for i in takers for n in shown[i]):
+            continue
+        on = ((i, one) for i in takers for one, maker in takings[i].items() if maker == place)
+        taker = next(on, None)
+        if taker is not None:
+            shown[taker[0]].append(taker[1])
+
+
+@dataclass
+class _Drawing:
+    units: Sequence[PlannedUnit]
+    goal: ObjectNode
+    kitchen: Kitchen
+    takings: Sequence[dict[Mentioned, int]]
+    shown: Sequence[Sequence[Mentioned]]
+    boxes: list[ObjectBox | MotionBox] = field(default_factory=list)
+    arrows: list[tuple[int, int]] = field(default_factory=list)
+    made: dict[_Stage, int] = field(default_factory=dict)
+    motions: list[int] = field(default_factory=list)
+
+    def scene(self, *, folded: bool) -> Scene:
+        for place in range(len(self.units)):
+            self._inputs_and_motion(place, folded=folded)
+            self._outputs(place, folded=folded)
+        return Scene(tuple(self.boxes), tuple(dict.fromkeys(self.arrows)))
+
+    def _inputs_and_motion(self, place: int, *, folded: bool) -> None:
+        inputs = [self._input(place, one) for one in self.shown[place]]
+        unit = self.units[place]
+        folded_in = (one.node for one in _taken(unit) if one not in self.shown[place])
+        tools = dict.fromkeys(node.label for node in folded_in if _is_tool(node, self.kitchen))
+        motion = self._add(MotionBox(place + 1, unit, tuple(tools) if folded else ()))
+        self.motions.append(motion)
+        self.arrows += [(box, motion) for box in inputs]
+
+    def _input(self, place: int, one: Mentioned) -> int:
+        maker = self.takings[place][one]
+        if maker == _KITCHEN:
+            return self._add(ObjectBox(one.node, "kitchen"))
+        return self._made(maker, one)
+
+    def _outputs(self, place: int, *, folded: bool) -> None:
+        outputs = _made(self.units[place])
+        goal = next((one for one in outputs if one.node == self.goal), None)
+        if not folded:
+            for one in outputs:
+                self._made(place, one)
+        elif goal is not None and not self._made_later(place):
+            self._made(place, goal)
+        elif not any(self._taken(place, one) for one in outputs):
+            shown = shown_outputs([one.node for one in outputs])
+            for one in outputs:
+                if one.node in shown:
+                    self._made(place, one)
+
+    def _made_later(self, place: int) -> bool:
+        return any(self.goal in unit.output_nodes for unit in self.units[place + 1 :])
+
+    def _taken(self, place: int, one: Mentioned) -> bool:
+        later = range(place + 1, len(self.units))
+        return any(self.takings[i].get(one) == place and one in self.shown[i] for i in later)
+
+    def _made(self, maker: int, one: Mentioned) -> int:
+        stage = (maker, one)
+        if stage not in self.made:
+            last = one.node == self.goal and not self._made_later(maker)
+            self.made[stage] = self._add(ObjectBox(one.node, "goal" if last else "made"))
+            self.arrows.append((self.motions[maker], self.made[stage]))
+        return self.made[stage]
+
+    def _add(self, box: ObjectBox | MotionBox) -> int:
+        self.boxes.append(box)
+        return len(self.boxes) - 1

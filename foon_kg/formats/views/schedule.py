@@ -1,0 +1,70 @@
+"""A schedule and a shopping list as lines of a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.formats.views.words import ASIDE, handled, motion_words, node_words
+from foon_kg.model import ObjectNode
+from foon_kg.plans.durations import Duration
+from foon_kg.plans.schedule import Schedule, ScheduledStep
+
+HANDS = ("cyan", "yellow", "magenta", "blue")
+
+
+def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
+    """Answer a table of the steps by their start: when, whose hands, what, and how sure the time is."""
+    table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
+    for title, justify in (("from", "right"), ("to", "right"), ("hands", "left"), ("step", "left"), ("seen", "left")):
+        table.add_column(title, justify=justify)  # type: ignore[arg-type]
+    for step in plan.steps:
+        table.add_row(clock(step.start), clock(step.end), _hands(step), _step(tree, step), _seen(step.duration))
+    caution = Text(f"{CAUTION} ? was never timed.", ASIDE)
+    return Group(Text(tree.title, "bold"), table, Text(), Text(summary(plan)), caution)
+
+
+CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself."
+
+
+def summary(plan: Schedule) -> str:
+    """Answer in a sentence how long the schedule is, and how good."""
+    pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
+    proven = "proven the shortest" if plan.shortest else "the shortest found"
+    return f"{clock(plan.length)} with {pairs} ({proven}); {clock(plan.alone)} one step after the other."
+
+
+def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
+    """Answer what to buy, one food a line."""
+    return Group(*(node_words(food, unseen) for food in foods))
+
+
+def clock(seconds: float) -> str:
+    """Answer a time as minutes and seconds: 1:05."""
+    return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
+
+
+def seen_words(duration: Duration) -> str:
+    """Answer how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
+    low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
+    return f"{times}, {low if low == high else f'{low} to {high}'} s"
+
+
+def _hands(step: ScheduledStep) -> Text:
+    if step.hands is None:
+        return Text("itself", ASIDE)
+    return Text(f"{step.hands + 1}", HANDS[step.hands % len(HANDS)])
+
+
+def _step(tree: ShownTree, step: ScheduledStep) -> Text:
+    unit = tree.units[step.place]
+    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+
+
+def _seen(duration: Duration | None) -> Text:
+    return Text("?" if duration is None else seen_words(duration), ASIDE)

@@ -1,0 +1,89 @@
+"""A task tree as it is looked at, whether it came as a plan result or as FOON text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Self
+
+from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.progress import ProgressLine, progress_lines
+from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
+
+
+@dataclass(frozen=True)
+class ShownTree:
+    """The units of a tree in the order of execution, and what else is known of it.
+
+    ``kitchen`` are the leaves, in the order in which they are taken. ``result`` is the plan result it came from;
+    FOON text has none, and then nothing is known of substitutions and assumptions.
+    """
+
+    title: str
+    units: tuple[PlannedUnit, ...]
+    goal: ObjectNode
+    kitchen: tuple[ObjectNode, ...]
+    lines: tuple[ProgressLine, ...]
+    result: PlanResult | None = None
+
+    @classmethod
+    def of_result(cls, result: PlanResult) -> Self:
+        """Look at a plan."""
+        title = result.recipe.title or " · ".join(filter(None, (result.goal.label, result.recipe.id)))
+        return cls(title, result.units, result.goal, result.kitchen, _named_lines(result), result)
+
+    @classmethod
+    def of_subgraph(cls, subgraph: Subgraph) -> Self:
+        """Look at FOON text. The goal is the last output that is marked as one, else the first of the last unit."""
+        source = subgraph.sources[0] if subgraph.sources else None
+        units = tuple(
+            PlannedUnit.of(note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),))
+            for i, note in enumerate(subgraph.annotations)
+        )
+        outputs = [one for note in subgraph.annotations for one in note.unit.outputs]
+        marked = [one.node for one in outputs if one.dish_type is not None]
+        goal = marked[-1] if marked else subgraph.annotations[-1].unit.output_nodes[0]
+        leaves = leaves_of(units)
+        return cls(subgraph.name, units, goal, leaves, _lines_of_leaves(units, goal, leaves))
+
+    @property
+    def substitutions(self) -> tuple[Substitution, ...]:
+        """What stands for what, as the plan says; nothing for FOON text."""
+        return self.result.substitutions if self.result else ()
+
+    @property
+    def unseen(self) -> Mapping[str, Substitution]:
+        """The foods that this FOON has not seen so, each with its equivalent."""
+        return {one.object: one for one in self.substitutions if one.kind == "object"}
+
+
+def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:
+    """Answer the inputs that no earlier unit outputs, in the order in which they are first taken."""
+    made: set[ObjectNode] = set()
+    leaves: dict[ObjectNode, None] = {}
+    for unit in units:
+        leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in made))
+        made.update(unit.output_nodes)
+    return tuple(leaves)
+
+
+def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
+    """Answer the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
+    if any(step.object for line in result.progress_lines for step in line.steps):
+        return result.progress_lines
+    kitchen = Kitchen.default().with_foods(wanted.object for wanted in result.recipe.ingredients)
+    tree = [unit.as_unit() for unit in result.units]
+    named = progress_lines(tree, result.goal, result.recipe.ingredients, kitchen)
+    found = {line: line for line in named}  # equal lines may differ in the names alone
+    return tuple(found.get(line, line) for line in result.progress_lines)
+
+
+def _lines_of_leaves(
+    units: tuple[PlannedUnit, ...], goal: ObjectNode, leaves: tuple[ObjectNode, ...]
+) -> tuple[ProgressLine, ...]:
+    kitchen = Kitchen.default()
+    foods = dict.fromkeys(node.label for node in leaves if kitchen.is_food(node) and not kitchen.is_free(node.label))
+    tree = [unit.as_unit() for unit in units]
+    lines = progress_lines(tree, goal, [RequiredIngredient(food, "") for food in foods], kitchen)
+    return tuple(line for line in lines if line.steps)

@@ -1,0 +1,190 @@
+"""A task tree as lines of a terminal, at any width from 40 columns on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from rich.console import Console, ConsoleOptions, Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.formats.views.words import (
+    ASIDE,
+    MOTION,
+    STATE,
+    UNSEEN,
+    UNSEEN_SIGN,
+    food_words,
+    in_a_row,
+    motion_words,
+    node_words,
+    shown_inputs,
+    shown_outputs,
+    stage_words,
+)
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.plans.progress import ProgressLine
+from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
+
+WIDE = 140
+"""From so many columns on, what belongs to the steps stands beside them."""
+
+
+def plan_view(result: PlanResult) -> RenderableType:
+    """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    return tree_view(ShownTree.of_result(result))
+
+
+def tree_view(tree: ShownTree) -> RenderableType:
+    """Answer the same of any tree, as far as it is known."""
+    unseen = frozenset(tree.unseen)
+    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in tree.kitchen), " · "))]
+    if tree.substitutions:
+        rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
+    if tree.result and tree.result.assumptions:
+        rest.append(_section("Assumptions", _assumptions(tree.result)))
+    if tree.result and tree.result.passed_over:
+        rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
+    if tree.lines:
+        rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
+    header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
+    return Group(header, _Beside(_section("Steps", _steps(tree.units, unseen)), Group(*rest)))
+
+
+def progress_view(tree: ShownTree) -> RenderableType:
+    """Answer the progress line of every ingredient."""
+    return _progress(tree.lines, frozenset(tree.unseen))
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """Two things side by side where there is room for it, else one under the other."""
+
+    left: RenderableType
+    right: RenderableType
+
+    def __rich_console__(self, _console: Console, options: ConsoleOptions) -> Iterator[RenderableType]:
+        if options.max_width < WIDE:
+            yield from (self.left, self.right)
+            return
+        table = Table.grid(expand=True, padding=(0, 4, 0, 0))
+        table.add_column(ratio=3)
+        table.add_column(ratio=2)
+        table.add_row(self.left, self.right)
+        yield table
+
+
+def dish_name(recipe: Recipe) -> str:
+    """Answer what to call a recipe: its title, else its id, else its dish type."""
+    return recipe.title or recipe.id or recipe.dish_type
+
+
+def _section(title: str, body: RenderableType) -> RenderableType:
+    return Group(Text(), Text(title, "bold"), Padding(body, (0, 0, 0, 2)))
+
+
+def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
+    table = Table.grid(padding=(0, 1))
+    asked = Text(", ").join(_asked(wanted) for wanted in result.recipe.ingredients)
+    name, dish_type = dish_name(result.recipe), result.recipe.dish_type
+    table.add_row(Text("dish", ASIDE), Text(name if name == dish_type else f"{name} ({dish_type})", "bold"))
+    table.add_row(Text("asked", ASIDE), asked)
+    table.add_row(Text("makes", ASIDE), node_words(result.goal, unseen))
+    table.add_row(Text("like", ASIDE), _reference(result))
+    return table
+
+
+def _asked(wanted: RequiredIngredient) -> Text:
+    return Text.assemble(f"{wanted.object} (", (wanted.state, STATE), ")")
+
+
+def _reference(result: PlanResult) -> Text:
+    reference = result.reference
+    proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
+    covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
+    seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
+    return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+
+
+def _plain_header(tree: ShownTree) -> RenderableType:
+    table = Table.grid(padding=(0, 1))
+    table.add_row(Text("tree", ASIDE), Text(tree.title, "bold"))
+    table.add_row(Text("makes", ASIDE), node_words(tree.goal))
+    return table
+
+
+def _steps(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+    table = Table.grid(padding=(0, 1))
+    table.add_column(justify="right", style=ASIDE)
+    told: set[tuple[str, tuple[str, ...]]] = set()
+    for number, unit in enumerate(units, start=1):
+        table.add_row(str(number), _step(unit, unseen, told))
+    return table
+
+
+def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
+    """Answer what goes in, what is done and what comes out; what something holds is told once (``told``)."""
+
+    def words(node: ObjectNode) -> Text:
+        contents = (node.label, node.ingredients)
+        new = contents not in told
+        told.add(contents)
+        return node_words(node, unseen, contents=new)
+
+    taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
+    made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
+    text = Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made)
+    if unit.origin != "foon" and unit.seen_in:
+        text.append(f"  [like {unit.seen_in[0].video}]", ASIDE)
+    return text
+
+
+def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
+    table = Table.grid(padding=(0, 1))
+    table.add_column(justify="right", style=ASIDE)
+    for one in substitutions:
+        table.add_row(f"{one.confidence:.2f}", _substitution(one))
+    return table
+
+
+def _substitution(one: Substitution) -> Text:
+    if one.kind == "object":
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" is handled like {one.equivalent}")
+    else:
+        text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
+    others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
+    return text.append(f"  or {others}", ASIDE) if others else text
+
+
+def _assumptions(result: PlanResult) -> RenderableType:
+    return Group(*(Text.assemble(node_words(one.node), f": {one.why}") for one in result.assumptions))
+
+
+def _passed_over(result: PlanResult) -> RenderableType:
+    return Group(*(Text(f"{one.similarity:.2f} {one.goal.label}: {one.why}") for one in result.passed_over))
+
+
+def _progress(lines: tuple[ProgressLine, ...], unseen: frozenset[str]) -> Group:
+    return Group(*(_line(line, unseen) for line in lines))
+
+
+def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
+    if not line.steps:
+        return Text.assemble(food_words(line.ingredient, unseen), (" does not reach the dish", ASIDE))
+    return Group(food_words(line.ingredient, unseen), Padding(Text(" ").join(_stages(line)), (0, 0, 0, 2)))
+
+
+def _stages(line: ProgressLine) -> Iterator[Text]:
+    """Answer each stage and the motion that ends it; what the food has become part of is named where that changes."""
+    name = line.ingredient
+    for step in line.steps:
+        stage = stage_words(step.states, step.relation, step.container)
+        if step.object and step.object != name:
+            name = step.object
+            stage = Text.assemble(f"{name} ", stage)
+        yield stage or Text("as it is")
+        yield Text(f"→ {step.motion} →", MOTION)
+    yield Text(line.end_product or "", "bold")

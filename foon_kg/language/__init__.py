@@ -1,0 +1,1 @@
+"""Lines and instructions of recipes, and drafts of subgraphs made of them."""

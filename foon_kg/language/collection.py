@@ -1,0 +1,162 @@
+"""Recipes of a collection understood: which dish, which foods in which states.
+
+A collection that names the food of a line itself is believed, and only state and amount are read from the line: by the
+rules for plain lines, and where it is not plain the state alone, by the words of the state classes around the food. The
+parser of recipe lines reads what that leaves, or everything.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+from foon_kg.food.lists import word_list
+from foon_kg.language.plain_lines import amount_in_front, is_measure
+from foon_kg.language.recipe_lines import LineReader, read_quickly
+from foon_kg.model import DISH_TYPES
+from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe, UnderstoodRecipe
+from foon_kg.model.dish_classes import DishClass, dish_classes
+from foon_kg.model.knowledge import Vocabulary
+from foon_kg.model.names import canonical
+from foon_kg.similarity.states import state_in
+
+READING = 4
+"""Counts the ways in which lines were ever understood; a change of the rules below is a new one."""
+
+_REMEMBERED = 200_000
+_IN_BRACKETS = re.compile(r"\([^()]*\)")
+_PARTS = word_list("parts of a dish")
+"""What cooks call the parts of a dish."""
+_PHRASE = re.compile(r",|;|\band\b|\bthen\b")
+
+
+@dataclass
+class CollectionReader:
+    """Understands recipes for a FOON whose foods go by ``labels`` (see :func:`labels_of`), many lines at a time.
+
+    ``lines`` reads what the collection does not tell itself; with ``full`` every line. Lines come again and again in a
+    collection; the last 200,000 different ones are remembered.
+    """
+
+    labels: Mapping[str, str]
+    lines: LineReader = field(default_factory=LineReader)
+    full: bool = False
+    _known: dict[CollectedLine, CalledFor | None] = field(default_factory=dict)
+
+    @property
+    def version(self) -> str:
+        """Names this way of understanding: with another one, what was understood before counts no more."""
+        return f"{READING}-{'full' if self.full else 'quick'}"
+
+    def understand(self, recipes: Sequence[CollectedRecipe]) -> tuple[UnderstoodRecipe, ...]:
+        """Answer what each of ``recipes`` asks for, in their order."""
+        self._read(dict.fromkeys(line for recipe in recipes for line in recipe.lines))
+        return tuple(map(self._understood, recipes))
+
+    def _understood(self, recipe: CollectedRecipe) -> UnderstoodRecipe:
+        read = [(line, self._known[line]) for line in recipe.lines]
+        return UnderstoodRecipe(
+            recipe,
+            classes_of(recipe),
+            tuple(called for _, called in read if called is not None),
+            tuple(line.text for line, called in read if called is None),
+        )
+
+    def _read(self, lines: Mapping[CollectedLine, None]) -> None:
+        """Bring ``_known`` to have ``lines``: first what the collection says itself, then all others at one go."""
+        if len(self._known) + len(lines) > _REMEMBERED:
+            self._known = {line: self._known[line] for line in lines if line in self._known}
+        new = [line for line in lines if line not in self._known]
+        left = []
+        for line in new:
+            if not line.is_readable or (not line.detected and is_heading(line.text)):
+                self._known[line] = None
+                continue
+            called = None if self.full and line.text and not line.state else self._as_told(line)
+            if called is None:
+                left.append(line)
+            else:
+                self._known[line] = called
+        for line, read in zip(left, self.lines.read([line.text for line in left]), strict=True):
+            amount = (line.quantity or read.quantity, line.unit or read.unit)
+            food = self._label(read.object) if read.object else None
+            self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
+
+    def _as_told(self, line: CollectedLine) -> CalledFor | None:
+        """Answer the food that the collection names with what the line says of it; ``None`` where it names none."""
+        food = (line.detected or "").strip()
+        if not food:
+            return None
+        if line.state:
+            return CalledFor(self._label(food), line.state, line.text, line.quantity, line.unit)
+        plain = read_quickly(line.text)
+        state = plain.state if plain else state_beside(food, line.text)
+        if state is None:
+            return None
+        read = (plain.quantity, plain.unit) if plain else amount_in_front(line.text)
+        amount = (line.quantity, line.unit) if line.quantity else read
+        return CalledFor(self._label(food), state, line.text, *amount)
+
+    def _label(self, food: str) -> str:
+        """Answer what the FOON calls a food; cloves of garlic are garlic, where it has no name for cloves."""
+        name = canonical(food)
+        whole, _, last = name.rpartition(" ")
+        if name not in self.labels and whole in self.labels and is_measure(last):
+            name = whole
+        return self.labels.get(name, name or food)
+
+
+def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
+    """Answer the label of each food of a FOON by its canonical name; of several the first in their order."""
+    labels: dict[str, str] = {}
+    for row in vocabulary.foods:
+        labels.setdefault(canonical(row.label), row.label)
+    return labels
+
+
+def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
+    """Answer the dish classes of a recipe: the one that its collection gives is sure; else those of its title."""
+    named = dish_classes(recipe.title)
+    if recipe.dish_type not in DISH_TYPES:
+        return named
+    others = (DishClass(dish.name, sure=False) for dish in named if dish.name != recipe.dish_type)
+    return (DishClass(recipe.dish_type, sure=True), *others)
+
+
+def is_heading(text: str) -> bool:
+    """Answer whether a line names a part of the dish and no food: what ends in a colon, "For the sauce", "TOPPING".
+
+    >>> is_heading("For the cake batter:"), is_heading("1 cup sauce"), is_heading("tomato sauce")
+    (True, False, False)
+    """
+    words = text.strip(" *-_").split()
+    if not words or any(map(str.isdigit, text)):
+        return False
+    if words[-1].endswith(":"):
+        return True
+    part = canonical(words[-1]) in _PARTS
+    return part and (len(words) == 1 or text.isupper() or words[0].lower() == "for")
+
+
+def state_beside(food: str, text: str) -> str | None:
+    """Answer the last state that ``text`` says around ``food``, ``""`` for none; ``None`` where the food is not in it.
+
+    >>> state_beside("onion", "2 cups finely chopped onions, sauteed")
+    'sauteed'
+    """
+    line = _IN_BRACKETS.sub(" ", text.lower())
+    found = _as_words(food.lower()).search(line)
+    if found is None:
+        return None
+    before, after = line[: found.start()], line[found.end() :]
+    phrases = [before, *_PHRASE.split(after)]
+    states = [state for phrase in phrases if (state := state_in(phrase))]
+    return states[-1] if states else ""
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _as_words(food: str) -> re.Pattern[str]:
+    """Answer what finds ``food`` in the singular or plural, and no longer word that begins with it (eggplant)."""
+    return re.compile(rf"(?<!\w){re.escape(food)}(?:e?s)?(?!\w)")

@@ -1,0 +1,252 @@
+"""From narrated actions to the draft of a subgraph, one action after another."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+from foon_kg.food import motions, singular, tables
+from foon_kg.food.lists import word_list
+from foon_kg.language.drafting.calibration import probability
+from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.language.drafting.nodes import NodeDrafter
+from foon_kg.language.drafting.precedents import FoonPrecedents
+from foon_kg.language.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
+from foon_kg.language.drafting.units import UnitDrafter
+from foon_kg.language.drafting.verbs import Reading
+from foon_kg.language.line_words import split_name
+from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
+
+_MOST_OBJECTS = 40
+"""More objects than this are no one action of a cook."""
+
+_NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
+_ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
+_MIXED = word_list("called a mixture")
+"""What cooks call a mixture that they just made."""
+_ROOM = word_list("belongs to the room")
+"""What belongs to the room and not to the dish; no FOON has it."""
+_RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
+
+
+def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | None = None) -> Draft:
+    """Answer the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
+
+    Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
+    """
+    drafter = _Drafter(precedents)
+    rows: list[DraftUnit | LeftOut] = []
+    drafter.look_ahead(narration.actions)
+    for action in drafter.with_products(narration.actions):
+        rows += drafter.rows(action)
+    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in rows]
+    if dish_type in DISH_TYPES:
+        _mark_goal(rows, dish_type, precedents)
+    return Draft(narration.name, tuple(rows), narration.source, dish_type)
+
+
+def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOut:
+    """Answer ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
+    if isinstance(row, LeftOut):
+        return row
+    return replace(row, confidence=round(probability(row.confidence, parsed=parsed), 2))
+
+
+class _Drafter:
+    """Reads the names of actions, and hands what is meant on to the drafting of units."""
+
+    def __init__(self, precedents: FoonPrecedents) -> None:
+        self._precedents = precedents
+        self._kitchen = precedents.kitchen
+        self._scene = Scene(precedents.kitchen)
+        self._units = UnitDrafter(NodeDrafter(precedents, self._scene))
+
+    def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
+        """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""
+        for action in actions:
+            reading = self._precedents.verbs.reading(action.verb)
+            changing = [motion for motion in reading.motions if motions.opens(motion) or motions.heats(motion)]
+            for mention in action.objects if changing else ():
+                name = canonical(plain_name(mention.name))
+                self._scene.coming.setdefault(name, changing[0])
+
+    def with_products(self, actions: Sequence[NarratedAction]) -> list[NarratedAction]:
+        """Answer ``actions``, where a mixture that nobody names has the name by which it is spoken of next: the batter.
+
+        Of a mixture of its own speaks the first who says batter, dough or sauce, and it is what was mixed last.
+        """
+        told = list(actions)
+        mixed: int | None = None
+        names: set[str] = set()
+        for place, action in enumerate(actions):
+            new = [one.name for one in action.objects if _is_mixed(one.name) and canonical(one.name) not in names]
+            if new and mixed is not None and canonical(new[0]) != MIXTURE:
+                told[mixed], mixed = replace(told[mixed], product=plain_name(new[0])), None
+            names |= {canonical(one.name) for one in action.objects}
+            if action.product is None and self._makes_a_mixture(action):
+                mixed = place
+        return told
+
+    def _makes_a_mixture(self, action: NarratedAction) -> bool:
+        motions_said = self._precedents.verbs.reading(action.verb).motions[:1]
+        mixing = any(motions.mixes(motion) and self._precedents.merges(motion) for motion in motions_said)
+        return mixing and (len(action.objects) != 1 or self._is_everything(action.objects[0].name))
+
+    def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
+        """Answer the units of one action."""
+        reading = self._precedents.verbs.reading(action.verb)
+        if not reading.motions:
+            if action.origin and action.objects:  # it is held until somebody says where it is put
+                origin = self._known_as(plain_name(action.origin))
+                self._scene.taken[canonical(self._known_as(plain_name(action.objects[0].name)))] = origin
+            return (LeftOut(action.said, f"{reading.why}: left out", action.timing),)
+        if len(action.objects) > _MOST_OBJECTS:
+            reason = f"{len(action.objects)} objects are no one action: left out"
+            return (LeftOut(action.said, reason, action.timing),)
+        plain = self._plain(action)
+        if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
+            reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
+            return (LeftOut(action.said, reason, action.timing),)
+        drafted = tuple(row if _changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
+        return drafted or (
+            LeftOut(action.said, f"nobody says what “{action.verb}” is done to: left out", action.timing),
+        )
+
+    def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
+        objects, doubts = self._objects(action)
+        if not objects:
+            return ()
+        foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
+        motion = self._precedents.motion(reading.motions, objects[0].name)
+        if len(reading.motions) > 1 and reading.motions[0] != motion:
+            doubts = (*doubts, f"“{action.verb}” taken as {motion}, as the FOON does it with {objects[0].name}")
+        elif canonical(motion) != canonical(action.verb) and reading.confidence < 1 and not reading.why:
+            doubts = (*doubts, f"“{action.verb}” taken as {motion}")
+        doubts = (*doubts, *([reading.why] if reading.why else ()))
+        action = replace(action, objects=tuple(foods or objects))
+        return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
+        """Answer the objects by the names of scene and FOON; where none is named, what is at hand."""
+        named: list[Mention] = []
+        doubts: list[str] = []
+        for mention in action.objects:
+            if self._is_everything(mention.name):
+                named += [Mention(label) for label in self._meant(mention.name)]
+            else:
+                found, doubt = self._named(mention)
+                named.append(found)
+                doubts += [doubt] if doubt else []
+        if not action.objects:
+            named = [Mention(label) for label in self._scene.at_hand()]
+            doubts += [f"nobody says what “{action.verb}” is done to: taken as what is at hand"] if named else []
+        return tuple(dict.fromkeys(named)), tuple(doubts)
+
+    def _is_of_the_room(self, name: str) -> bool:
+        known = canonical(name)
+        return known not in self._precedents.labels and not {known, known.split()[-1]}.isdisjoint(_ROOM)
+
+    def _is_everything(self, name: str) -> bool:
+        words = set(canonical(name).split())
+        return name.lower() in PRONOUNS or (bool(words) and words <= EVERYTHING)
+
+    def _meant(self, name: str) -> tuple[str, ...]:
+        if name.lower() in PRONOUNS and self._scene.last:
+            return tuple(food for food in self._scene.last if food in self._scene.foods) or self._scene.at_hand()
+        mixture = self._scene.mixture()
+        return (mixture,) if canonical(name) == MIXTURE and mixture else self._scene.at_hand()
+
+    def _named(self, mention: Mention) -> tuple[Mention, str]:
+        known = self._scene.called(mention.name)
+        if known is not None:
+            return Mention(known, mention.states), ""
+        label = self._precedents.labels.get(canonical(mention.name))
+        if label is not None or self._kitchen.is_utensil(mention.name):
+            return Mention(label or mention.name, mention.states), ""
+        states, name = split_name(mention.name)
+        label = self._scene.called(name) or self._precedents.labels.get(canonical(name))
+        if label is None and (mixture := self._scene.mixture()) is not None and _is_mixed(name):
+            return Mention(mixture), f"“{name}” was not named before: taken as the mixture"
+        return Mention(label or name, (*mention.states, *states)), ""
+
+    def _plain(self, action: NarratedAction) -> NarratedAction:
+        """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
+        objects = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
+        objects = [one for one in objects if one.name]
+        instruments = list(filter(None, (self._known_as(plain_name(name)) for name in action.instruments)))
+        foods = [name for name in instruments if not self._kitchen.is_utensil(name)]  # fill a bowl with water
+        objects += [Mention(name) for name in foods]
+        utensils = [one.name for one in objects if self._kitchen.is_utensil(one.name)]
+        if len(utensils) < len(objects):
+            objects = [one for one in objects if one.name not in utensils]
+        else:
+            utensils, objects = utensils[1:], objects[:1]
+        tools = [name for name in utensils if self._precedents.is_tool(name)]
+        places = [Place(place.relation, self._known_as(plain_name(place.name))) for place in action.places]
+        places += [Place("", name) for name in utensils if name not in tools]
+        return replace(
+            action,
+            objects=tuple(objects),
+            places=tuple(place for place in places if place.name),
+            origin=plain_name(action.origin or "") or None,
+            product=plain_name(action.product or "") or None,
+            instruments=(*(name for name in instruments if name not in foods), *tools),
+        )
+
+    def _known_as(self, name: str) -> str:
+        """Return a name as the kitchen knows it: the plate that a dirty plate is; else the name itself."""
+        words = name.split()
+        ends = (" ".join(words[place:]) for place in range(1, len(words)))
+        if self._kitchen.is_utensil(name) or canonical(name) in self._precedents.labels:
+            return name
+        listed = tables().foods.is_listed(singular(name))
+        return name if listed else next((end for end in ends if self._kitchen.is_utensil(end)), name)
+
+
+def _changes(row: DraftUnit) -> bool:
+    """Whether anything is otherwise after a unit than before it."""
+    unit = row.annotation.unit
+    return not {one.node for one in unit.outputs} <= {one.node for one in unit.inputs}
+
+
+def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
+    reason = f"nothing is said that {row.annotation.unit.motion} would change: left out"
+    return LeftOut(action.said, reason, action.timing)
+
+
+def _is_mixed(name: str) -> bool:
+    return canonical(name) in _MIXED
+
+
+def plain_name(name: str) -> str:
+    """Answer ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
+
+    >>> plain_name("the [red] onion; DROP")
+    'red onion DROP'
+    """
+    words = _RELATIONS.sub(" ", _NOT_IN_NAMES.sub(" ", name)).split()
+    return " ".join(word for word in words if word.lower() not in _ARTICLES)[:80].strip()
+
+
+def _mark_goal(rows: list[DraftUnit | LeftOut], dish_type: str, precedents: FoonPrecedents) -> None:
+    """Mark the last food that is made of several, else the last that is made; it stands last in its unit."""
+    made: list[tuple[int, Participant]] = []
+    for place, row in enumerate(rows):
+        outputs = row.annotation.unit.outputs if isinstance(row, DraftUnit) else ()
+        foods = [one for one in outputs if not precedents.kitchen.is_utensil(one.node.label)]
+        if foods:
+            made.append((place, max(foods, key=lambda one: len(one.node.ingredients))))
+    if not made:
+        return
+    several = [(place, food) for place, food in made if len(food.node.ingredients) > 1]
+    place, goal = (several or made)[-1]
+    row = rows[place]
+    if isinstance(row, DraftUnit):
+        unit = row.annotation.unit
+        node = replace(goal.node, ingredients=goal.node.ingredients or (goal.node.label,))
+        outputs = (*(one for one in unit.outputs if one is not goal), Participant(node, dish_type=dish_type))
+        marked = FunctionalUnit(unit.inputs, unit.motion, outputs, unit.accepts_any)
+        rows[place] = replace(row, annotation=Annotation(marked, row.annotation.timing))

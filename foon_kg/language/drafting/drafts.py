@@ -1,0 +1,78 @@
+"""A draft: units with how sure each is and what is doubtful about it, and what of the narration gave no unit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from foon_kg.model import Annotation, Subgraph, Timing
+
+
+@dataclass(frozen=True)
+class DraftUnit:
+    """One unit as drafted.
+
+    ``confidence`` is the probability that motion, main object and the states of that object are all right. It comes
+    from the shares of like actions in the FOON that speak for each thing that the narration leaves unsaid (motion,
+    states, places), each counted with one success and one failure more than were seen (Laplace), and from how well the
+    food that they are taken from stands for the one narrated; see :mod:`foon_kg.language.drafting.calibration`.
+    ``doubts`` say so in words.
+    """
+
+    annotation: Annotation
+    confidence: float
+    doubts: tuple[str, ...] = ()
+    said: str = ""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A part of the narration that gave no unit, and why."""
+
+    said: str
+    reason: str
+    timing: Timing = field(default_factory=Timing)
+
+
+@dataclass(frozen=True)
+class Draft:
+    """The draft of one video or recipe: units and what was left out, in the order of the narration."""
+
+    name: str
+    rows: tuple[DraftUnit | LeftOut, ...]
+    source: str = ""
+    dish_type: str | None = None
+
+    @property
+    def units(self) -> tuple[DraftUnit, ...]:
+        """The units alone."""
+        return tuple(row for row in self.rows if isinstance(row, DraftUnit))
+
+    @property
+    def left_out(self) -> tuple[LeftOut, ...]:
+        """What gave no unit."""
+        return tuple(row for row in self.rows if isinstance(row, LeftOut))
+
+    def subgraph(self) -> Subgraph:
+        """Answer the units as a subgraph, without confidences and doubts."""
+        return Subgraph(self.name, tuple(unit.annotation for unit in self.units))
+
+
+@dataclass(frozen=True)
+class DraftRow:
+    """One row of a draft as it stands in its file: ``annotation`` is ``None`` where it is no unit (yet)."""
+
+    line: int
+    annotation: Annotation | None
+    confidence: float
+    doubts: tuple[str, ...]
+    said: str
+
+
+@dataclass(frozen=True)
+class DraftFile:
+    """A draft as it was read: its rows in their order, its units as a subgraph, and what is wrong with the file."""
+
+    path: str
+    rows: tuple[DraftRow, ...]
+    subgraph: Subgraph | None
+    notices: tuple[str, ...]

@@ -1,0 +1,180 @@
+"""The object nodes of one action: how a food or a utensil is before it, what it becomes, and where it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
+from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
+from foon_kg.language.drafting.scene import Scene, emptied, filled
+from foon_kg.model import ObjectNode
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention, NarratedAction
+from foon_kg.similarity.states import state_in
+
+
+@dataclass(frozen=True)
+class NodeDrafter:
+    """Drafts the nodes of an action from the ``scene``, and what is not in it yet from the ``precedents``."""
+
+    precedents: FoonPrecedents
+    scene: Scene
+
+    def like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
+        """Answer what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
+        like = self.precedents.of(motion, mention.name)
+        evidence.shares.append(like.likeness)
+        evidence.doubts += [like.doubt] if like.doubt else []
+        return like
+
+    def there(
+        self,
+        mention: Mention,
+        like: Precedents,
+        evidence: Evidence,
+        *,
+        at: str | None = None,
+        away_from: str | None = None,
+    ) -> ObjectNode:
+        """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
+        known = self.scene.foods.get(mention.name)
+        if known is not None:
+            evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
+            return known
+        states, (relation, container) = self._start(mention, like, evidence)
+        origin = self.scene.taken.pop(canonical(mention.name), None)
+        if origin is not None and self.precedents.kitchen.is_utensil(origin):
+            relation, container = self.precedents.relation(origin), origin
+        elif at is not None:
+            relation, container = self.precedents.relation(at), at
+        elif container is not None and (container == away_from or self._in_use(container)):
+            relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
+        node = ObjectNode(mention.name, states, (), relation, container)
+        self._place(node)
+        return node
+
+    def _start(
+        self, mention: Mention, like: Precedents, evidence: Evidence
+    ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
+        if like.rows and like.likeness != UNSEEN:
+            place, at = like.place_before()
+            if mention.states:
+                return mention.states, place
+            coming = self.scene.coming.get(canonical(mention.name))
+            later = self.precedents.of(coming, mention.name) if coming else like
+            states, share = (later if later.rows else like).before()
+            evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
+            evidence.weigh(max(at, UNSEEN))
+            return states, place
+        known = self.precedents.start(mention.name)
+        if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
+            known = self.precedents.start(near.name)
+            doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
+            evidence.weigh_states(near.confidence * SOMETHING, doubt)
+        if known is None:
+            states = mention.states or ("whole",)
+            evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
+            return states, (None, None)
+        return mention.states or known[0], known[1]
+
+    def _in_use(self, container: str) -> bool:
+        return bool(self.scene.held(container)) and not self.precedents.kitchen.is_storage(container)
+
+    def _place(self, node: ObjectNode) -> None:
+        """Put a food that comes for the first time into its vessel."""
+        if node.container is not None and self.precedents.kitchen.is_utensil(node.container):
+            vessel = self.vessel(node.container)
+            if node.label not in vessel.ingredients:
+                self.scene.keep([filled(vessel, [node.label])])
+
+    def become(
+        self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
+    ) -> tuple[str, ...]:
+        """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
+        if action.results:
+            return (*action.results, *(state for state in states if state in before.states))
+        if set(states) == set(before.states) and not like.keeps(before.states) and (told := done(action.verb)):
+            states, share = (*states, told), UNSEEN
+        evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
+        return states
+
+    def vessel(self, name: str) -> ObjectNode:
+        """Answer a utensil as it is now."""
+        known = self.scene.utensils.get(name)
+        if known is None:  # nobody said of it before that it is one
+            known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
+        return known
+
+    def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
+        """Answer the instruments that are told, else those of the FOON; none of ``besides``."""
+        names = action.instruments or like.tools()
+        seen = set(besides)
+        return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
+
+    def sources(self, foods: Iterable[ObjectNode]) -> tuple[list[ObjectNode], list[ObjectNode]]:
+        """Answer the vessels that foods leave, each once, before and after."""
+        leaving: dict[str, list[str]] = {}
+        for food in foods:
+            if food.container is not None and self.in_utensil(food):
+                leaving.setdefault(food.container, []).append(food.label)
+        left = [self.vessel(name) for name in leaving]
+        return left, [emptied(vessel, leaving[vessel.label]) for vessel in left]
+
+    def target(
+        self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
+    ) -> str | None:
+        """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        for place in action.places:
+            name = self.scene.called(place.name) or place.name
+            label = self.precedents.labels.get(name, name)
+            if label != mention.name:
+                return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
+        focus = self.scene.focus
+        if focus is not None and focus != before.container and self.scene.held(focus):
+            evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
+            return focus
+        if like.rows:
+            (_, container), share = like.place_after()
+            if container is not None and container not in (before.container, mention.name):
+                evidence.weigh(share * SOMETHING, f"nobody says where to: taken as the {container}")
+                return container if self.precedents.kitchen.is_utensil(container) else self._food_place(container)
+        evidence.weigh(IMPLIED, "nobody says where to")
+        return None
+
+    def _food_place(self, label: str) -> str:
+        if label not in self.scene.foods:
+            states, (relation, container) = self.precedents.start(label) or ((), (None, None))
+            self.scene.keep([ObjectNode(label, states, (), relation, container)])
+        return label
+
+    def utensil_place(self, action: NarratedAction) -> str | None:
+        """Answer the first place that is told and that is a utensil."""
+        for place in action.places:
+            name = self.scene.called(place.name) or place.name
+            label = self.precedents.labels.get(name, name)
+            if self.precedents.kitchen.is_utensil(label):
+                return label
+        return None
+
+    def common_vessel(self, action: NarratedAction) -> str | None:
+        """Answer the utensil that holds one of the objects, else the one that was used last."""
+        held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
+        return next((at for at in held if at is not None and at in self.scene.utensils), self.scene.focus)
+
+    def in_utensil(self, node: ObjectNode) -> bool:
+        """Say whether a node is in or on a utensil."""
+        return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
+
+
+def done(verb: str) -> str | None:
+    """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
+    word = verb.split(" ", maxsplit=1)[0]
+    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", word)
+    return next((state for form in forms if (state := state_in(form))), None)
+
+
+def listed(states: Sequence[str]) -> str:
+    """Answer states in words."""
+    return ", ".join(states) if states else "it is"

@@ -1,0 +1,150 @@
+"""A draft as a file: the plain table of an annotated video, with what is doubtful about each row.
+
+The columns of :mod:`foon_kg.loaders.video_tables` come first, then ``confidence``, ``doubt``, ``said`` and ``source``.
+Any editor changes it. A row whose ``doubt`` a person has emptied counts as reviewed; a row without a motion stands for
+a part of the narration that gave no unit, and is either filled in or deleted.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from pathlib import Path
+
+from foon_kg.language.drafting.drafts import Draft, DraftFile, DraftRow, DraftUnit, LeftOut
+from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
+from foon_kg.loaders.notices import ReadResult, Severity, UnreadableFile
+from foon_kg.loaders.paths import decode
+from foon_kg.loaders.times import write_timing
+from foon_kg.loaders.video_tables import is_video_table, read_thing, read_video_text
+from foon_kg.model import ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_bytes
+
+UNIT_COLUMNS = ("start", "end", "motion", "inputs", "outputs", "dish")
+DRAFT_COLUMNS = ("confidence", "doubt", "said", "source")
+BETWEEN_DOUBTS = " | "
+
+
+def is_draft(text: str) -> bool:
+    """Answer whether ``text`` is a table of units with confidences and doubts."""
+    return is_video_table(text) and {"confidence", "doubt"} <= set(columns_of(text))
+
+
+def is_draft_file(path: Path) -> bool:
+    """Answer whether ``path`` is the file of a draft; no for what cannot be read."""
+    if path.suffix.lower() != ".csv" or not path.is_file():
+        return False
+    try:
+        return is_draft(decode(read_bytes(path)))
+    except (UnreadableFile, OSError):
+        return False
+
+
+def write_draft(draft: Draft) -> str:
+    """Answer the table of ``draft``; a unit that no table can say is written as one that is left out."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow((*UNIT_COLUMNS, *DRAFT_COLUMNS))
+    for row in draft.rows:
+        cells = _unit_cells(row) if isinstance(row, DraftUnit) else None
+        writer.writerow((*(cells or _left_out_cells(row)), f"“{_one_line(row.said)}”", _one_line(draft.source)))
+    return stream.getvalue()
+
+
+def read_draft(path: Path) -> DraftFile:
+    """Answer the draft in ``path``; raises :class:`~foon_kg.model.errors.ReadError` where it is none."""
+    try:
+        text = decode(read_bytes(path))
+    except UnreadableFile as unreadable:
+        raise ReadError(
+            f"{path}:{unreadable.line or 1}: {unreadable.problem.message}", hint="Save it as UTF-8."
+        ) from None
+    except OSError as error:
+        raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Name the file of a draft.") from error
+    if not is_draft(text):
+        hint = "foon draft videos and foon draft text write drafts; foon load videos takes tables of finished units."
+        raise ReadError(f"{path}:1: no draft: it lacks the columns confidence and doubt", hint=hint)
+    try:
+        rows = tuple(table_rows(text))
+    except UnreadableFile as broken:
+        raise ReadError(f"{path}:{broken.line or 1}: {broken.problem.message}", hint="Mend the table.") from None
+    results = read_video_text(text, path.stem, str(path))
+    if len(results) != 1:
+        raise ReadError(f"{path}: it has {len(results)} videos", hint="A draft is one video: split the table.")
+    return _with_doubts(path, rows, results[0])
+
+
+def _with_doubts(path: Path, told: Sequence[TableRow], result: ReadResult) -> DraftFile:
+    rejected = {notice.line for notice in result.notices if notice.severity is Severity.REJECTED}
+    if None in rejected and result.notices:
+        worst = next(notice for notice in result.notices if notice.severity is Severity.REJECTED)
+        raise ReadError(f"{path}: {worst.message}", hint="Mend the table.")
+    units = iter(result.subgraph.annotations if result.subgraph else ())
+    rows: list[DraftRow] = []
+    source = ""
+    for line, row in ((one.line, one.cells) for one in told):
+        annotation = None if line in rejected else next(units)
+        doubts = tuple(doubt.strip() for doubt in row.get("doubt", "").split(BETWEEN_DOUBTS.strip()) if doubt.strip())
+        confidence = _confidence(path, line, row.get("confidence", ""))
+        rows.append(DraftRow(line, annotation, confidence, doubts, row.get("said", "")))
+        source = source or row.get("source", "")
+    subgraph = result.subgraph and Subgraph(
+        result.subgraph.name, result.subgraph.annotations, (source,) if source else ()
+    )
+    return DraftFile(str(path), tuple(rows), subgraph, tuple(map(str, result.notices)))
+
+
+def _confidence(path: Path, line: int, text: str) -> float:
+    """Answer a confidence; an empty one is that of a row which a person wrote."""
+    try:
+        value = float(text) if text else 1.0
+    except ValueError:
+        value = -1.0
+    if not 0 <= value <= 1:
+        raise ReadError(
+            f"{path}:{line}: the confidence {text[:20]!a} is no number from 0 to 1", hint="Mend or empty it."
+        )
+    return value
+
+
+def _unit_cells(row: DraftUnit) -> tuple[str, ...] | None:
+    unit = row.annotation.unit
+    sides = [[thing(one) for one in side] for side in (unit.inputs, unit.outputs)]
+    written = [list(map(read_thing, side)) for side in sides]
+    plain = [[Participant(one.node, moving=one.moving) for one in side] for side in (unit.inputs, unit.outputs)]
+    if written != plain or any(";" in text and "(" not in text and "{" not in text for side in sides for text in side):
+        return None
+    dish = next((one.dish_type for one in unit.outputs if one.dish_type), "")
+    motion = unit.motion + (" *" if unit.accepts_any else "")
+    start, end = _times(row.annotation.timing)
+    doubts = BETWEEN_DOUBTS.join(map(_one_line, row.doubts))
+    return (start, end, motion, *("; ".join(side) for side in sides), dish, f"{row.confidence:.2f}", doubts)
+
+
+def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
+    """Answer the cells of a row that is no unit: its time, and why."""
+    timing = row.timing if isinstance(row, LeftOut) else row.annotation.timing
+    reason = row.reason if isinstance(row, LeftOut) else f"a table cannot say: {row.annotation.unit.motion}"
+    return (*_times(timing), "", "", "", "", "0.00", _one_line(reason))
+
+
+def thing(one: Participant) -> str:
+    """Answer how a table writes a participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
+    node: ObjectNode = one.node
+    text = ("*" if one.moving else "") + node.label
+    text += f" ({'; '.join(node.states)})" if node.states else ""
+    text += f" {{{'; '.join(node.ingredients)}}}" if node.ingredients else ""
+    return text + (f" {node.relation} {node.container}" if node.container else "")
+
+
+def _times(timing: Timing) -> tuple[str, str]:
+    if timing.assumed or not timing.spans:
+        return ("Assumed" if timing.assumed else "", "")
+    start, _, end = write_timing(Timing(timing.spans[:1])).strip("<>").partition("-")
+    return start, end
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.replace("|", "/").split())

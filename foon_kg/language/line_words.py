@@ -1,0 +1,82 @@
+"""What a recipe line asks for, and how the words around a food become its states."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from foon_kg.food.lists import word_list
+from foon_kg.model.names import canonical
+from foon_kg.similarity.groups import food_groups
+from foon_kg.similarity.state_classes import state_classes
+from foon_kg.similarity.states import state_in
+
+_PHRASE = re.compile(r",|;|\band\b|\bthen\b|\(|\)", re.IGNORECASE)
+_IN_NAMES = word_list("states in names")
+_BEGINNINGS = tuple(sorted(word_list("beginnings of names")))
+_REMARKS = frozenset({"divided"})  # a FOON divides dough; "4 tablespoons butter, divided" is used in two places
+
+
+@dataclass(frozen=True)
+class RecipeLine:
+    """What one line asks for. ``text`` is the line as written; what was not understood of it is in ``left_over``.
+
+    ``object`` is ``None`` where the line names no food (a heading); ``others`` are further foods that it names, in its
+    place ("sugar or honey") or beside it ("salt and pepper"). ``state`` is the last thing done to the food, ``""``
+    where the line says nothing of it; ``states`` are all of them in their order. ``quantity`` ("2", "3/2", "2-3") and
+    ``unit`` are ``""`` where there is none; ``size`` is what is said of it ("large"). ``confidence`` is how sure the
+    food is, from 0 to 1.
+    """
+
+    text: str
+    object: str | None
+    state: str = ""
+    states: tuple[str, ...] = ()
+    quantity: str = ""
+    unit: str = ""
+    size: str = ""
+    others: tuple[str, ...] = ()
+    left_over: tuple[str, ...] = ()
+    confidence: float = 0.0
+
+
+def split_name(text: str) -> tuple[tuple[str, ...], str]:
+    """Split states off the front of a name: "frozen chopped spinach"; "ground beef" and "white rice" stay whole."""
+    words = text.replace(",", " ").split()
+    states = []
+    while len(words) > 1 and (state := _state_before(words[0], " ".join(words[1:]))):
+        states.append(state)
+        words = words[1:]
+    return tuple(states), " ".join(words)
+
+
+def _state_before(word: str, food: str) -> str | None:
+    if canonical(word) in food_groups().places:  # "bean" is a state of the FOON, but not in "bean sprout"
+        return None
+    if word.lower() in _IN_NAMES or f"{word} {food}".lower().startswith(_BEGINNINGS) or is_another_food(word, food):
+        return None
+    return state_in(word) if "-" not in word or canonical(word) in state_classes().class_of else None
+
+
+def is_another_food(state: str, food: str) -> bool:
+    """Whether the word for a state makes another food: ground beef is used as no beef is, diced tomato as tomatoes."""
+    groups = food_groups()
+    return not set(groups.of(canonical(f"{state} {food}"))) <= set(groups.of(canonical(food)))
+
+
+def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Answer the states that a preparation speaks of ("peeled and diced"), and its phrases that speak of none."""
+    phrases = [phrase.strip() for phrase in _PHRASE.split(preparation) if phrase.strip()]
+    read = [(phrase, () if phrase.lower() in _REMARKS else _states_in(phrase)) for phrase in phrases]
+    states = tuple(state for _, found in read for state in found)
+    return states, tuple(phrase for phrase, found in read if not found)
+
+
+def _states_in(phrase: str) -> tuple[str, ...]:
+    """Answer the states of one phrase: all of "chopped peeled seeded", of which the first was done last; else one."""
+    places = state_classes().class_of
+    words = phrase.lower().split()
+    if len(words) > 1 and all(canonical(word) in places for word in words):
+        return tuple(state for word in reversed(words) if (state := state_in(word)) is not None)
+    state = state_in(phrase)
+    return () if state is None else (state,)

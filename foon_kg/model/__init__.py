@@ -1,0 +1,38 @@
+"""The words of a FOON as plain values, and what every room needs: nodes, units, recipes, names, errors.
+
+The values themselves are here for everybody: ``from foon_kg.model import ObjectNode``.
+"""
+
+from foon_kg.model.nodes import (
+    DISH_TYPES,
+    Annotation,
+    FunctionalUnit,
+    Goal,
+    KnownUnit,
+    NodeSortKey,
+    ObjectNode,
+    Participant,
+    Recipe,
+    RequiredIngredient,
+    Sighting,
+    Subgraph,
+    Timing,
+    content_key,
+)
+
+__all__ = [
+    "DISH_TYPES",
+    "Annotation",
+    "FunctionalUnit",
+    "Goal",
+    "KnownUnit",
+    "NodeSortKey",
+    "ObjectNode",
+    "Participant",
+    "Recipe",
+    "RequiredIngredient",
+    "Sighting",
+    "Subgraph",
+    "Timing",
+    "content_key",
+]

@@ -1,0 +1,73 @@
+"""Recipes of a collection as plain values: as its files have them, and as they were understood."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from foon_kg.model import content_key
+from foon_kg.model.dish_classes import DishClass
+
+LONGEST_ID = 200
+LONGEST_LINE = 1_000
+"""More characters than anybody writes; Neo4j can look up no name of more than 8,000 bytes."""
+
+
+@dataclass(frozen=True)
+class CollectedLine:
+    """One ingredient as a collection has it.
+
+    ``text`` is the line as written. ``detected`` is the food that the collection itself found in it, ``None`` where it
+    found none or does not trust it. ``state``, ``quantity`` and ``unit`` are ``""`` where the collection says nothing.
+    """
+
+    text: str
+    detected: str | None = None
+    state: str = ""
+    quantity: str = ""
+    unit: str = ""
+
+    @property
+    def is_readable(self) -> bool:
+        """Whether it is as short as a line is that asks for something."""
+        return len(self.text) <= LONGEST_LINE and len(self.detected or "") <= LONGEST_LINE
+
+
+@dataclass(frozen=True)
+class CollectedRecipe:
+    """One recipe as a collection has it; ``place`` says where it stands (file and number, from 1)."""
+
+    id: str
+    title: str
+    lines: tuple[CollectedLine, ...]
+    place: str
+    dish_type: str | None = None
+    partition: str | None = None
+    url: str | None = None
+
+    @cached_property
+    def content(self) -> str:
+        """A hash of everything in it but its place: an equal one means that loading it again would change nothing."""
+        lines = [(line.text, line.detected, line.state, line.quantity, line.unit) for line in self.lines]
+        return content_key(self.id, self.title, lines, self.dish_type, self.partition, self.url)
+
+
+@dataclass(frozen=True)
+class CalledFor:
+    """One ingredient of a recipe as understood; ``state`` is ``""`` where the line says nothing of it."""
+
+    object: str
+    state: str
+    text: str
+    quantity: str = ""
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class UnderstoodRecipe:
+    """A recipe ready for the graph. ``left_over`` are the lines in which no food was found."""
+
+    recipe: CollectedRecipe
+    dish_classes: tuple[DishClass, ...]
+    ingredients: tuple[CalledFor, ...]
+    left_over: tuple[str, ...] = ()

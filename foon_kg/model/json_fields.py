@@ -1,0 +1,120 @@
+"""Reading JSON values by name and type; whatever does not fit is said with its place in the document."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+from foon_kg.model.errors import ReadError
+
+JsonObject = dict[str, Any]
+"""A JSON object as :mod:`json` reads and writes it."""
+
+
+class Fields:
+    """A JSON object of which each field is asked by name and type.
+
+    ``where`` leads to it (``plan.json: units[3]``) and begins every message. Every method raises
+    :class:`~foon_kg.model.errors.ReadError` when the field is missing or of another type; fields that nobody asks
+    for are left alone.
+    """
+
+    def __init__(self, value: object, where: str) -> None:
+        if not isinstance(value, Mapping):
+            raise ReadError(
+                f"{where}: expected a JSON object, found {_shown(value)}", hint="Write it as {…} with named fields."
+            )
+        self._values: Mapping[str, object] = value
+        self.where = where
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._values
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the fields that are there, sorted."""
+        return tuple(sorted(self._values))
+
+    def text(self, name: str) -> str:
+        """Answer the text of a field."""
+        return self._as_text(name, self._value(name))
+
+    def optional_text(self, name: str) -> str | None:
+        """Answer the text of a field, ``None`` where it is null or left out."""
+        return None if self._values.get(name) is None else self.text(name)
+
+    def whole_number(self, name: str) -> int:
+        """Answer the whole number of a field."""
+        value = self._value(name)
+        if not isinstance(value, int) or isinstance(value, bool):
+            self._refuse(name, "a whole number", value)
+        return value
+
+    def number(self, name: str) -> float:
+        """Answer the number of a field."""
+        value = self._value(name)
+        if not isinstance(value, int | float) or isinstance(value, bool):
+            self._refuse(name, "a number", value)
+        return float(value)
+
+    def optional_number(self, name: str) -> float | None:
+        """Answer the number of a field, ``None`` where it is null or left out."""
+        return None if self._values.get(name) is None else self.number(name)
+
+    def truth(self, name: str) -> bool:
+        """Answer the true or false of a field."""
+        value = self._value(name)
+        if not isinstance(value, bool):
+            self._refuse(name, "true or false", value)
+        return value
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Answer the texts of a list."""
+        return tuple(self._as_text(f"{name}[{place}]", value) for place, value in enumerate(self._list(name)))
+
+    def nested(self, name: str) -> Fields:
+        """Answer a field that is an object itself."""
+        return Fields(self._value(name), f"{self.where}: {name}")
+
+    def nested_list(self, name: str) -> list[Fields]:
+        """Answer the objects of a list, in order."""
+        return [Fields(value, f"{self.where}: {name}[{place}]") for place, value in enumerate(self._list(name))]
+
+    def items(self, name: str) -> list[object]:
+        """Answer the items of a list, of whatever type they are."""
+        return list(self._list(name))
+
+    def one_of(self, name: str, allowed: tuple[str, ...]) -> str:
+        """Answer the text of a field that must be one of ``allowed``."""
+        value = self.text(name)
+        if value not in allowed:
+            self._refuse(name, "one of " + ", ".join(allowed), value)
+        return value
+
+    def _value(self, name: str) -> object:
+        if name not in self._values:
+            raise ReadError(f"{self.where}: the field “{name}” is missing", hint=f"Add “{name}”.")
+        return self._values[name]
+
+    def _as_text(self, name: str, value: object) -> str:
+        if not isinstance(value, str):
+            self._refuse(name, "text", value)
+        return value
+
+    def _list(self, name: str) -> list[object]:
+        value = self._value(name)
+        if not isinstance(value, list):
+            self._refuse(name, "a list", value)
+        return value
+
+    def _refuse(self, name: str, wanted: str, value: object) -> NoReturn:
+        raise ReadError(
+            f"{self.where}: “{name}” should be {wanted}, found {_shown(value)}", hint=f"Make “{name}” {wanted}."
+        )
+
+
+def _shown(value: object) -> str:
+    text = json.dumps(value, ensure_ascii=False, default=str)
+    longest = 60
+    return text if len(text) <= longest else text[:longest] + "…"

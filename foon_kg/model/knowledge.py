@@ -1,0 +1,209 @@
+"""What the planner asks of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+
+One suite of contract tests (``tests/contract``) runs against every implementation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+from foon_kg.model import Goal, KnownUnit, ObjectNode
+
+if TYPE_CHECKING:
+    from foon_kg.integration.methods import Methods
+
+
+class SeenAs(NamedTuple):
+    """How often a food is seen in a state: so many units make it so or use it so (a unit counts once).
+
+    ``state`` is ``""`` for nodes without any state; such a row keeps the food known. A large FOON has a hundred
+    thousand of these, and tuples are made several times as quickly as dataclasses.
+    """
+
+    label: str
+    state: str
+    made: int
+    used: int
+
+
+@dataclass(frozen=True, order=True)
+class MadeBy:
+    """How often units with this ``motion`` give ``state`` to a food: an output has it, and no input of that food."""
+
+    state: str
+    motion: str
+    count: int
+
+
+@dataclass(frozen=True, order=True)
+class Gathering:
+    """How many units have this ``motion``, and how many of them take ``several`` foods."""
+
+    motion: str
+    units: int
+    several: int
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The words that a FOON knows. Every table is sorted, so that two graphs with the same content answer alike.
+
+    ``foods``: labels (utensils apart) with their states. ``motions``: which motion makes which state.
+    ``dish_types``: the classes that have at least one goal node. ``gatherings``: how often the units of each motion
+    take several foods. Where ``foods`` are only those that matter to a
+    question (:meth:`KnowledgeView.words_for`), ``other_states`` are the states of all others.
+    """
+
+    foods: tuple[SeenAs, ...]
+    motions: tuple[MadeBy, ...]
+    dish_types: tuple[str, ...]
+    other_states: tuple[str, ...] = ()
+    gatherings: tuple[Gathering, ...] = ()
+
+    @property
+    def labels(self) -> list[str]:
+        """Answer the known foods by name, sorted."""
+        return sorted(self.rows_of)
+
+    @cached_property
+    def rows_of(self) -> Mapping[str, tuple[SeenAs, ...]]:
+        """Answer the rows about each known food, in their order."""
+        rows: dict[str, list[SeenAs]] = {}
+        for row in self.foods:
+            rows.setdefault(row.label, []).append(row)
+        return {label: tuple(found) for label, found in rows.items()}
+
+    def gathers(self, motion: str) -> float:
+        """Answer how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet."""
+        row = self._gathering_of.get(motion)
+        return 0.5 if row is None else (row.several + 1) / (row.units + 2)  # the rule of succession
+
+    @cached_property
+    def _gathering_of(self) -> Mapping[str, Gathering]:
+        return {row.motion: row for row in self.gatherings}
+
+
+@dataclass(frozen=True, order=True)
+class Neighbour:
+    """A known name, and how sure we are (0 to 1) that a cook would accept it for the name asked."""
+
+    name: str
+    confidence: float
+
+
+@dataclass(frozen=True)
+class LikelyGoals:
+    """Goals among which the likest to a recipe are sought (:mod:`foon_kg.goals.ranking`).
+
+    No other goal of the asked dish types scores more than ``most``; ``None`` where there is no other. ``known_foods``
+    has every known food that the label of one of ``goals`` names, each word in the singular.
+    """
+
+    goals: tuple[Goal, ...]
+    known_foods: frozenset[str]
+    most: float | None = None
+
+
+@dataclass(frozen=True)
+class RetrievedTree:
+    """A reference tree that was retrieved and proven, as it is kept for who asks again.
+
+    ``question`` names what was asked, ``grounds`` all that the answer depends on: asked the same on the same grounds, a
+    search would find these ``units`` and ``gaps`` again. ``goal``, units and gaps are named by their keys.
+    """
+
+    question: str
+    grounds: str
+    goal: str
+    units: tuple[str, ...]
+    gaps: tuple[str, ...]
+
+
+class TreeMemory(Protocol):
+    """Where reference trees are kept once they were retrieved."""
+
+    def remembered(self, question: str) -> RetrievedTree | None:
+        """Answer the tree that is kept for ``question``, whatever its grounds are."""
+        ...
+
+    def remember(self, tree: RetrievedTree) -> None:
+        """Keep ``tree``, sooner or later or not at all: nothing may depend on it."""
+        ...
+
+
+class KnowledgeView(Protocol):
+    """A FOON as it stands at one moment. All answers of one view describe the same state of the graph."""
+
+    @property
+    def memory(self) -> TreeMemory | None:
+        """Where the reference trees that are retrieved from this FOON are kept, if anywhere."""
+        ...
+
+    def vocabulary(self) -> Vocabulary:
+        """Answer the words that the FOON knows."""
+        ...
+
+    def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
+        """Answer what of the vocabulary matters to a recipe that asks for ``foods``; it may be more, up to all of it.
+
+        States, motions and dish types are all there. Of the foods there are, with all that is known of them, those
+        that have an equal canonical name (``foon_kg.model.names``) with one of ``foods`` or of ``called``, those named
+        after one of ``foods`` with more words, and all that the default similarity takes for a fair equivalent of one
+        of them; where there is one, the four best at least, itself apart.
+        """
+        ...
+
+    def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
+        """Answer ``words``, which :meth:`words_for` answered, with all that is known of the foods in ``units``.
+
+        ``units`` were answered by :meth:`behind`.
+        """
+        ...
+
+    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
+        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
+        ...
+
+    def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``, in no order.
+
+        The score is that of the default similarity. All of the goals are answered where they are few.
+        """
+        ...
+
+    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making any of ``nodes``, or any node of one of ``foods``.
+
+        A food is (label, state): every node with that label which has that state. Answered are the units that
+        output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
+        in the default kitchen (``foon_kg.plans.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
+        """
+        ...
+
+    def methods(self) -> Methods:
+        """Answer what the FOON teaches of making dishes: its operators and frames."""
+        ...
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Answer what of that matters to a dish of ``foods``; it may be more, up to all of it."""
+        ...
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it.
+
+        They are those of the default similarity (``foon_kg.similarity``), best first, ties by name; fewer only where
+        the FOON knows fewer. A name need not be known.
+        """
+        ...
+
+
+class KnowledgeGraph(Protocol):
+    """Where a FOON is kept."""
+
+    def reading(self) -> AbstractContextManager[KnowledgeView]:
+        """Open a view; everything asked of it happens in one read transaction."""
+        ...

@@ -1,0 +1,64 @@
+"""Object nodes, sightings and recipes as the JSON of a plan result has them."""
+
+from __future__ import annotations
+
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.json_fields import Fields, JsonObject
+
+
+def node_to_json(node: ObjectNode) -> JsonObject:
+    """Answer the five fields of an object node."""
+    return {
+        "label": node.label,
+        "states": list(node.states),
+        "ingredients": list(node.ingredients),
+        "relation": node.relation,
+        "container": node.container,
+    }
+
+
+def node_from_json(fields: Fields) -> ObjectNode:
+    """Read back what :func:`node_to_json` wrote."""
+    return ObjectNode(
+        fields.text("label"),
+        fields.texts("states"),
+        fields.texts("ingredients"),
+        fields.optional_text("relation"),
+        fields.optional_text("container"),
+    )
+
+
+def recipe_to_json(recipe: Recipe) -> JsonObject:
+    """Answer the ``recipe`` field of a plan result."""
+    ingredients = [{"object": wanted.object, "state": wanted.state} for wanted in recipe.ingredients]
+    return {"id": recipe.id, "title": recipe.title, "dish_type": recipe.dish_type, "ingredients": ingredients}
+
+
+def recipe_from_json(fields: Fields) -> Recipe:
+    """Read back what :func:`recipe_to_json` wrote."""
+    ingredients = tuple(
+        RequiredIngredient(i.text("object"), i.text("state")) for i in fields.nested_list("ingredients")
+    )
+    return Recipe(fields.text("dish_type"), ingredients, fields.optional_text("id"), fields.optional_text("title"))
+
+
+def sighting_to_json(sighting: Sighting) -> JsonObject:
+    """Answer where a unit was seen; the place in the video is called ``unit``."""
+    return {
+        "video": sighting.video,
+        "unit": sighting.position,
+        "source": sighting.source,
+        "start": sighting.start,
+        "end": sighting.end,
+    }
+
+
+def sighting_from_json(fields: Fields) -> Sighting:
+    """Read back what :func:`sighting_to_json` wrote."""
+    return Sighting(
+        fields.text("video"),
+        fields.whole_number("unit"),
+        fields.optional_text("source"),
+        fields.optional_number("start"),
+        fields.optional_number("end"),
+    )

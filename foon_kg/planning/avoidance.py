@@ -1,0 +1,81 @@
+"""Foods that somebody must not or will not eat: what in a recipe and in a tree is such a food.
+
+Matching is cautious, because an allergy is worse than a bland salad: a name is avoided where its words say so
+(*mixed nuts*), or where WordNet (:mod:`foon_kg.similarity.taxonomy`) or the food groups put it, or a part of its
+name, under what is avoided (*walnut oil*). What is left out is always said, with the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen, words
+from foon_kg.similarity.groups import food_groups
+from foon_kg.similarity.taxonomy import food_taxonomy
+
+
+def why_avoided(food: str, avoided: Sequence[str]) -> str | None:
+    """Answer why ``food`` is one of the ``avoided`` foods or kinds of food; ``None`` where it is not."""
+    return next((reason for name in avoided if (reason := _why(food, name)) is not None), None)
+
+
+def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tuple[str, ...]]:
+    """Answer ``recipe`` without the avoided foods, and a note for each of these.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` where nothing is left of it.
+    """
+    if not avoided:
+        return recipe, ()
+    reasons = {wanted: why_avoided(wanted.object, avoided) for wanted in recipe.ingredients}
+    kept = tuple(wanted for wanted in recipe.ingredients if reasons[wanted] is None)
+    notes = tuple(f"“{wanted.object}” is left out: {reason}" for wanted, reason in reasons.items() if reason)
+    if notes and not kept:
+        raise UsageError(
+            f"nothing is left of the recipe: {'; '.join(notes)}", hint="Avoid less, or add other ingredients."
+        )
+    return replace(recipe, ingredients=kept), notes
+
+
+def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:
+    """Answer ``kitchen`` in which no avoided food is free to use."""
+    free = frozenset(food for food in kitchen.free_foods if why_avoided(food, avoided) is None)
+    return kitchen if free == kitchen.free_foods else replace(kitchen, free_foods=free)
+
+
+def names_avoided(node: ObjectNode, avoided: Sequence[str]) -> bool:
+    """Say whether ``node`` is an avoided food or says that it contains one."""
+    return any(why_avoided(name, avoided) is not None for name in (node.label, *node.ingredients))
+
+
+@lru_cache(maxsize=1 << 16)
+def _why(food: str, avoided: str) -> str | None:
+    wanted = words(canonical(avoided))
+    for part in _parts(canonical(food)):
+        if words(part) == wanted:
+            return f"“{avoided}” is to be avoided"
+        kind = next((kind for kind in _kinds(part) if _says(words(kind), wanted)), None)
+        if kind is not None:
+            return f"{part} belongs to “{kind}”"
+    return None
+
+
+def _parts(name: str) -> Iterator[str]:
+    """Answer ``name`` and all parts of it that are whole words, the longest first."""
+    spoken = name.split()
+    for length in range(len(spoken), 0, -1):
+        for start in range(len(spoken) - length + 1):
+            yield canonical(" ".join(spoken[start : start + length]))
+
+
+def _kinds(name: str) -> tuple[str, ...]:
+    """Answer the kinds of food that a canonical name belongs to, its groups first."""
+    return (*food_groups().of(name), *food_taxonomy().kinds(name))
+
+
+def _says(kind: Sequence[str], wanted: Sequence[str]) -> bool:
+    return any(tuple(kind[start : start + len(wanted)]) == tuple(wanted) for start in range(len(kind)))

@@ -1,0 +1,195 @@
+"""Many recipes planned from one FOON, on several cores, answered one by one in the order in which they were asked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Literal
+
+from foon_kg.model import KnownUnit, Recipe
+from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.model.names import canonical
+from foon_kg.planning.avoidance import without_avoided
+from foon_kg.planning.cluster import spread_over
+from foon_kg.planning.explanation import Explanation
+from foon_kg.planning.planner import Planner
+from foon_kg.planning.processes import spread
+from foon_kg.planning.recipes import (
+    IngredientWords,
+    ReadRecipe,
+    foods_named,
+    names_in,
+    read_recipe,
+    recipe_of,
+    with_states,
+)
+from foon_kg.planning.settings import PlanSettings, Substitute
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import PlanFailure, PlanResult
+
+MANY = 4
+"""From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
+
+Method = Literal["frames", "paper"]
+"""How trees are made: as foon-kg makes them, or by the paper's four algorithms to the letter, for comparison."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A recipe still to be read: its file, a dish type and ingredients in words, or ``given`` without all states."""
+
+    path: Path | None = None
+    dish_type: str = ""
+    texts: tuple[str, ...] = ()
+    given: Recipe | None = None
+
+    def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
+        """Answer the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
+        if self.given is not None:
+            read = with_states(self.given, words)
+        else:
+            read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
+        recipe, notes = without_avoided(read.recipe, avoided)
+        return ReadRecipe(recipe, (*read.notes, *notes))
+
+    def names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Answer the foods that the question names, or, where it asks in words, all that may be names of foods."""
+        if self.given is not None:
+            return tuple(wanted.object for wanted in self.given.ingredients), ()
+        if self.path is not None:
+            return foods_named(self.path), ()
+        return (), names_in(self.texts)
+
+    def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
+        """Answer the recipe that an answer to this question names."""
+        try:
+            return self.read(words, avoided).recipe
+        except (ReadError, UsageError):
+            return self.stand_in
+
+    @property
+    def stand_in(self) -> Recipe:
+        """Answer what is known of the recipe before it is read, or where it cannot be."""
+        if self.given is not None:
+            return self.given
+        return Recipe(self.dish_type, (), id=None if self.path is None else self.path.stem)
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """How all recipes are to be planned (see :class:`~foon_kg.planning.settings.PlanSettings`), and whether to say why.
+
+    ``time_limit`` (seconds) is for the search of each reference tree. The paper's ``method`` knows nothing of all this.
+    """
+
+    substitutes: tuple[Substitute, ...] = ()
+    avoided: tuple[str, ...] = ()
+    explain: bool = False
+    kitchen: Kitchen = field(default_factory=Kitchen.default)
+    time_limit: float | None = 20.0
+    method: Method = "frames"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it."""
+
+    outcome: PlanResult | PlanFailure
+    notes: tuple[str, ...] = ()
+    explanations: tuple[Explanation, ...] = ()
+    error: FoonError | None = None
+
+
+class Cook:
+    """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
+
+    def __init__(self, view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit] | None = None) -> None:
+        settings = PlanSettings(
+            wishes.kitchen, time_limit=wishes.time_limit, substitutes=wishes.substitutes, avoided=wishes.avoided
+        )
+        self.view = view
+        self.wishes = wishes
+        self.asks_for_parts = units is None
+        self.planner = Planner(view, settings, units)
+
+    def answer(self, question: Question, *, explain: bool = False) -> Answer:
+        """Answer one question, and why where that, or all wishes, ask it.
+
+        What is raised is not about this recipe, and ends the batch.
+        """
+        read = ReadRecipe(question.stand_in, ())
+        explanations: tuple[Explanation, ...] = ()
+        try:
+            read = question.read(self.words_for(question), self.wishes.avoided)
+            if self.wishes.method == "paper":
+                from foon_kg.planning.paper import plan_by_the_paper  # noqa: PLC0415 - only comparisons need it
+
+                result = plan_by_the_paper(self.view, read.recipe)
+            elif explain or self.wishes.explain:
+                result, explanations = self.planner.explain(read.recipe)
+            else:
+                result = self.planner.plan(read.recipe)
+            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.wishes.substitutes, result))
+            return Answer(result, notes, explanations)
+        except (NoTreeError, ReadError, UsageError) as error:
+            return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
+
+    def words_for(self, question: Question) -> IngredientWords:
+        """Answer the words in which ``question`` is read."""
+        if not self.asks_for_parts:
+            return self._all_words
+        foods, called = question.names()
+        return IngredientWords(self.view.words_for(foods, called), Kitchen.default())
+
+    @cached_property
+    def _all_words(self) -> IngredientWords:
+        return IngredientWords(self.view.vocabulary(), Kitchen.default())
+
+
+def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
+    """Answer a note where no dish type was asked."""
+    if read.recipe.dish_type:
+        return ()
+    return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
+
+
+def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> Iterator[str]:
+    """Answer a note for each choice of an equivalent of which the tree shows nothing, though its food was asked for."""
+    asked = {canonical(wanted.object) for wanted in result.recipe.ingredients}
+    shown = {(canonical(s.required), canonical(s.equivalent)) for s in result.substitutions if s.kind == "object"}
+    for chosen in substitutes:
+        pair = canonical(chosen.food), canonical(chosen.like)
+        if pair[0] in asked and pair not in shown:
+            yield f"no step of this tree handles “{chosen.food}” like {chosen.like}, as was chosen"
+
+
+def answering(
+    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit], jobs: int
+) -> AbstractContextManager[Iterator[Answer]]:
+    """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
+
+    Every process gets ``view`` and ``units``, all that the view knows, once. The answers raise
+    :class:`~foon_kg.model.errors.FoonError` where one of them was ended from outside.
+    """
+    return spread(partial(_answers_of, view, wishes, units), questions, jobs)
+
+
+def answering_on(
+    address: str, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]
+) -> AbstractContextManager[Iterator[Answer]]:
+    """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
+    return spread_over(partial(_answers_of, view, wishes, units), questions, address)
+
+
+def _answers_of(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
+    return Cook(view, wishes, units).answer
+
+
+def cores() -> int:
+    """Answer how many cores this program may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

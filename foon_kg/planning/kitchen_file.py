@@ -1,0 +1,224 @@
+"""``--kitchen FILE``: what is at hand, as people write it down.
+
+Plain text, one thing a line (``onion`` · ``onion, chopped`` · ``chopped onion`` · ``egg in carton`` · ``knife`` ·
+``oven, preheated``; ``#`` begins a comment), or JSON: a list of such texts, of object nodes as a plan result has them,
+or of recipe ingredients; or ``{"utensils": […], "foods": […]}`` with one of the two or both. What that means is said
+in :mod:`foon_kg.plans.stock`. Nothing is decided silently: what was not understood as it stands comes with a note.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from foon_kg.food import tables
+from foon_kg.model import ObjectNode
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.json_fields import Fields
+from foon_kg.model.names import canonical
+from foon_kg.model.regular_files import read_text
+from foon_kg.planning.recipes import IngredientWords
+from foon_kg.plans.stock import StockedKitchen
+from foon_kg.similarity import food_similarity
+
+_PLACED = re.compile(
+    r"^(?P<thing>.+?),?\s+(?P<relation>in|on|under)\s+(?:(?:an?|the)\s+)?(?P<place>[^,]+)$", re.IGNORECASE
+)
+_BULLET = re.compile(r"^[-*•]\s+")
+_CLOSE = 3
+_ALIKE = 0.3
+_FIELDS = ("foods", "utensils")
+_HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “utensils”, “foods” or both."
+
+
+@dataclass(frozen=True)
+class ReadKitchen:
+    """What is at hand, and what had to be decided to read it, one sentence a note."""
+
+    kitchen: StockedKitchen
+    notes: tuple[str, ...]
+
+
+def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
+    """Read a file of things at hand; ``words`` are the FOON's, and the kitchen in which all that is not named stands.
+
+    Raises :class:`~foon_kg.model.errors.ReadError` with the file and the line (in JSON the field) that cannot be read,
+    and for a file that names nothing; :class:`~foon_kg.model.errors.UsageError` where there is no such file.
+    """
+    text = _text_of(path)
+    is_json = path.suffix.lower() == ".json" or text.lstrip()[:1] in {"[", "{"}
+    entries = list(_json_entries(path, text) if is_json else _lines(path, text))
+    if not entries:
+        raise ReadError(f"{path}: it names nothing", hint=_HINT)
+    return kitchen_with(entries, words)
+
+
+def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitchen:
+    """Answer the kitchen in which just ``entries`` are at hand; ``words`` as for :func:`read_kitchen`."""
+    reader = ThingReader(words)
+    read = [reader.read(entry) for entry in entries]
+    said: dict[str, set[str]] = {kind: set() for kind in (*_FIELDS, "")}
+    for entry, (thing, _) in zip(entries, read, strict=True):
+        said[entry.kind].add(thing.label)
+    kitchen = words.kitchen.with_foods(said["foods"]).with_utensils(said["utensils"])
+    return ReadKitchen(StockedKitchen.of(kitchen, [thing for thing, _ in read]), tuple(n for _, ns in read for n in ns))
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One thing as it stands in a file: ``where``, under which field (``kind``, of JSON), as text or as a node."""
+
+    where: str
+    value: str | ObjectNode
+    kind: str = ""
+
+
+@dataclass(frozen=True)
+class ThingReader:
+    """Reads things in the words of one FOON."""
+
+    words: IngredientWords
+
+    def read(self, entry: Entry) -> tuple[ObjectNode, tuple[str, ...]]:
+        """Answer the thing that an entry names, and notes on what was decided or is not known."""
+        if isinstance(entry.value, ObjectNode):
+            thing, notes = self._known(entry.value), list[str]()
+        else:
+            thing, notes = self._spoken(entry.value)
+        notes += self._unknown(thing, entry.kind)
+        return thing, tuple(f"{entry.where}: {note}" for note in notes)
+
+    def _spoken(self, text: str) -> tuple[ObjectNode, list[str]]:
+        placed = _PLACED.match(text)
+        place = self._utensil(placed["place"]) if placed else None
+        if placed is None or place is None:
+            return self._unplaced(text)
+        thing, notes = self._unplaced(placed["thing"])
+        return replace(thing, relation=placed["relation"].lower(), container=place), notes
+
+    def _unplaced(self, text: str) -> tuple[ObjectNode, list[str]]:
+        utensil = self._utensil_in_words(text)
+        if utensil is not None:
+            return utensil, []
+        food, states, rest = self.words.parts(text)
+        if not rest:
+            return ObjectNode(food, tuple(states)), []
+        said = " ".join(rest)
+        if "," not in text:
+            return ObjectNode(food, tuple(states)), [f"“{text}” is read as {food}: “{said}” is left out"]
+        near = _listed(difflib.get_close_matches(said, sorted(self.words.states), n=_CLOSE))
+        return ObjectNode(food, (*states, said)), [f"this FOON knows no state “{said}”{near}; it is kept as it stands"]
+
+    def _utensil_in_words(self, text: str) -> ObjectNode | None:
+        """Answer ``oven, preheated`` and ``preheated oven``; other words before a utensil make it another thing."""
+        name, comma, after = (part.strip() for part in text.partition(","))
+        if (utensil := self._utensil(name)) is not None:
+            states = tuple(" ".join(state.lower().split()) for state in after.split(",") if state.strip())
+            return ObjectNode(utensil, states)
+        before, _, last = name.partition(" ")
+        known = self.words.kitchen.rest_states | self.words.kitchen.running_states
+        if not comma and before.lower() in known and (utensil := self._utensil(last)) is not None:
+            return ObjectNode(utensil, (before.lower(),))
+        return None
+
+    def _known(self, node: ObjectNode) -> ObjectNode:
+        """Answer ``node`` under the name that the FOON has for it."""
+        return replace(node, label=self._utensil(node.label) or self.words.label(node.label))
+
+    def _utensil(self, name: str) -> str | None:
+        """Answer the utensil that is called ``name``, be it in the plural."""
+        folded = " ".join(name.lower().split())
+        row = tables().utensil(name)
+        if not self.words.kitchen.is_utensil(folded):
+            return None
+        return folded if row is None else row.written
+
+    def _unknown(self, thing: ObjectNode, kind: str) -> Iterator[str]:
+        if self.words.kitchen.is_utensil(thing.label) or (kind != "utensils" and canonical(thing.label) in self._foods):
+            return
+        what = "utensil" if kind == "utensils" else "food"
+        utensils = {row.written for row in tables().utensils.values()}
+        known = sorted(utensils | (set() if kind == "utensils" else self._labels))
+        near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE)
+        if not near and kind != "utensils":
+            alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)
+            near = [found.name for found in alike if found.confidence >= _ALIKE]
+        yield f"this FOON knows no {what} “{thing.label}”{_listed(near)}; it counts as a {what} at hand"
+
+    @cached_property
+    def _labels(self) -> frozenset[str]:
+        return frozenset(row.label for row in self.words.vocabulary.foods)
+
+    @cached_property
+    def _foods(self) -> frozenset[str]:
+        return frozenset(map(canonical, self._labels))
+
+
+def _listed(near: list[str]) -> str:
+    return f" (near it: {', '.join(near)})" if near else ""
+
+
+def _text_of(path: Path) -> str:
+    if not path.exists():
+        raise UsageError(f"there is no file {path}", hint="--kitchen names a file of things at hand.")
+    try:
+        return read_text(path)
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: not UTF-8 text (byte {error.start})", hint="Save it as UTF-8.") from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="--kitchen names a file that can be read.") from error
+
+
+def _lines(path: Path, text: str) -> Iterator[Entry]:
+    for number, line in enumerate(text.splitlines(), 1):
+        thing = _BULLET.sub("", line.partition("#")[0].strip())
+        if thing:
+            yield Entry(f"{path}:{number}", _named(thing, f"{path}:{number}"))
+
+
+def _json_entries(path: Path, text: str) -> Iterator[Entry]:
+    try:
+        value = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
+    if isinstance(value, list):
+        for place, item in enumerate(value):
+            yield _json_entry(item, f"{path}: [{place}]")
+        return
+    fields = Fields(value, str(path))
+    unknown = next((name for name in fields.names if name not in _FIELDS), None)
+    if unknown is not None:
+        raise ReadError(f"{path}: nobody asks for the field “{unknown}”", hint=_HINT)
+    for kind in fields.names:
+        for place, item in enumerate(fields.items(kind)):
+            yield _json_entry(item, f"{path}: {kind}[{place}]", kind)
+
+
+def _json_entry(item: object, where: str, kind: str = "") -> Entry:
+    return Entry(where, _json_thing(item, where), kind)
+
+
+def _json_thing(item: object, where: str) -> str | ObjectNode:
+    if isinstance(item, str):
+        return _named(item.strip(), where)
+    fields = Fields(item, where)
+    label = _named(fields.text("object" if "label" not in fields and "object" in fields else "label").strip(), where)
+    state = fields.optional_text("state")
+    return ObjectNode(
+        label,
+        fields.texts("states") if "states" in fields else (state,) if state else (),
+        fields.texts("ingredients") if "ingredients" in fields else (),
+        fields.optional_text("relation"),
+        fields.optional_text("container"),
+    )
+
+
+def _named(text: str, where: str) -> str:
+    if not text.strip(" ,"):
+        raise ReadError(f"{where}: a thing without a name", hint=_HINT)
+    return text

@@ -1,0 +1,229 @@
+"""Algorithm 4 of the paper: the reference task tree is made to fit the recipe."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.model import ObjectNode, RequiredIngredient
+from foon_kg.model.errors import NoTreeError
+from foon_kg.model.knowledge import Neighbour, Vocabulary
+from foon_kg.model.names import canonical
+from foon_kg.planning.paper.reference import Knowledge
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.result import Alternative, PlannedUnit, Substitution, SubstitutionKind
+from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, retrieve
+from foon_kg.similarity import Similarity
+
+_NEAREST = 4
+"""How many equivalents are looked for: the one that is taken and the alternatives that are told."""
+
+
+@dataclass(frozen=True)
+class MadeFood:
+    """A food in a state that FOON makes, and what is substituted where it is not the required one."""
+
+    label: str
+    state: str
+    substitutions: tuple[Substitution, ...] = ()
+
+
+@dataclass(frozen=True)
+class FinalTree:
+    """The units that make ``goal``, in the order of execution, and what was substituted in them."""
+
+    goal: ObjectNode
+    units: tuple[PlannedUnit, ...] = ()
+    substitutions: tuple[Substitution, ...] = ()
+
+
+def made_for(want: RequiredIngredient, vocabulary: Vocabulary, similarity: Similarity) -> MadeFood:
+    """Return what FOON makes that is nearest to ``want``: the nearest object, then the nearest of its states.
+
+    The paper leaves open whether an object in another state or another object in that state is the nearer one; here
+    the object counts first. A FOON that makes nothing has the required food as the answer.
+    """
+    made: dict[str, list[str]] = {}
+    for row in vocabulary.foods:
+        if row.made and row.state:
+            made.setdefault(row.label, []).append(row.state)
+    if not made:
+        return MadeFood(want.object, want.state)
+    objects = _nearest(want.object, sorted(made), similarity)
+    states = _nearest(want.state, made[objects[0].name], similarity)
+    pairs = (_substitution("object", want, want.object, objects), _substitution("state", want, want.state, states))
+    return MadeFood(objects[0].name, states[0].name, tuple(pair for pair in pairs if pair.required != pair.equivalent))
+
+
+def construct_final_task_tree(
+    knowledge: Knowledge, reference: ReferenceTree, made: Mapping[RequiredIngredient, MadeFood]
+) -> FinalTree:
+    """Return ``reference`` with every required food, and without any other (algorithm 4).
+
+    ``made`` has, for each required (object, state), what stands for it. What the reference tree lacks is prepared
+    before everything else: of several subtrees the one with the fewest units. What the kitchen has in the required
+    state needs none. Each food is connected to the last unit that is marked to accept any number of inputs and makes
+    something that gets into the goal; few real units are marked, and without one it is the last such unit that takes
+    several foods, else the last.
+
+    Raises NoTreeError where nothing is left of the tree.
+    """
+    kitchen, goal = knowledge.kitchen, reference.goal
+    units = [PlannedUnit.of(known.unit, "foon", known.seen_in) for known in reference.units]
+    nodes = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
+    there = {(canonical(node.label), state) for node in nodes for state in (*node.states, "")}
+    place = _connecting(units, goal, kitchen)
+    before, substitutions = list[PlannedUnit](), list[Substitution]()
+    for want, food in made.items():
+        if (canonical(want.object), want.state) not in there:
+            subtree = _subtree(knowledge, want, food)
+            before += subtree.units
+            substitutions += subtree.substitutions
+            units, goal = _connected(units, place, subtree.goal, goal, kitchen)
+    distinct = dict[object, PlannedUnit]()
+    for unit in (*before, *units):
+        distinct.setdefault((unit.input_nodes, unit.motion_node, unit.output_nodes), unit)
+    whole = FinalTree(goal, tuple(distinct.values()), tuple(dict.fromkeys(substitutions)))
+    return _without_others(whole, {canonical(want.object) for want in made}, kitchen)
+
+
+def _nearest(name: str, known: Sequence[str], similarity: Similarity) -> list[Neighbour]:
+    """Return the nearest of ``known``, best first, ties by name; ``name`` itself comes before its other forms."""
+    return sorted(similarity.nearest(name, known, limit=_NEAREST), key=lambda near: near.name != name)
+
+
+def _substitution(
+    kind: SubstitutionKind, want: RequiredIngredient, required: str, nearest: Sequence[Neighbour]
+) -> Substitution:
+    taken, *others = (Alternative(near.name, round(near.confidence, 4)) for near in nearest)
+    return Substitution(kind, want.object, required, taken.name, taken.confidence, tuple(others))
+
+
+def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> FinalTree:
+    """Return the tree behind ``food``, with its object, state and motion substituted by those of ``want``.
+
+    The motion that gives the state becomes the one that most often gives the required state to any food. There are
+    no units where none can make the food.
+    """
+    bare = ObjectNode(want.object, (want.state,) if want.state else ())
+    outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
+    nodes = {node for node in outputs if node.label == food.label and food.state in node.states}
+    pure = {node for node in nodes if set(knowledge.kitchen.foods_in(node)) <= {food.label}}
+    if knowledge.kitchen.has(bare) or not nodes:
+        return FinalTree(bare)
+    try:
+        tree = retrieve(SearchProblem(knowledge.index, tuple(pure or nodes)), time_limit=None)
+    except NoWayError:
+        return FinalTree(bare)
+    rows = [(-row.count, row.motion) for row in knowledge.vocabulary.motions if row.state == want.state]
+    found, units = list(food.substitutions), list[PlannedUnit]()
+    for known in tree.units:
+        unit = PlannedUnit.of(known.unit, "foon", known.seen_in)
+        now = _changed(unit, lambda node: _renamed(node, want, food))
+        if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion_node:
+            now = replace(now, motion_node=min(rows)[1])
+            like = knowledge.similarity.nearest(now.motion_node, [unit.motion_node], limit=1)
+            found.append(_substitution("motion", want, now.motion_node, like))
+        units.append(now if now == unit else replace(now, origin="adapted"))
+    return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
+
+
+def _gives(unit: PlannedUnit, food: MadeFood) -> bool:
+    """Whether ``unit`` is what brings ``food`` into its state."""
+    before, after = (
+        any(node.label == food.label and food.state in node.states for node in side)
+        for side in (unit.input_nodes, unit.output_nodes)
+    )
+    return after and not before
+
+
+def _renamed(node: ObjectNode, want: RequiredIngredient, food: MadeFood) -> ObjectNode:
+    """Return ``node`` with the required object, also as an ingredient and a container, and the required state."""
+    own, names = node.label == food.label, {food.label: want.object}
+    return ObjectNode(
+        names.get(node.label, node.label),
+        tuple(want.state if own and state == food.state else state for state in node.states),
+        tuple(names.get(name, name) for name in node.ingredients),
+        node.relation,
+        node.container and names.get(node.container, node.container),
+    )
+
+
+def _changed(unit: PlannedUnit, change: Callable[[ObjectNode], ObjectNode | None]) -> PlannedUnit:
+    """Return ``unit`` with each node changed, or left out where the change is ``None``."""
+    inputs, outputs, moving = (
+        tuple(dict.fromkeys(new for node in nodes if (new := change(node)) is not None))
+        for nodes in (unit.input_nodes, unit.output_nodes, unit.moving)
+    )
+    return replace(unit, input_nodes=inputs, output_nodes=outputs, moving=frozenset(moving))
+
+
+def _connecting(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen) -> int:
+    """Return the place of the unit that foods are connected to: see :func:`construct_final_task_tree`."""
+    places = range(len(units) - 1, -1, -1)
+    several = [place for place in places if sum(map(kitchen.is_food, units[place].input_nodes)) > 1]
+    likely = (*(place for place in places if units[place].accepts_any), *several)
+    any_food = ObjectNode("any food")
+    return next((p for p in likely if _connected(units, p, any_food, goal, kitchen)[1] != goal), len(units) - 1)
+
+
+def _connected(
+    units: Sequence[PlannedUnit], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
+) -> tuple[list[PlannedUnit], ObjectNode]:
+    """Return ``units`` with ``food`` as one more input of the unit at ``place``, and the goal that comes of it.
+
+    Each product or filled vessel that this unit makes, and that is made of those, has it among its ingredients.
+    """
+    having, result = dict[ObjectNode, ObjectNode](), list(units[:place])
+    for unit in units[place:]:
+        untouched = set(unit.input_nodes) - having.keys()
+        if len(result) == place or len(untouched) < len(unit.input_nodes):
+            for node in unit.output_nodes:
+                holds = node == goal or kitchen.foods_in(node) or _is_product(node, unit, kitchen)
+                if holds and node not in untouched:
+                    having[node] = replace(node, ingredients=(*node.ingredients, food.label))
+        now = _changed(unit, lambda node: having.get(node, node))
+        if len(result) == place:
+            now = replace(now, input_nodes=(*now.input_nodes, food), moving=now.moving | {food})
+        result.append(now)
+    return result, having.get(goal, goal)
+
+
+def _is_product(node: ObjectNode, unit: PlannedUnit, kitchen: Kitchen) -> bool:
+    """Whether an output is a food that no input is called or has among its ingredients: dough, broth."""
+    names = {name for other in unit.input_nodes for name in (other.label, *other.ingredients)}
+    return kitchen.is_food(node) and node.label not in names
+
+
+def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen) -> FinalTree:
+    """Return ``tree`` without the foods that are not required, and without the units that then serve nothing.
+
+    By its name a food is ``required``, free (water), or a product of required foods (their dough). A vessel that loses
+    its foods stays, empty. A unit that loses a food goes where it changes no other; so does every unit that makes
+    nothing which the goal needs.
+    """
+    kept = set(required)
+    for unit in tree.units:
+        if any(canonical(name) in kept for node in unit.input_nodes for name in (node.label, *node.ingredients)):
+            kept |= {canonical(node.label) for node in unit.output_nodes if _is_product(node, unit, kitchen)}
+
+    def stays(name: str) -> bool:
+        return canonical(name) in kept or kitchen.is_free(name) or kitchen.is_utensil(name)
+
+    def bare(node: ObjectNode) -> ObjectNode | None:
+        now = replace(node, ingredients=tuple(filter(stays, node.ingredients)))
+        holds = any(canonical(name) in kept for name in now.ingredients)
+        return now if holds or stays(node.label) or node == tree.goal else None
+
+    goal = bare(tree.goal) or tree.goal
+    needed, units = {goal}, list[PlannedUnit]()
+    for unit in reversed(tree.units):
+        now = _changed(unit, bare)
+        fresh = set(now.output_nodes) - set(now.input_nodes)
+        foods = [node for node in fresh if kitchen.is_food(node) or kitchen.foods_in(node)]
+        if needed & fresh and (foods or now == unit):
+            needed = (needed - fresh).union(now.input_nodes)
+            units.append(now)
+    if not units:
+        raise NoTreeError(f"nothing of {goal.label} is required", code="left-out", hint="Ask for another dish type.")
+    return FinalTree(goal, tuple(reversed(units)), tree.substitutions)

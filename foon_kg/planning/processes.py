@@ -1,0 +1,91 @@
+"""Work spread over several processes, answered one by one in the order in which it was given."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from functools import cache
+from multiprocessing import active_children, get_context, parent_process
+from multiprocessing.connection import wait
+from typing import Any, TypeVar
+
+from foon_kg.model.errors import FoonError
+
+T = TypeVar("T")
+A = TypeVar("A")
+
+_MOST_AT_ONCE = 8
+_ROUNDS = 4
+
+
+@contextmanager
+def spread(make: Callable[[], Callable[[T], A]], items: Sequence[T], jobs: int) -> Iterator[Iterator[A]]:
+    """Open ``jobs`` processes that work on ``items``, in their order; how many they are changes no answer.
+
+    Every process gets ``make`` once, and calls it for its first item; what that answers does the work. The answers
+    raise what the work raises, and :class:`~foon_kg.model.errors.FoonError` where a process was ended from outside.
+    """
+    workers = min(jobs, len(items))
+    at_once = max(1, min(_MOST_AT_ONCE, len(items) // (_ROUNDS * workers)))
+    pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(make,))
+    try:
+        yield _told(pool.map(_work, items, chunksize=at_once))
+    except KeyboardInterrupt:
+        for process in active_children():
+            process.terminate()  # else each would end its share first
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _told(found: Iterator[A]) -> Iterator[A]:
+    try:
+        yield from found
+    except BrokenProcessPool as error:
+        raise FoonError(
+            "a process that was planning was ended from outside, perhaps for want of memory",
+            hint="Try --jobs 1; with --output a run goes on where this one stopped.",
+        ) from error
+
+
+_given: Callable[[], Callable[[Any], Any]] | None = None
+"""What a working process was given to work with; the one that asks has nothing."""
+
+
+def _begin(make: Callable[[], Callable[[Any], Any]]) -> None:
+    global _given  # noqa: PLW0603 - the only way to keep something between the tasks of a working process
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that asks hears it, and ends this one
+    threading.Thread(target=end_with_parent, daemon=True).start()
+    collect_seldom()
+    _given = make
+
+
+def collect_seldom() -> None:
+    """Let this process look for unreachable cycles seldom: what planning makes has next to none, and much is kept."""
+    gc.set_threshold(100_000, 50, 100)
+
+
+def end_with_parent() -> None:
+    """End this process when the one that asks is killed: the queue between them would wait for ever."""
+    parent = parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
+
+
+@cache
+def _worker() -> Callable[[Any], Any]:
+    """Answer what works in this process, made for its first item: what is wrong with what was given is then told."""
+    if _given is None:
+        raise RuntimeError("a working process was asked before it had begun")
+    return _given()
+
+
+def _work(item: Any) -> Any:  # noqa: ANN401 - whatever is spread
+    return _worker()(item)

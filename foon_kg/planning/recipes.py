@@ -1,0 +1,254 @@
+"""What people ask for, as a :class:`~foon_kg.model.Recipe`: recipe files, and ingredients in words.
+
+Nothing is decided silently: whatever was understood in one of several ways comes with a note.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+from itertools import chain
+from pathlib import Path
+
+from foon_kg.food import singular, tables
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.model.json_fields import Fields
+from foon_kg.model.knowledge import Vocabulary
+from foon_kg.model.names import canonical
+from foon_kg.model.regular_files import read_text
+from foon_kg.plans.kitchen import Kitchen
+
+_CLOSE = 0.74
+"""How alike two words are, by the letters that they share in order, that may be the same word misspelled."""
+
+UNTOUCHED = "whole"
+"""The state of a food of which FOON knows no state in which it is sold."""
+
+
+@dataclass(frozen=True)
+class ReadRecipe:
+    """A recipe and what had to be decided to read it, one sentence a note."""
+
+    recipe: Recipe
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class IngredientWords:
+    """The foods and states that a FOON knows, for telling them apart in ``finely chopped onion``."""
+
+    vocabulary: Vocabulary
+    kitchen: Kitchen
+
+    def read(self, text: str) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        """Answer what ``text`` asks for, with notes.
+
+        Written as ``state food`` (chopped onion) or ``food, state`` (onion, chopped). The food is the longest known
+        one at the end that a known state stands before, else all that follows the last known state, else the longest
+        known food at the end with the words before it as its state. One food has one state: of several the
+        last processed one counts. Raises :class:`~foon_kg.model.errors.UsageError` when nothing is asked for.
+        """
+        return self._chosen(text, *self.parts(text))
+
+    def parts(self, text: str) -> tuple[str, list[str], list[str]]:
+        """Answer the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
+        if not text.strip(" ,"):
+            raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
+        food, comma, state = (part.strip() for part in text.partition(","))
+        if comma and food and state:
+            return self.label(food), *self._states_in(state.replace(",", " ").split())
+        words = text.replace(",", " ").split()
+        place = self._food_begins(words)
+        return self.label(" ".join(words[place:])), *self._states_in(words[:place])
+
+    def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken."""
+        if wanted.state:
+            return wanted, ()
+        state = self._usual_states.get(canonical(wanted.object), UNTOUCHED)
+        return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
+
+    def _chosen(
+        self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
+    ) -> tuple[RequiredIngredient, tuple[str, ...]]:
+        processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
+        state = (processed or list(states) or [" ".join(rest)])[-1]
+        wanted, notes = self.with_state(RequiredIngredient(food, state))
+        left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
+        if left_out:
+            notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
+        meant = None if canonical(food) in self._labels else self.meant(text)
+        if not self.knows(food):
+            asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
+            notes = (*notes, f"no food is called “{food}”{asked}")
+        elif meant is not None and meant != " ".join(text.replace(",", " ").lower().split()):
+            notes = (*notes, f"“{text}” is taken at its word; if you mean “{meant}”, write that")
+        return wanted, notes
+
+    def knows(self, food: str) -> bool:
+        """Return whether the FOON or the tables of foods have a food of this name, or one of its words."""
+        listed = tables().foods.is_listed
+        words = canonical(food).split()
+        ends = (" ".join(words[place:]) for place in range(len(words)))
+        return canonical(food) in self._labels or any(map(listed, ends)) or any(map(listed, words))
+
+    def meant(self, text: str) -> str | None:
+        """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
+        found = [_spelled(word.lower()) for word in text.replace(",", " ").split()]
+        return " ".join(filter(None, found)) if all(found) else None
+
+    def _food_begins(self, words: Sequence[str]) -> int:
+        """Answer the place of the first word of the food."""
+        known = [place for place in range(len(words)) if canonical(" ".join(words[place:])) in self._labels]
+        after_state = [place for place in range(1, len(words)) if self._ends_with_state(words[:place])]
+        both = [place for place in known if place == 0 or place in after_state]
+        return min(both, default=max(after_state, default=min(known, default=0)))
+
+    def _ends_with_state(self, words: Sequence[str]) -> bool:
+        return any(" ".join(words[place:]).lower() in self.states for place in range(len(words)))
+
+    def _states_in(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
+        """Answer the known states among ``words``, the longest first tried, and the words that belong to none."""
+        states, rest, place = [], [], 0
+        while place < len(words):
+            ends = range(len(words), place, -1)
+            end = next((end for end in ends if " ".join(words[place:end]).lower() in self.states), None)
+            if end is None:
+                rest.append(words[place])
+            else:
+                states.append(" ".join(words[place:end]).lower())
+            place = end or place + 1
+        return states, rest
+
+    def label(self, food: str) -> str:
+        """Answer the name by which the FOON has ``food``; its own where it has it under none."""
+        return self._labels.get(canonical(food), food)
+
+    @cached_property
+    def _labels(self) -> dict[str, str]:
+        """The label of each known food by what it is compared by; of several the first in their order."""
+        labels: dict[str, str] = {}
+        for label in self.vocabulary.rows_of:
+            labels.setdefault(canonical(label), label)
+        return labels
+
+    @cached_property
+    def states(self) -> frozenset[str]:
+        """The states that the FOON knows, in lower case."""
+        seen = chain((row.state for row in self.vocabulary.foods), self.vocabulary.other_states)
+        return frozenset(state.lower() for state in seen if state)
+
+    @cached_property
+    def _usual_states(self) -> dict[str, str]:
+        """The state in which each food is most often taken among those in which it is sold."""
+        rows = [row for row in self.vocabulary.foods if row.state and self.kitchen.is_start_state(row.label, row.state)]
+        rows.sort(key=lambda row: (row.used, row.state))
+        return {canonical(row.label): row.state for row in rows}
+
+
+@cache
+def _spelling() -> tuple[str, ...]:
+    """Return every word of the tables of foods and of states, in their order."""
+    known = tables()
+    return tuple(sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()}))
+
+
+def _spelled(word: str) -> str | None:
+    """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
+    known = _spelling()
+    if word in known or singular(word) in known:
+        return word
+    swapped = next((one for one in known if sorted(one) == sorted(word)), None)
+    return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
+
+
+def names_in(texts: Iterable[str]) -> tuple[str, ...]:
+    """Answer all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
+    names: dict[str, None] = {}
+    for text in texts:
+        words = text.replace(",", " ").split()
+        names |= dict.fromkeys([text.partition(",")[0].strip(), *(" ".join(words[n:]) for n in range(len(words)))])
+    return tuple(names)
+
+
+def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
+    """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` where no food of it is known.
+    """
+    read = [words.read(text) for text in texts]
+    if read and not any(words.knows(wanted.object) for wanted, _ in read):
+        notes = "; ".join(note for _, notes in read for note in notes if note.startswith("no food"))
+        raise UsageError(f"nothing is known of what is asked: {notes}", hint="Check the spelling.", code="unknown-food")
+    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+
+
+def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
+    """Answer ``recipe`` with a state for each food: its own, else the usual one, which is noted."""
+    stated = [words.with_state(wanted) for wanted in recipe.ingredients]
+    return ReadRecipe(
+        replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
+        tuple(n for _, notes in stated for n in notes),
+    )
+
+
+def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
+    """Answer the recipe files that ``paths`` name, in their order; of a folder every ``.json`` below it, by name.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` for a path that is not there or a folder without recipes.
+    """
+    for path in paths:
+        if not path.exists():
+            raise UsageError(
+                f"there is no file or folder {path}",
+                hint="Name recipe files, or say --dish TYPE and give ingredients in words.",
+            )
+        below = sorted(path.rglob("*.json")) if path.is_dir() else [path]
+        if not below:
+            raise UsageError(f"{path} has no recipes", hint="A recipe is a .json file with type and ingredients.")
+        yield from below
+
+
+def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
+    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state"}]}``.
+
+    ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient without a
+    name is left out, one without a state gets the usual one; both are noted. Raises ReadError with the place.
+    """
+    fields = Fields(_json(path), str(path))
+    wanted, notes = [], []
+    for ingredient in fields.nested_list("ingredients"):
+        food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
+        if not food:
+            notes.append(f"{ingredient.where}: “object” is empty; the ingredient is left out")
+            continue
+        stated, said = words.with_state(RequiredIngredient(food, state))
+        wanted.append(stated)
+        notes += [f"{ingredient.where}: {note}" for note in said]
+    dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
+    recipe_id = fields.optional_text("id") or path.stem
+    return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
+
+
+def foods_named(path: Path) -> tuple[str, ...]:
+    """Answer the foods that a recipe file names, none where it cannot be read: :func:`read_recipe` says why."""
+    try:
+        ingredients = Fields(_json(path), str(path)).nested_list("ingredients")
+        return tuple(food for ingredient in ingredients if (food := ingredient.text("object").strip()))
+    except ReadError:
+        return ()
+
+
+def _json(path: Path) -> object:
+    try:
+        return json.loads(read_text(path))
+    except json.JSONDecodeError as error:
+        raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: not UTF-8 text (byte {error.start})", hint="Save it as UTF-8.") from error
+    except OSError as error:
+        raise ReadError(f"{path}: {error.strerror}", hint="Make the file readable.") from error

@@ -1,0 +1,94 @@
+"""What is missing for a tree, and what to do about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+
+from foon_kg.model import ObjectNode
+from foon_kg.model.errors import NoTreeError
+from foon_kg.plans.kitchen import Kitchen
+
+MOST_NAMED = 5
+"""How many of the missing things a message names; the rest is counted."""
+
+
+class ShortageError(NoTreeError):
+    """There is no tree from what is at hand; ``missing`` are the leaves that are not, nearest to the goal first."""
+
+    code = "missing"
+
+    def __init__(self, message: str, *, missing: tuple[ObjectNode, ...], hint: str = "", code: str = "") -> None:
+        super().__init__(message, hint=hint, code=code)
+        self.missing = missing
+
+
+LIKE = 0.5
+"""From this confidence on a food at hand is proposed instead of a missing one."""
+
+
+def shortage(
+    missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
+) -> ShortageError:
+    """Answer the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+
+    ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
+    """
+    food = next((node.label for node in missing if kitchen.is_food(node)), None)
+    leave = "" if food is None else f", or leave {food} out{_there_like(food, kitchen, alike)}"
+    return ShortageError(
+        f"the kitchen lacks {named(missing)} for {goal.label}",
+        missing=missing,
+        hint=f"{remedies(missing, kitchen)}{leave}; or name it among what is at hand, where it is there.",
+    )
+
+
+def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float]) -> str:
+    sure = [(alike(food, name), name) for name in kitchen.food_names]
+    confidence, name = max(sure, key=lambda row: row[0], default=(0.0, ""))
+    return f", or ask for {name} instead ({confidence:.2f} like it)" if confidence >= LIKE else ""
+
+
+def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
+    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
+    kitchen = kitchen or Kitchen.default()
+    if kitchen.is_food(node):
+        processed = kitchen.processed_states(node)
+        if kitchen.is_mixture(node):
+            return f"buy or make {node.label}"
+        return f"have {node.label} ready: {', '.join(processed)}" if processed else f"buy {node.label}"
+    foods = kitchen.foods_in(node)
+    if foods and kitchen.is_storage(node.label):
+        return f"buy {' and '.join(foods)} ({node.label})"
+    return f"get a {node.label}"
+
+
+def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> str:
+    """Answer a sentence that says what to do about all of ``missing``, each once, in their order."""
+    found = list(dict.fromkeys(remedy(node, kitchen) for node in missing))
+    rest = f"; and {len(found) - MOST_NAMED} more" if found[MOST_NAMED:] else ""
+    text = "; ".join(found[:MOST_NAMED]) + rest
+    return text[:1].upper() + text[1:]
+
+
+def named(missing: Sequence[ObjectNode]) -> str:
+    """Answer the first of ``missing`` by name, and how many more there are."""
+    rest = f" and {len(missing) - MOST_NAMED} more" if missing[MOST_NAMED:] else ""
+    return "; ".join(map(str, missing[:MOST_NAMED])) + rest
+
+
+def nearest_first(
+    leaves: Collection[ObjectNode],
+    units: Sequence[tuple[Collection[ObjectNode], Collection[ObjectNode]]],
+    goal: ObjectNode,
+) -> tuple[ObjectNode, ...]:
+    """Answer ``leaves`` by how few units are between them and ``goal``; ties by node.
+
+    ``units`` are the (inputs, outputs) of a tree, in the order of execution.
+    """
+    distance, ring, depth = {goal: 0}, {goal}, 0
+    while ring:
+        depth += 1
+        taken = {node for inputs, outputs in units if ring.intersection(outputs) for node in inputs}
+        ring = taken - distance.keys()
+        distance |= dict.fromkeys(ring, depth)
+    return tuple(sorted(leaves, key=lambda node: (distance.get(node, depth), node.sort_key)))

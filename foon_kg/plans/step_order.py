@@ -1,0 +1,45 @@
+"""Which steps of a task tree have to wait for which: the partial order behind the order of execution.
+
+A step waits for an earlier one as an instruction of a program waits for another: it takes what that one makes, it
+makes or uses up what that one takes, or both make the same thing. A plan says of every node which thing it is; of other
+trees a thing is what its node says. And nothing is heated before what is prepared cold is ready. Everything else may be
+done side by side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.model import ObjectNode
+from foon_kg.plans.result import PlannedUnit
+
+
+def earlier_steps(units: Sequence[PlannedUnit]) -> tuple[frozenset[int], ...]:
+    """Answer for every unit (in the order of execution) the places of the units that have to be done before it.
+
+    What lies in the kitchen may be taken by several steps: there is more than one onion. What a unit made is used up
+    by a unit that takes it and does not put it out again; whoever else takes it does so in the order of execution.
+    """
+    made_by: dict[ObjectNode | int, int] = {}
+    taken_by: dict[ObjectNode | int, list[int]] = {}
+    prepared: set[int] = set()
+    before: list[frozenset[int]] = []
+    for place, unit in enumerate(units):
+        taken = {one.identity for one in unit.taken}
+        made = {one.identity for one in set(unit.made) - set(unit.taken)}  # what stays as it is was only held
+        put_out = {one.identity for one in unit.made}
+        used_up = {thing for thing in taken if thing in made_by and thing not in put_out}
+        waits = {made_by[thing] for thing in taken | made | used_up if thing in made_by}
+        waits.update(earlier for thing in made | used_up for earlier in taken_by.get(thing, ()))
+        if unit.phase == "prepare":
+            prepared.add(place)
+        elif unit.phase == "heat":
+            waits |= prepared
+        for thing in taken:
+            taken_by.setdefault(thing, []).append(place)
+        for thing in made:
+            made_by[thing], taken_by[thing] = place, []
+        for thing in used_up:
+            made_by[thing] = place  # the next to take it comes after this one
+        before.append(frozenset(waits - {place}))
+    return tuple(before)

@@ -1,0 +1,1 @@
+"""Where a FOON is kept: in memory, in Neo4j, and the local server."""

@@ -1,0 +1,106 @@
+"""A driver with its database, and what its errors mean to a person."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cached_property
+from typing import Self
+
+import neo4j
+from neo4j import exceptions as driver_errors
+
+from foon_kg.model.errors import GraphError
+from foon_kg.store.server.settings import ConnectionSettings
+
+_UNREACHABLE = (driver_errors.ServiceUnavailable, driver_errors.SessionExpired, driver_errors.ConnectionPoolError)
+_SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "neo4j+ssc://")
+_ANSWER_SECONDS = 8.0
+"""In which a Neo4j that is up lets a connection in."""
+_ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
+_DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
+
+
+class Connection:
+    """One Neo4j database. Opens nothing before the first session; close it, or use it in a ``with`` statement."""
+
+    def __init__(self, settings: ConnectionSettings) -> None:
+        self.settings = settings
+
+    @cached_property
+    def _driver(self) -> neo4j.Driver:
+        if not self.settings.uri.startswith(_SCHEMES):
+            raise GraphError(f"{self.settings.uri} is no address of a Neo4j", hint=_ADDRESS_HINT, code="address")
+        driver = neo4j.GraphDatabase.driver(
+            self.settings.uri,
+            auth=(self.settings.user, self.settings.password),
+            connection_timeout=_ANSWER_SECONDS,
+            connection_acquisition_timeout=_ANSWER_SECONDS,
+            notifications_min_severity=neo4j.NotificationMinimumSeverity.OFF,
+            warn_notification_severity=neo4j.NotificationMinimumSeverity.OFF,
+        )
+        try:
+            driver.verify_connectivity()  # at once: a managed transaction would try for half a minute
+        except BaseException:
+            driver.close()
+            raise
+        return driver
+
+    @contextmanager
+    def session(self, *, writing: bool = False) -> Iterator[neo4j.Session]:
+        """Open a session: of a cluster, reads go to followers. Whatever the driver raises becomes a GraphError."""
+        mode = neo4j.WRITE_ACCESS if writing else neo4j.READ_ACCESS
+        with (
+            explained(self.settings),
+            self._driver.session(database=self.settings.database, default_access_mode=mode) as session,
+        ):
+            yield session
+
+    def close(self) -> None:
+        """Give the sockets back."""
+        if "_driver" in self.__dict__:
+            self._driver.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+@contextmanager
+def explained(settings: ConnectionSettings) -> Iterator[None]:
+    """Raise what the driver raises as GraphErrors that say what to do."""
+    try:
+        yield
+    except driver_errors.IncompleteCommit as error:
+        raise GraphError(
+            f"{settings.uri} was lost while it stored a transaction",
+            hint="Do it again: what was stored already changes nothing.",
+        ) from error
+    except _UNREACHABLE as error:
+        raise GraphError(
+            f"no Neo4j answers at {settings.uri}",
+            hint="Start it, or name another in NEO4J_URI; without NEO4J_URI foon-kg runs its own (foon server start).",
+            code="unreachable",
+        ) from error
+    except driver_errors.AuthError as error:
+        raise GraphError(
+            f"{settings.uri} does not let the user “{settings.user}” in: {error.message}",
+            hint="Check NEO4J_USER and NEO4J_PASSWORD.",
+            code="login",
+        ) from error
+    except driver_errors.ConfigurationError as error:
+        raise GraphError(
+            f"{settings.uri}: {error}", hint="Check NEO4J_URI: neo4j://host or bolt://host:7687."
+        ) from error
+    except driver_errors.Neo4jError as error:
+        raise GraphError(f"{settings.uri}: {error.message}", hint=_hint_for(error, settings)) from error
+    except driver_errors.DriverError as error:
+        raise GraphError(f"{settings.uri}: {error}", hint="Is this a Neo4j, 5.26 or newer?") from error
+
+
+def _hint_for(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> str:
+    if error.code == _DATABASE_NOT_FOUND:
+        return f"There is no database “{settings.database}”: check NEO4J_DATABASE."
+    return "See the log of the database."

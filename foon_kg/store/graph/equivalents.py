@@ -1,0 +1,63 @@
+"""The known foods that may stand for others, by Neo4j's vector index: as by comparing all, without reading all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+from foon_kg.model.knowledge import Neighbour
+from foon_kg.similarity import food_similarity
+from foon_kg.similarity.answers import nearest_of_each
+from foon_kg.similarity.points import Question, question, word_lists_key
+from foon_kg.store.graph.rows import EquivalentsRow
+
+FIRST = 64
+"""So many points are asked for at first; of the public FOON, 20 hold the first five equivalents of any known food."""
+
+MORE = 8
+"""So many times as many are asked for next, where one further away may still be among the best."""
+
+Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
+
+
+def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:
+    """Answer the ``limit`` best known foods of each name; ``None`` where they cannot be told by points.
+
+    That is where these are of other word lists, or where a food of which nothing is known, and which has no point, may
+    be among the best.
+
+    ``ask`` takes the parameters of ``cypher/equivalents.cypher``. One round trip where 64 points settle every name.
+    """
+    waiting = {name: question(name) for name in names}
+    found: dict[str, tuple[Neighbour, ...]] = {}
+    count = max(FIRST, 2 * limit)
+    while waiting:
+        rows = ask({"words": word_lists_key(), "asked": [_asked(*item) for item in waiting.items()], "count": count})
+        if not rows:
+            return None
+        for row, answer in zip(rows, _best(rows, limit), strict=True):
+            is_all = len(row.nearest) < count
+            if (is_all and row.all_placed) or _is_settled(answer, row, waiting[row.name], limit):
+                found[row.name] = answer
+                del waiting[row.name]
+            elif is_all:
+                return None
+        count *= MORE
+    return found
+
+
+def _asked(name: str, about: Question) -> dict[str, Any]:
+    return {"name": name, "canonical": about.canonical_name, "point": about.point}
+
+
+def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, ...], ...]:
+    """Answer the best foods of each row, out of all that any of them names: one product for all."""
+    known = {name for row in rows for name in row.equal}
+    known.update(name for row in rows for name, is_food, _ in row.nearest if is_food)
+    return nearest_of_each(food_similarity(), [row.name for row in rows], sorted(known), limit)
+
+
+def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
+    """Say whether nothing further away than the last point can be as good as the last of ``answer``."""
+    furthest = min((cosine for _, _, cosine in row.nearest), default=0.0)
+    return len(answer) == limit and answer[-1].confidence > about.most(furthest)

@@ -1,0 +1,162 @@
+"""Frames as the graph keeps them: nodes to ask for in Cypher, a text that gives back the very frame, and counts."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import fields, is_dataclass
+from typing import Any
+
+from foon_kg.food import tables
+from foon_kg.integration.frames import Frame, Line, Slot, Stage
+from foon_kg.integration.layouts import Layout, Post, spots_of
+from foon_kg.integration.outlines import Outline
+from foon_kg.model import ObjectNode
+from foon_kg.store.graph.lifting import KIND
+
+_KEPT = {kind.__name__: kind for kind in (Frame, Line, ObjectNode, Slot, Stage)}
+_SET = "set"
+
+
+def text_of(frame: Frame) -> str:
+    """Answer a text from which :func:`frame_of` makes the same frame."""
+    return json.dumps(_plain(frame), ensure_ascii=False, separators=(",", ":"))
+
+
+def frame_of(text: str) -> Frame:
+    """Answer the frame that :func:`text_of` wrote."""
+    frame = _value(json.loads(text))
+    if not isinstance(frame, Frame):
+        raise TypeError("the text is not that of a frame")
+    return frame
+
+
+def _plain(value: object) -> object:
+    if is_dataclass(value) and not isinstance(value, type):
+        return {type(value).__name__: [_plain(getattr(value, field.name)) for field in fields(value)]}
+    if isinstance(value, tuple):
+        return [_plain(member) for member in value]
+    if isinstance(value, frozenset):
+        return {_SET: sorted(value)}
+    return value
+
+
+def _value(plain: Any) -> Any:  # noqa: ANN401 - any value that JSON has, and any that a frame has
+    if isinstance(plain, list):
+        return tuple(map(_value, plain))
+    if isinstance(plain, dict):
+        ((name, values),) = plain.items()
+        return frozenset(values) if name == _SET else _KEPT[name](*map(_value, values))
+    return plain
+
+
+def frame_row(frame: Frame) -> dict[str, Any]:
+    """Answer a frame as ``cypher/load_frames.cypher`` takes it: stages by number, and what hangs on which."""
+    outline = Outline.of(Layout.of(frame, tables()), tables())
+    flat = _Flat()
+    main = flat.add(frame.line)
+    return {
+        "key": frame.key,
+        "goal": frame.goal.key,
+        "video": frame.video,
+        "properties": {
+            "dish_type": frame.dish_type,
+            "label": frame.goal.label,
+            "foods": sorted(outline.foods),
+            "kinds": sorted(outline.kinds),
+            "ends": list(outline.ends),
+            "weak": list(frame.weak),
+            "text": text_of(frame),
+        },
+        "stages": flat.stages,
+        "main": main,
+        "lines": flat.lines,
+        "slots": flat.slots,
+    }
+
+
+class _Flat:
+    """The stages, slots and joining lines of a frame in lists."""
+
+    def __init__(self) -> None:
+        self.stages: list[dict[str, Any]] = []
+        self.lines: list[dict[str, Any]] = []
+        self.slots: list[dict[str, Any]] = []
+
+    def add(self, line: Line) -> list[int]:
+        """Add a line, and answer the numbers of its stages."""
+        return [self._add_stage(stage) for stage in line.stages]
+
+    def _add_stage(self, stage: Stage) -> int:
+        number = len(self.stages)
+        self.stages.append(_properties(stage, but="adds"))
+        for place, add in enumerate(stage.adds):
+            if isinstance(add, Line):
+                self.lines.append({"stage": number, "place": place, "stages": self.add(add)})
+            else:
+                self.slots.append({"stage": number, "place": place, "properties": _properties(add)})
+        return number
+
+
+def _properties(part: Stage | Slot, but: str = "") -> dict[str, Any]:
+    values = {field.name: getattr(part, field.name) for field in fields(part) if field.name != but}
+    return {name: sorted(value) if isinstance(value, frozenset) else value for name, value in values.items()}
+
+
+def slot_foods(frames: Iterable[Frame]) -> set[str]:
+    """Answer the foods that join somewhere."""
+    return {slot.food for frame in frames for slot in frame.line.all_slots()}
+
+
+class Joins:
+    """How often foods of a kind join at each post, beside which other kinds, and by what they are cooked before."""
+
+    def __init__(self) -> None:
+        self.posts: Counter[tuple[str, str, Post]] = Counter()
+        self.beside: Counter[tuple[str, str]] = Counter()
+        self.cooked: Counter[tuple[str, str]] = Counter()
+
+    def count(self, frames: Iterable[Frame], weight: int = 1) -> None:
+        """Add what ``frames`` show, each ``weight`` times."""
+        for frame in frames:
+            for spot in spots_of(frame.line):
+                slots = list(spot.stage.slots)
+                for slot in slots:
+                    self.posts[slot.kind, frame.dish_type, spot.post] += weight
+                    for motion in slot.cooked[:1]:
+                        self.cooked[slot.kind, motion] += weight
+                    for other in slots:
+                        if other is not slot:
+                            self.beside[slot.kind, other.kind] += weight
+
+    def rows(self) -> dict[str, list[dict[str, Any]]]:
+        """Answer the parameters of ``cypher/count_joins.cypher``."""
+        return {
+            "posts": [
+                {"kind": KIND + kind, "dish_type": dish_type, **_post(post), "count": count}
+                for (kind, dish_type, post), count in sorted(self.posts.items())
+                if count
+            ],
+            "beside": [
+                {"kind": KIND + kind, "other": KIND + other, "count": count}
+                for (kind, other), count in sorted(self.beside.items())
+                if count
+            ],
+            "cooked": [
+                {"kind": KIND + kind, "motion": motion, "count": count}
+                for (kind, motion), count in sorted(self.cooked.items())
+                if count
+            ],
+        }
+
+    def matters(self) -> set[str]:
+        """Answer the kinds that are counted, as matters."""
+        return {KIND + kind for kind, _, _ in self.posts}
+
+
+def _post(post: Post) -> Mapping[str, Any]:
+    work, heated, joins = post
+    return {"post": f"{work}, heated {heated}, {'joins' if joins else 'own'}"} | {
+        "properties": {"work": work, "heated": heated, "joins": joins}
+    }

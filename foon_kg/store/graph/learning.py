@@ -1,0 +1,172 @@
+"""Keeping operators and frames true: what a write transaction learns from the units and videos that come and go."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import chain
+from typing import Any, Protocol
+
+from foon_kg.integration.operators import MOST_SIGHTINGS
+from foon_kg.model import FunctionalUnit, Subgraph
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import statements as cypher
+from foon_kg.store.graph.frame_rows import Joins, frame_of, frame_row, slot_foods
+from foon_kg.store.graph.lifting import Lifted, Tally, lifted, matter_rows
+from foon_kg.store.graph.rows import SightingValue
+from foon_kg.store.graph.statements import Row, Statement
+from foon_kg.store.snapshot import frames_in, sightings_of
+
+Pair = tuple[str, str]
+"""The key of an operator, and a matter to which it is done."""
+
+
+Seen = tuple[list[SightingValue], list[SightingValue]]
+"""Where an operator is done to a matter, and where it changes it."""
+
+
+class Ask(Protocol):
+    """Runs a statement in the transaction."""
+
+    def __call__(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Answer its rows."""
+        ...
+
+
+class Learner:
+    """Learns within one transaction.
+
+    In this order: :meth:`forget` videos, :meth:`learn` what is new, :meth:`unlearn` the units that are about to go, and
+    :meth:`finish` when they have gone.
+    """
+
+    def __init__(self, ask: Ask, kitchen: Kitchen) -> None:
+        self._ask = ask
+        self._kitchen = kitchen
+        self._tally = Tally()
+        self._joins = Joins()
+        self._matters: set[str] = set()
+        self._forgotten: set[str] = set()
+        self._sighted: defaultdict[str, list[SightingValue]] = defaultdict(list)
+        self._attested: dict[str, tuple[str, Sequence[str], Sequence[str]]] = {}
+
+    def forget(self, names: Sequence[str]) -> None:
+        """Take away the frames of the named videos."""
+        self._forgotten.update(names)
+        rows = self._ask(cypher.FORGET_FRAMES, names=names)
+        self._joins.count((frame_of(row.text) for row in rows), weight=-1)
+
+    def learn(self, new: Iterable[FunctionalUnit], subgraphs: Sequence[Subgraph]) -> None:
+        """Learn from ``subgraphs``, which the graph has with all their sightings, and from the units new in it."""
+        units = {unit.key: lifted(unit) for unit in new}
+        frames = list(chain.from_iterable(frames_in(subgraph, self._kitchen) for subgraph in subgraphs))
+        self._tally.count(units.values())
+        self._joins.count(frames)
+        self._make_matters(self._tally.matters() | self._joins.matters() | slot_foods(frames))
+        for subgraph in subgraphs:
+            for unit, seen in sightings_of(subgraph):
+                self._sighted[unit.key].append((seen.video, seen.position, seen.source, seen.start, seen.end))
+        if units:
+            self._ask(cypher.LOAD_OPERATORS, operators=list(_operator_rows(units)))
+        if frames:
+            self._ask(cypher.LOAD_FRAMES, frames=[frame_row(frame) for frame in frames])
+
+    def unlearn(self, gone: Iterable[FunctionalUnit], doubtful: Collection[str]) -> None:
+        """Take away what units say that are about to go; they are among the ``doubtful``, which lost a sighting."""
+        self._tally.count(map(lifted, gone), weight=-1)
+        keys = sorted({*self._sighted, *doubtful})
+        for row in self._ask(cypher.ATTESTED, keys=keys) if keys else ():
+            self._attested.update((unit, (operator, done, changes)) for unit, operator, done, changes in row.attested)
+
+    def finish(self, doubtful: Collection[str]) -> None:
+        """Bring evidence and counts up to date; ``doubtful`` are the units that lost a sighting."""
+        pairs = {*self._pairs(doubtful), *self._pairs(self._sighted)}
+        if pairs:
+            evidence = self._evidence(pairs)
+            self._ask(cypher.LOAD_EVIDENCE, rows=[self._evidence_row(pair, *evidence[pair]) for pair in sorted(pairs)])
+        counts, joins = self._tally.rows(), self._joins.rows()
+        if any(counts.values()):
+            self._ask(cypher.COUNT_OPERATORS, **counts)
+        if any(joins.values()):
+            self._ask(cypher.COUNT_JOINS, **joins)
+        if doubtful:
+            self._ask(cypher.SWEEP_OPERATORS)
+
+    def _make_matters(self, wanted: set[str]) -> None:
+        if fresh := wanted - self._matters:
+            self._ask(cypher.LOAD_MATTERS, **matter_rows(fresh))
+            self._matters |= fresh
+
+    def _pairs(self, units: Iterable[str]) -> Iterator[Pair]:
+        for unit in units:
+            operator, done, _ = self._attested[unit]
+            yield from ((operator, matter) for matter in done)
+
+    def _evidence(self, pairs: set[Pair]) -> dict[Pair, Seen]:
+        """Answer the evidence for ``pairs``: what was kept, with what is new; found out anew where some of it went."""
+        found: dict[Pair, Seen] = {pair: ([], []) for pair in pairs}
+        lost: set[Pair] = set()
+        for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(pairs)):
+            for operator, matter, *kept in row.kept:
+                for sightings, texts in zip(found[operator, matter], kept, strict=True):
+                    sightings.extend(map(_sighting_value, texts))
+                    if any(video in self._forgotten for video, *_ in sightings):
+                        lost.add((operator, matter))
+        for unit, new in self._sighted.items():
+            operator, done, changes = self._attested[unit]
+            for matter in done:
+                seen, changed = found[operator, matter]
+                seen += new
+                changed += new if matter in changes else []
+        found.update((pair, ([], [])) for pair in lost)
+        for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
+            found[again.operator, again.matter] = again.seen, again.changes
+        return found
+
+    def _evidence_row(self, pair: Pair, seen: list[SightingValue], changes: list[SightingValue]) -> dict[str, Any]:
+        return {
+            "operator": pair[0],
+            "matter": pair[1],
+            "units": self._tally.done[pair],
+            "changed": self._tally.changed[pair],
+            "seen": _first(seen),
+            "changes": _first(changes),
+        }
+
+
+def _operator_rows(units: dict[str, Lifted]) -> Iterator[dict[str, Any]]:
+    by_way: defaultdict[str, list[tuple[str, Lifted]]] = defaultdict(list)
+    for key, unit in units.items():
+        by_way[unit.operator].append((key, unit))
+    for operator in sorted(by_way):
+        motion, tools = by_way[operator][0][1].way
+        rows = [
+            {"key": key, "done_to": sorted(unit.done_to), "changes": sorted(unit.changes)}
+            for key, unit in sorted(by_way[operator], key=lambda member: member[0])
+        ]
+        yield {"key": operator, "motion": motion, "tools": tools, "units": rows}
+
+
+def _by_operator(pairs: Iterable[Pair]) -> list[dict[str, Any]]:
+    matters: defaultdict[str, list[str]] = defaultdict(list)
+    for operator, matter in sorted(pairs):
+        matters[operator].append(matter)
+    return [{"operator": operator, "matters": names} for operator, names in matters.items()]
+
+
+def _first(sightings: Iterable[SightingValue]) -> list[str]:
+    """Answer the first sightings by video and position, as the graph keeps them."""
+    by_place = {(sighting[0], sighting[1]): sighting for sighting in sightings}
+    return [_sighting_text(by_place[place]) for place in sorted(by_place)[:MOST_SIGHTINGS]]
+
+
+def _sighting_text(value: SightingValue) -> str:
+    """Answer a sighting as the graph keeps it: the values of a ``Sighting`` as JSON."""
+    return json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
+
+
+def _sighting_value(text: str) -> SightingValue:
+    """Answer the sighting that was written as ``text``."""
+    video, position, source, start, end = json.loads(text)
+    return video, position, source, start, end

@@ -1,0 +1,200 @@
+"""Bringing subgraphs into the graph, replacing them and taking them out, each video whole or not at all."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import neo4j
+
+from foon_kg.model import Subgraph
+from foon_kg.model.errors import SchemaError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.similarity.points import word_lists_key
+from foon_kg.store.graph.connection import Connection
+from foon_kg.store.graph.differences import unknown_videos
+from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_writing
+from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
+from foon_kg.store.graph.writing import Writer
+from foon_kg.store.snapshot import distinct_by_name
+
+UNITS_PER_TRANSACTION = 5_000
+"""Bounds the memory of the database for one transaction; the 111 public subgraphs are one."""
+
+
+VIDEOS_LEARNT_AT_ONCE = 200
+FORGOTTEN_AT_ONCE = 50_000
+"""Bound the memory of the database where operators and frames are learnt anew."""
+
+
+@dataclass(frozen=True)
+class LoadReport:
+    """The names of the videos that were new, that had another content, and that were there already as they are."""
+
+    inserted: tuple[str, ...] = ()
+    replaced: tuple[str, ...] = ()
+    unchanged: tuple[str, ...] = ()
+
+    def __len__(self) -> int:
+        """Answer how many videos it is about."""
+        return len(self.inserted) + len(self.replaced) + len(self.unchanged)
+
+    def __add__(self, other: LoadReport) -> LoadReport:
+        """Answer both reports as one."""
+        return LoadReport(
+            self.inserted + other.inserted, self.replaced + other.replaced, self.unchanged + other.unchanged
+        )
+
+
+def _say_nothing(_: LoadReport) -> None:
+    return
+
+
+def load(
+    connection: Connection,
+    subgraphs: Iterable[Subgraph],
+    kitchen: Kitchen | None = None,
+    *,
+    stored: Callable[[LoadReport], None] = _say_nothing,
+    units_per_transaction: int = UNITS_PER_TRANSACTION,
+) -> LoadReport:
+    """Bring the graph to have ``subgraphs``, in few transactions; a video of a known name is replaced.
+
+    ``stored`` is told, first, what is there already, and after each transaction which videos are safe from then on.
+    Raises :class:`~foon_kg.model.errors.ReadError` when two subgraphs of one name differ, GraphError when the database
+    fails; what was reported as stored stays.
+    """
+    kitchen, wanted = kitchen or Kitchen.default(), distinct_by_name(subgraphs)
+    with connection.session(writing=True) as session:
+        _begin(session, kitchen)
+        report = session.execute_read(compare, wanted)
+        stored(report)
+        there = set(report.unchanged)
+        for batch in _batches((s for s in wanted if s.name not in there), units_per_transaction):
+            written = session.execute_write(_write, batch, kitchen)
+            stored(written)
+            report = report + written
+    return report
+
+
+def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | None = None) -> None:
+    """Take videos out of the graph with everything that no other video shows, all in one transaction.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` when the graph lacks one of ``names``; nothing is removed then.
+    """
+    kitchen = kitchen or Kitchen.default()
+    with connection.session(writing=True) as session:
+        _begin(session, kitchen)
+        session.execute_write(_remove, sorted(set(names)), kitchen)
+
+
+def compare(transaction: neo4j.ManagedTransaction, wanted: Sequence[Subgraph]) -> LoadReport:
+    """Answer, as ``unchanged``, which of ``wanted`` the graph has with the same content."""
+    contents = _contents(transaction, [subgraph.name for subgraph in wanted])
+    return LoadReport(unchanged=tuple(s.name for s in wanted if contents.get(s.name) == s.content_key))
+
+
+def _begin(session: neo4j.Session, kitchen: Kitchen) -> None:
+    state = prepare_for_writing(session, kitchen)
+    if state.kitchen != kitchen_key(kitchen):
+        session.execute_write(_write_anew, kitchen)
+        return
+    if state.words != word_lists_key():
+        session.execute_write(_write_vectors, kitchen)
+    if state.methods != methods_key():
+        _learn_anew(session, kitchen)
+
+
+def _write(transaction: neo4j.ManagedTransaction, batch: Sequence[Subgraph], kitchen: Kitchen) -> LoadReport:
+    """Write ``batch``; what another program wrote since we looked is found out again."""
+    writer = _writer(transaction, kitchen)
+    contents = _contents(transaction, [subgraph.name for subgraph in batch])
+    changed = [subgraph for subgraph in batch if contents.get(subgraph.name) != subgraph.content_key]
+    writer.forget([subgraph.name for subgraph in changed if subgraph.name in contents])
+    writer.add(changed)
+    writer.finish()
+    names = {subgraph.name for subgraph in changed}
+    return LoadReport(
+        inserted=tuple(s.name for s in changed if s.name not in contents),
+        replaced=tuple(s.name for s in changed if s.name in contents),
+        unchanged=tuple(s.name for s in batch if s.name not in names),
+    )
+
+
+def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen: Kitchen) -> None:
+    writer = _writer(transaction, kitchen)
+    if unknown := sorted(set(names) - _contents(transaction, names).keys()):
+        raise unknown_videos(unknown)
+    writer.forget(names)
+    writer.drop_videos(names)
+    writer.finish()
+
+
+def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, learnt_by: str = "") -> Writer:
+    """Open a writer; raises unless the graph still is as this program left it."""
+    writer = Writer(transaction, kitchen)
+    check_readable(writer.state, kitchen)
+    if writer.state is not None and writer.state.methods != (learnt_by or methods_key()):
+        raise SchemaError(
+            "another foon-kg learnt the operators and frames of the graph anew meanwhile",
+            hint="Load again; and let all programs that write this graph be of one version.",
+        )
+    return writer
+
+
+def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+    Writer(transaction, kitchen).write_anew()
+
+
+def _write_vectors(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+    Writer(transaction, kitchen).finish()
+
+
+def _learn_anew(session: neo4j.Session, kitchen: Kitchen) -> None:
+    """Learn operators and frames of the whole FOON again, as this program does, a part in each transaction.
+
+    Until all is learnt the record has a mark of ours in place of what they were learnt by: nobody reads them, whoever
+    writes is told, and where this program is killed the next load begins again.
+    """
+    mark = f"being learnt by {uuid.uuid4()}"
+    names = session.execute_write(_begin_learning, kitchen, mark)
+    while session.execute_write(_forget_some, kitchen, mark):
+        pass
+    for start in range(0, len(names), VIDEOS_LEARNT_AT_ONCE):
+        session.execute_write(_learn_some, kitchen, mark, names[start : start + VIDEOS_LEARNT_AT_ONCE])
+    session.execute_write(_end_learning, kitchen, mark)
+
+
+def _begin_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> list[str]:
+    Writer(transaction, kitchen).record(mark)
+    return [row.name for row in ask(transaction, VIDEO_NAMES)]
+
+
+def _forget_some(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> bool:
+    return _writer(transaction, kitchen, mark).forget_methods(FORGOTTEN_AT_ONCE)
+
+
+def _learn_some(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str, names: Sequence[str]) -> None:
+    _writer(transaction, kitchen, mark).learn(names)
+
+
+def _end_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> None:
+    _writer(transaction, kitchen, mark).record(methods_key())
+
+
+def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> dict[str, str]:
+    return {row.name: row.content for row in ask(transaction, VIDEO_CONTENTS, names=names)}
+
+
+def _batches(subgraphs: Iterable[Subgraph], units: int) -> Iterator[list[Subgraph]]:
+    """Group ``subgraphs``, in their order, so that each group has few more than ``units`` units."""
+    batch: list[Subgraph] = []
+    for subgraph in subgraphs:
+        batch.append(subgraph)
+        if sum(len(member.annotations) for member in batch) >= units:
+            yield batch
+            batch = []
+    if batch:
+        yield batch

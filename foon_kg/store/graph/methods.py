@@ -1,0 +1,208 @@
+"""Operators and frames out of the rows of the graph: they answer as those that are learnt in memory."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from collections.abc import Iterable
+from functools import cached_property
+
+from foon_kg.food import tables
+from foon_kg.integration.frames import Frame
+from foon_kg.integration.layouts import Layout, Post
+from foon_kg.integration.methods import Methods
+from foon_kg.integration.operators import Evidence, Operators, Way
+from foon_kg.integration.outlines import Outline, Outlines
+from foon_kg.integration.places import Posts
+from foon_kg.model import Goal, Sighting
+from foon_kg.store.graph.frame_rows import frame_of
+from foon_kg.store.graph.lifting import ANYTHING, KIND
+from foon_kg.store.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCommonRow, MethodsRow
+
+
+def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
+    """Answer what was learnt of a FOON."""
+    methods = Methods(operators_of(row), frames_of(row.frames), tuple(goals))
+    vars(methods)["posts"] = posts_of(row)  # they were counted when the frames were learnt
+    return methods
+
+
+def frames_of(texts: Iterable[str]) -> tuple[Frame, ...]:
+    """Answer the frames of some texts, in the order of methods."""
+    frames = map(frame_of, texts)
+    return tuple(sorted(frames, key=lambda frame: (frame.video, frame.goal.sort_key, frame.dish_type)))
+
+
+def operators_of(row: MethodsRow) -> Operators:
+    """Answer the operators, with all their evidence."""
+    found = Operators((), tables())
+    sightings = _Sightings()
+    ways: list[Way] = [(motion, tuple(tools)) for motion, tools in row.operators]
+    sightings.read(value for rows in row.evidence for _, value in rows)
+    for way, evidence, appliances in zip(ways, row.evidence, row.appliances, strict=True):
+        for matter, value in evidence:
+            sightings.attest(found, way, matter, value)
+        found.evidence[way].appliances.update(dict(appliances))
+        found.foods |= found.evidence[way].foods.keys()
+    for way, gives, brings, places in zip(ways, row.gives, row.brings, row.places, strict=True):
+        for state, count in gives:
+            found.giving[state][way] = count
+        for matter, role, count in brings:
+            found.bringing[matter, role][way] = count
+        if places:
+            found.onto[way].update(dict(places))
+    for matter, states in row.states:
+        found.states[matter].update(states)
+    return found
+
+
+class _Sightings:
+    """The sightings that evidence names by their texts, each read once: many are named again and again."""
+
+    def __init__(self) -> None:
+        self._read: dict[str, Sighting] = {}
+
+    def read(self, evidence: Iterable[EvidenceValue]) -> None:
+        named = (text for _, _, seen, changes in evidence for text in (*seen, *changes))
+        texts = [text for text in dict.fromkeys(named) if text not in self._read]
+        values = json.loads(f"[{','.join(texts)}]")
+        self._read.update((text, Sighting(*value)) for text, value in zip(texts, values, strict=True))
+
+    def attest(self, found: Operators, way: Way, matter: str, evidence: EvidenceValue) -> None:
+        """Write into ``found`` what attests that ``way`` is done to ``matter``; it was read before."""
+        units, changed, seen, changes = evidence
+        _attest(found.evidence[way], matter, units, [self._read[text] for text in seen])
+        if changed:
+            _attest(found.acts[way], matter, changed, [self._read[text] for text in changes])
+
+
+def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -> None:
+    if matter == ANYTHING:
+        evidence.count, evidence.all = units, seen
+    elif matter.startswith(KIND):
+        evidence.kinds[matter.removeprefix(KIND)] = seen
+    else:
+        evidence.often[matter] = units
+        evidence.foods[matter] = seen
+
+
+def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
+    """Answer where foods of each kind join, from the counts of the graph."""
+    posts = Posts((), tables())
+    for kind, dish_type, work, heated, joins, count in row.posts:
+        post: Post = (work, heated, joins)
+        for name in posts.names(kind.removeprefix(KIND)):
+            for dish in (dish_type, ""):
+                for counter, value in zip(posts.counts[name, dish], post, strict=True):
+                    counter[value] += count
+    for kind, other, count in row.beside:
+        posts.beside[kind.removeprefix(KIND)][other.removeprefix(KIND)] += count
+    for kind, motion, count in row.cooked:
+        for name in posts.names(kind.removeprefix(KIND)):
+            posts.cooked[name][motion] += count
+    return posts
+
+
+class LearntDishes:
+    """The frames of one edition: their outlines, and each frame itself where somebody looks at it."""
+
+    def __init__(self, row: FramesRow) -> None:
+        self._texts = {key: text for key, *_, text in row.frames}
+        self._layouts: dict[str, Layout] = {}
+        self._videos: defaultdict[tuple[str, str], list[str]] = defaultdict(list)
+        for _, dish_type, _, _, _, _, goal, video, _ in row.frames:
+            self._videos[goal, dish_type].append(video)
+        self.outlines = Outlines(
+            Outline(key, dish_type, label, frozenset(foods), frozenset(kinds), (ends[0], ends[1]))
+            for key, dish_type, label, foods, kinds, ends, *_ in sorted(row.frames)
+        )
+
+    def layout(self, key: str) -> Layout:
+        """Answer the places of a frame."""
+        if key not in self._layouts:
+            self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
+        return self._layouts[key]
+
+    def goal_of(self, frame: Frame) -> Goal:
+        """Answer the goal that a frame is of, with the videos that show a way to it."""
+        videos = self._videos[frame.goal.key, frame.dish_type]
+        return Goal(frame.goal, frame.dish_type, frame.goal.ingredients, tuple(sorted(videos)))
+
+
+class MethodsInPart(Methods):
+    """The part of the methods that matters to one question; of the frames those are read that it looks at closely."""
+
+    def __init__(self, operators: Operators, posts: Posts, dishes: LearntDishes) -> None:
+        super().__init__(operators, (), ())
+        vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes)
+
+    def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
+        """Answer the places of the frames of some keys, in that order."""
+        return [self._dishes.layout(key) for key in keys]
+
+    def goal_of(self, frame: Frame) -> Goal:
+        """Answer the goal that a frame is of."""
+        return self._dishes.goal_of(frame)
+
+    @property
+    def _dishes(self) -> LearntDishes:
+        dishes: LearntDishes = vars(self)["_dishes"]
+        return dishes
+
+
+class CommonMethods:
+    """What of the methods of one edition matters to every question; :meth:`operators_with` adds what one asks for."""
+
+    def __init__(self, row: MethodsCommonRow) -> None:
+        self._row = row
+        self._ways: dict[int, Way] = {number: (motion, tuple(tools)) for number, motion, tools, _ in row.operators}
+        self._sightings = _Sightings()
+        self._sightings.read(value for *_, value in row.operators)
+        self._sightings.read(value for *_, value in row.usual)
+
+    @cached_property
+    def posts(self) -> Posts:
+        """Where foods of each kind join."""
+        return posts_of(self._row)
+
+    @cached_property
+    def _shared(self) -> Operators:
+        """The operators without what is done to single foods and kinds; its tables are shared by all others."""
+        found = Operators((), tables())
+        for number, state, count in self._row.gives:
+            found.giving[state][self._ways[number]] = count
+        for number, place, count in self._row.places:
+            found.onto[self._ways[number]][place] = count
+        for number, matter, role, count in self._row.brings:
+            found.bringing[matter, role][self._ways[number]] = count
+        for name, states in self._row.states:
+            found.states[name].update(states)
+        return found
+
+    def operators_with(self, matters: Iterable[MatterValue]) -> Operators:
+        """Answer the operators with what is done to ``matters``, and how each of these is brought and found."""
+        matters = list(matters)
+        shared, found = self._shared, Operators((), tables())
+        found.giving, found.onto = shared.giving, shared.onto
+        found.bringing.update(shared.bringing)
+        found.states.update(shared.states)
+        self._sightings.read(value for _, rows, _, _ in matters for _, value in rows)
+        for number, _, _, value in self._row.operators:
+            self._sightings.attest(found, self._ways[number], ANYTHING, value)
+        for number, food, value in self._row.usual:
+            self._sightings.attest(found, self._ways[number], food, value)
+        for number, appliance, count in self._row.appliances:
+            found.evidence[self._ways[number]].appliances[appliance] = count
+        for name, rows, brings, states in matters:
+            for number, value in rows:
+                self._sightings.attest(found, self._ways[number], name, value)
+            for number, role, count in brings:
+                found.bringing[name, role][self._ways[number]] = count
+            found.states[name].update(states)
+        for evidence in found.evidence.values():
+            found.foods |= evidence.foods.keys()
+        return found
+
+    def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes) -> Methods:
+        """Answer the methods of a question."""
+        return MethodsInPart(self.operators_with(matters), self.posts, dishes)

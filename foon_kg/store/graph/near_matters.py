@@ -1,0 +1,82 @@
+"""Which foods and kinds the operators for a question are asked by: what is done to them, or to what is like them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from foon_kg.food import tables
+from foon_kg.integration.operators import LIKE_AT_ALL
+from foon_kg.model.names import canonical
+from foon_kg.similarity.points import Question, question, word_lists_key
+from foon_kg.store.graph.equivalents import FIRST, MORE
+from foon_kg.store.graph.lifting import KIND
+from foon_kg.store.graph.rows import MatterValue, MethodsAskedRow
+
+_SLACK = 1e-4
+"""Points are stored as single floats."""
+
+_HALVINGS = 30
+
+MOST = FIRST * MORE
+"""So many points are asked for at most."""
+
+Ask = Callable[[Mapping[str, Any]], list[MethodsAskedRow]]
+
+
+@dataclass
+class KnownMatters:
+    """What one edition answered: of each food the foods like it at all, and of each matter what is done to it."""
+
+    near: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    rows: dict[str, MatterValue] = field(default_factory=dict)
+    kinds: set[str] = field(default_factory=set)
+
+    def for_foods(self, foods: Collection[str], ask: Ask) -> list[MatterValue] | None:
+        """Answer the rows of all that matters to ``foods``; ``None`` where that cannot be told by points."""
+        kinds = {f"{KIND}{tables().foods.find(food)[0]}" for food in foods}
+        waiting = {food: question(food) for food in sorted(foods) if food not in self.near}
+        count = FIRST
+        while waiting or kinds - self.kinds:
+            asked = [_asked(food, about) for food, about in waiting.items()]
+            if count > MOST or any(row["least"] <= 0 for row in asked):
+                return None
+            rows = ask(
+                {
+                    "words": word_lists_key(),
+                    "asked": asked,
+                    "kinds": sorted(kinds - self.kinds),
+                    "known": sorted(self.rows),
+                    "count": count,
+                }
+            )
+            if not rows:
+                return None
+            self.rows.update((row[0], row) for row in rows[0].matters)
+            self.kinds |= kinds
+            for food, size, furthest, names in rows[0].near:
+                if size < count or (furthest or 0.0) < _least(waiting[food]):
+                    self.near[food] = tuple(dict.fromkeys(names))
+                    del waiting[food]
+            count *= MORE
+        return [self.rows[name] for name in self._matters(foods, kinds) if name in self.rows]
+
+    def _matters(self, foods: Iterable[str], kinds: Iterable[str]) -> list[str]:
+        return sorted({*kinds, *(name for food in foods for name in self.near[food])})
+
+
+def _asked(food: str, about: Question) -> dict[str, Any]:
+    return {"name": food, "canonical": canonical(food), "point": about.point, "least": _least(about)}
+
+
+def _least(about: Question) -> float:
+    """Answer the least cosine of which a food may have whose likeness is worth a word; none is at less."""
+    low, high = -1.0, 1.0
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        if about.most(middle) >= LIKE_AT_ALL:
+            high = middle
+        else:
+            low = middle
+    return low - _SLACK

@@ -1,0 +1,353 @@
+"""A FOON in Neo4j, as the planner asks it: each question one named query, all of a view in one read transaction."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from itertools import chain, groupby
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any, Self, TypeVar
+
+import neo4j
+
+from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.model.errors import SchemaError
+from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
+from foon_kg.plans.kitchen import Kitchen, singular, words
+from foon_kg.similarity import food_similarity
+from foon_kg.similarity.answers import nearest_of_each
+from foon_kg.store.graph.connection import Connection
+from foon_kg.store.graph.edition import Edition
+from foon_kg.store.graph.equivalents import find_equivalents
+from foon_kg.store.graph.kept_rows import KeptRows
+from foon_kg.store.graph.known_units import known_units
+from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.methods import CommonMethods, LearntDishes, methods_of
+from foon_kg.store.graph.remembering import keep_trees
+from foon_kg.store.graph.rows import (
+    GoalValue,
+    SeenUnit,
+    SubgraphRow,
+    node_of,
+    timing_of,
+    unit_of,
+)
+from foon_kg.store.graph.schema import check_readable
+from foon_kg.store.graph.statements import (
+    BEHIND,
+    EQUIVALENTS,
+    FRAMES,
+    GOALS,
+    KNOWN_UNITS,
+    LIKELY_GOALS,
+    METHODS,
+    METHODS_ASKED,
+    METHODS_COMMON,
+    MOTION_COSTS,
+    NODES_CALLED,
+    REMEMBERED,
+    SCHEMA_STATE,
+    SUBGRAPHS,
+    VIDEO_NAMES,
+    VOCABULARY,
+    WORDS_FOR,
+    Statement,
+    ask,
+)
+from foon_kg.store.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.store.server.settings import ConnectionSettings
+
+if TYPE_CHECKING:
+    from foon_kg.integration.methods import Methods
+    from foon_kg.store.snapshot import Snapshot
+
+Row = TypeVar("Row")
+
+MOST_LEARNT_ANEW = 500
+"""Of so many videos what another program learnt is learnt anew to read it, which takes some ten seconds."""
+
+
+class GraphView:
+    """One read transaction on the graph; implements :class:`~foon_kg.model.knowledge.KnowledgeView`.
+
+    ``round_trips`` counts the queries that were sent: for the units behind something one that finds them and one that
+    fetches those which no view of this ``edition`` has fetched yet, else one a question, or none where it was asked
+    before. Neo4j reads what is committed when a query starts: a load that ends between two questions shows in the
+    second.
+    """
+
+    def __init__(self, transaction: neo4j.Transaction, edition: Edition | None = None) -> None:
+        self._transaction = transaction
+        self._edition = edition or Edition()
+        self._kitchen = Kitchen.default()
+        self._learnt_by: str | None = methods_key()
+        self.round_trips = 0
+        self.retrieved: list[RetrievedTree] = []
+        self._fetched: list[tuple[Statement[Any], dict[str, object], list[Any]]] = []
+
+    def vocabulary(self) -> Vocabulary:
+        """Answer the words that the FOON knows."""
+        if self._edition.vocabulary is None:
+            self._edition.vocabulary = self._read_vocabulary()
+        return self._edition.vocabulary
+
+    def _read_vocabulary(self) -> Vocabulary:
+        (row,) = self._ask_once(VOCABULARY)
+        motions = (MadeBy(*motion) for motion in sorted(row.motions))
+        gatherings = tuple(Gathering(*verb) for verb in sorted(row.verbs))
+        foods, dish_types = sorted(seen_as(row.foods)), sorted(row.dish_types)
+        return Vocabulary(tuple(foods), tuple(motions), tuple(dish_types), gatherings=gatherings)
+
+    def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
+        """Answer what of the vocabulary matters to a recipe that asks for ``foods``."""
+        found = self._words_found(foods, called)
+        return self.vocabulary() if found is None else found.vocabulary
+
+    def _words_found(self, foods: Sequence[str], called: Sequence[str] = ()) -> WordsFound | None:
+        asked = tuple(sorted(set(foods))), tuple(sorted(set(called)))
+        if asked not in self._edition.words:
+            self._edition.words[asked] = find_words(lambda question: self._ask(WORDS_FOR, **question), *asked)
+        return self._edition.words[asked]
+
+    def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
+        """Answer ``words`` with all that is known of the foods in ``units``."""
+        if words is self._edition.vocabulary:
+            return words
+        nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
+        names = {name for node in nodes for name in (node.label, *node.ingredients)} & self._edition.rows_of.keys()
+        more = chain.from_iterable(self._edition.rows_of[name] for name in names - words.rows_of.keys())
+        return replace(words, foods=tuple(sorted((*words.foods, *more))))
+
+    def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
+        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
+        if dish_type is None:
+            return self._read_goals(DISH_TYPES)
+        if dish_type not in self._edition.goals:
+            self._edition.goals[dish_type] = self._read_goals((dish_type,))
+        return self._edition.goals[dish_type]
+
+    def _read_goals(self, asked: Sequence[str]) -> tuple[Goal, ...]:
+        (row,) = self._ask_once(GOALS, dish_types=list(asked))
+        return tuple(sorted(map(goal_of, row.goals), key=lambda goal: (goal.node.sort_key, goal.dish_type)))
+
+    def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``."""
+        asked = dish_type, tuple(sorted(set(foods))), count
+        if asked not in self._edition.likely:
+            self._edition.likely[asked] = self._read_likely_goals(*asked)
+        return self._edition.likely[asked]
+
+    def _read_likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
+        found = self._words_found(foods)
+        if found is None:
+            return LikelyGoals(self.goals(dish_type), frozenset(map(singular, self.vocabulary().rows_of)))
+        near = [{"food": food, "name": name, "gain": sure - LEAST} for food, name, sure in found.pairs]
+        asked = DISH_TYPES if dish_type is None else (dish_type,)
+        (row,) = self._ask(LIKELY_GOALS, dish_types=list(asked), near=near, count=count)
+        goals = tuple(map(goal_of, row.goals))
+        gain = (row.least_gain or 0.0) if len({goal.node for goal in goals}) == count else 0.0
+        most = None if row.are_all else len(foods) * LEAST + gain
+        return LikelyGoals(goals, frozenset(row.foods_named), most)
+
+    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
+        """Answer every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
+        keys = sorted({node.key for node in nodes})
+        asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
+        (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
+        return self._units(sorted(row.keys))
+
+    def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:
+        units = self._edition.units
+        missing = [key for key in keys if key not in units]
+        for row in self._ask(KNOWN_UNITS, keys=missing) if missing else ():
+            units.update((known.unit.key, known) for known in known_units(row))
+            rows = groupby(sorted(seen_as(row.foods)), key=attrgetter("label"))
+            self._edition.rows_of.update((label, tuple(found)) for label, found in rows)
+        return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
+
+    def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
+        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
+
+        Where the graph was written with other word lists than this program's, its foods are compared in memory.
+        """
+        found = find_equivalents(lambda asked: self._ask(EQUIVALENTS, **asked), dict.fromkeys(names), limit)
+        if found is None:
+            return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
+        return tuple(found[name] for name in names)
+
+    def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
+        """Answer every object node with one of ``labels``, sorted."""
+        (row,) = self._ask(NODES_CALLED, labels=sorted(set(labels)))
+        return tuple(sorted(map(node_of, row.nodes), key=lambda node: node.sort_key))
+
+    def methods(self) -> Methods:
+        """Answer what this FOON teaches. Where another program learnt it, it is learnt anew, in memory."""
+        if self._edition.methods is None:
+            self._edition.methods = self._read_methods()
+        return self._edition.methods
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Answer what this FOON teaches of making a dish of ``foods``.
+
+        That are the operators done to ``foods``, to those like one of them at all, or to their kinds.
+        """
+        del dish_type
+        if self._learnt_by != methods_key() or not all(map(words, foods)):
+            return self.methods()
+        matters = self._edition.matters.for_foods(
+            {singular(food) for food in (*foods, *self._kitchen.free_foods)},
+            lambda asked: self._ask(METHODS_ASKED, **asked),
+        )
+        if matters is None:
+            return self.methods()
+        if self._edition.common is None:
+            self._edition.common = CommonMethods(*self._ask_once(METHODS_COMMON))
+        if self._edition.dishes is None:
+            self._edition.dishes = LearntDishes(*self._ask_once(FRAMES))
+        return self._edition.common.methods_with(matters, self._edition.dishes)
+
+    def _read_methods(self) -> Methods:
+        if self._learnt_by != methods_key():
+            names = self.video_names()
+            if len(names) > MOST_LEARNT_ANEW:
+                raise SchemaError(
+                    "the operators and frames of the graph were learnt by another foon-kg",
+                    hint="Load any FOON, even one that is there already: foon load foon PATH learns them anew.",
+                )
+            from foon_kg.store.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few views learn anything
+
+            return Snapshot.of(self.subgraphs(names), self._kitchen).methods()
+        (row,) = self._ask_once(METHODS)
+        return methods_of(row, self.goals())
+
+    def motion_costs(self) -> MotionCosts:
+        """Answer the weights of motions that were loaded, none where there are none."""
+        (row,) = self._ask(MOTION_COSTS)
+        return MotionCosts(dict(zip(row.motions, row.costs, strict=True)))
+
+    @property
+    def edition(self) -> str | None:
+        """The name of the edition that this view reads; ``None`` where the graph does not tell editions apart."""
+        return self._edition.name
+
+    @property
+    def memory(self) -> GraphView:
+        """The graph itself keeps reference trees."""
+        return self
+
+    def remembered(self, question: str) -> RetrievedTree | None:
+        """Answer the reference tree that is kept for ``question``."""
+        for row in self._ask(REMEMBERED, question=question):
+            return RetrievedTree(row.question, row.grounds, row.goal, tuple(row.units), tuple(row.gaps))
+        return None
+
+    def remember(self, tree: RetrievedTree) -> None:
+        """Have ``tree`` kept when the view is closed."""
+        self.retrieved.append(tree)
+
+    def video_names(self) -> tuple[str, ...]:
+        """Answer the names of all videos, sorted."""
+        return tuple(sorted(row.name for row in self._ask(VIDEO_NAMES)))
+
+    def subgraphs(self, names: Collection[str]) -> tuple[Subgraph, ...]:
+        """Answer those of the named videos that the graph has, sorted by name, with all that was loaded."""
+        rows = self._ask(SUBGRAPHS, names=sorted(set(names)))
+        return tuple(sorted(map(subgraph_of, rows), key=lambda subgraph: subgraph.name))
+
+    def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
+        """Answer which edition this view reads: ``known``, or a new one.
+
+        Raises SchemaError or GraphError unless the graph is a FOON that this program can read.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None)
+        check_readable(state, kitchen)
+        self._kitchen, self._learnt_by = kitchen, state.methods if state else None
+        self._edition = known.still(state.edition if state else None)
+        return self._edition
+
+    def keep(self) -> None:
+        """Keep on disk what was fetched for good, where the graph is still of the edition with which this view began.
+
+        A write between two questions would have been seen by the second: what was fetched is then of no edition.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None) if self._fetched else None
+        if state and state.edition and state.edition == self._edition.name:
+            for statement, parameters, rows in self._fetched:
+                KeptRows(state.edition).write(statement, parameters, rows)
+        self._fetched.clear()
+
+    def _ask_once(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Answer what no program of this user asks twice of one edition."""
+        if self._edition.name is None:
+            return self._ask(statement, **parameters)
+        rows = KeptRows(self._edition.name).read(statement, parameters)
+        if rows is None:
+            rows = self._ask(statement, **parameters)
+            self._fetched.append((statement, parameters, rows))
+        return rows
+
+    def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        self.round_trips += 1
+        return ask(self._transaction, statement, **parameters)
+
+
+class Neo4jGraph:
+    """A FOON kept in Neo4j. Close it, or use it in ``with``.
+
+    It is a :class:`~foon_kg.model.knowledge.KnowledgeGraph`.
+
+    A view begins with one round trip that checks the schema and asks which edition of the FOON it is. What an earlier
+    view of the same edition read is not read again; words and goals not even by another program (``KeptRows``).
+    """
+
+    def __init__(self, settings: ConnectionSettings, kitchen: Kitchen | None = None) -> None:
+        self._connection = Connection(settings)
+        self._kitchen = kitchen or Kitchen.default()
+        self._edition = Edition()
+        self._keeps_trees = True
+
+    @contextmanager
+    def reading(self) -> Iterator[GraphView]:
+        """Open a view. Raises GraphError where no FOON answers, SchemaError for one of another version."""
+        with self._connection.session() as session, session.begin_transaction() as transaction:
+            view = GraphView(transaction)
+            self._edition = view.begin(self._kitchen, self._edition)
+            yield view
+            view.keep()
+        if view.retrieved and self._keeps_trees:
+            self._keeps_trees = keep_trees(self._connection, view.retrieved)
+
+    def snapshot(self) -> Snapshot:
+        """Answer the whole FOON in memory."""
+        from foon_kg.store.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few commands need all
+
+        with self.reading() as view:
+            return Snapshot.of(view.subgraphs(view.video_names()), self._kitchen)
+
+    def close(self) -> None:
+        """Give the sockets back."""
+        self._connection.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def goal_of(row: GoalValue) -> Goal:
+    """Answer the goal that travelled as ``row``."""
+    node, dish_type, videos = node_of(row[0]), *row[1:]
+    return Goal(node, dish_type, node.ingredients, tuple(sorted(videos)))
+
+
+def subgraph_of(row: SubgraphRow) -> Subgraph:
+    """Answer the subgraph that was loaded."""
+    return Subgraph(row.name, tuple(map(_annotation, row.units)), tuple(row.sources))
+
+
+def _annotation(unit: SeenUnit) -> Annotation:
+    _, verb, accepts_any, inputs, outputs, seen = unit
+    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))

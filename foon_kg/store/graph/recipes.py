@@ -1,0 +1,220 @@
+"""Collections of recipes in the graph: loaded in batches, counted, sampled, and read one by one.
+
+``(:Recipe {id, title, content, source, partition, url, left_over})-[:CALLS_FOR {position, state, text, quantity,
+unit}]->(:Ingredient)``, and ``(:Recipe)-[:KIND_OF {sure}]->(:DishType)``. The way from a dish type to its recipes has a
+type of its own beside the ``IS_A`` of goal nodes, so that a plan's goals are found without passing a million recipes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from itertools import islice
+
+import neo4j
+
+from foon_kg.model.collected import CalledFor, CollectedRecipe, UnderstoodRecipe
+from foon_kg.model.dish_classes import DishClass
+from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import statements as cypher
+from foon_kg.store.graph.connection import Connection
+from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
+from foon_kg.store.graph.schema import prepare_for_writing
+from foon_kg.store.graph.statements import ask
+
+RECIPES_PER_TRANSACTION = 1_000
+
+Understand = Callable[[Sequence[CollectedRecipe]], Sequence[UnderstoodRecipe]]
+
+
+@dataclass(frozen=True)
+class RecipesStored:
+    """How many recipes were new, how many had another content, how many were there already as they are."""
+
+    inserted: int = 0
+    replaced: int = 0
+    unchanged: int = 0
+    foods: int = 0
+    left_over: int = 0
+
+    def __add__(self, other: RecipesStored) -> RecipesStored:
+        """Answer both as one."""
+        return RecipesStored(
+            self.inserted + other.inserted,
+            self.replaced + other.replaced,
+            self.unchanged + other.unchanged,
+            self.foods + other.foods,
+            self.left_over + other.left_over,
+        )
+
+    def __len__(self) -> int:
+        """Answer how many recipes it is about."""
+        return self.inserted + self.replaced + self.unchanged
+
+
+@dataclass(frozen=True)
+class StoredRecipe:
+    """A recipe as the graph has it."""
+
+    id: str
+    title: str
+    dish_classes: tuple[DishClass, ...]
+    ingredients: tuple[CalledFor, ...]
+
+
+def prepare_for_recipes(connection: Connection, kitchen: Kitchen | None = None) -> None:
+    """Apply what is missing of the schema. Raises SchemaError for a graph that a newer foon-kg wrote."""
+    with connection.session(writing=True) as session:
+        prepare_for_writing(session, kitchen or Kitchen.default())
+
+
+def load_recipes(
+    connection: Connection,
+    recipes: Iterable[CollectedRecipe],
+    understand: Understand,
+    *,
+    stored: Callable[[RecipesStored], None] = lambda _: None,
+    left_over: Callable[[UnderstoodRecipe], None] = lambda _: None,
+    version: str = "",
+    recipes_per_transaction: int = RECIPES_PER_TRANSACTION,
+) -> RecipesStored:
+    """Bring the graph to have ``recipes``; those that it has with the same content are not even read again.
+
+    Each transaction has so many whole recipes, and ``stored`` is told once it is safe: after a kill, the next load goes
+    on behind it. While one batch is written, the next is understood. ``version`` names the way of understanding: with
+    another one everything counts as changed. ``left_over`` is told each recipe with lines in which no food was found.
+    Needs :func:`prepare_for_recipes`. Raises GraphError when the database fails.
+    """
+    total, writing = RecipesStored(), None
+    with ThreadPoolExecutor(max_workers=1) as writer:
+        for batch in _batches(recipes, recipes_per_transaction):
+            there = _contents(connection, batch)
+            changed = [recipe for recipe in batch if there.get(recipe.id) != _content(recipe, version)]
+            understood = understand(changed)
+            total += _finished(writing, stored)
+            for recipe in understood:
+                if recipe.left_over:
+                    left_over(recipe)
+            known = sum(recipe.id in there for recipe in changed)
+            report = RecipesStored(
+                len(changed) - known,
+                known,
+                len(batch) - len(changed),
+                sum(len(recipe.ingredients) for recipe in understood),
+                sum(len(recipe.left_over) for recipe in understood),
+            )
+            writing = writer.submit(_write, connection, understood, version, report)
+        return total + _finished(writing, stored)
+
+
+def class_counts(connection: Connection) -> list[RecipeClassRow]:
+    """Answer for each dish type how many recipes it surely has, what they call for, and what of it is unseen."""
+    with connection.session() as session:
+        return session.execute_read(ask, cypher.RECIPE_CLASSES)
+
+
+def recipe_count(connection: Connection) -> RecipeCountRow:
+    """Answer how many recipes there are, with a sure dish type and in all, and how many foods they name."""
+    with connection.session() as session:
+        return session.execute_read(ask, cypher.COUNT_RECIPES)[0]
+
+
+def wanted_foods(connection: Connection, most: int) -> list[WantedFoodRow]:
+    """Answer the foods that no unit has and most recipes call for, with their commonest states."""
+    with connection.session() as session:
+        return session.execute_read(ask, cypher.WANTED_FOODS, most=most)
+
+
+def recipe_ids(connection: Connection, dish_type: str, partition: str = "") -> list[str]:
+    """Answer the ids of the recipes that surely are a ``dish_type``, sorted."""
+    with connection.session() as session:
+        rows = session.execute_read(ask, cypher.RECIPE_IDS, dish_type=dish_type, partition=partition)
+    return [row.id for row in rows]
+
+
+def stored_recipe(connection: Connection, recipe_id: str) -> StoredRecipe:
+    """Answer one recipe. Raises :class:`~foon_kg.model.errors.UsageError` where the graph does not have it."""
+    with connection.session() as session:
+        rows = session.execute_read(ask, cypher.RECIPE, id=recipe_id)
+    if not rows:
+        hint = "foon recipes --sample 5 shows some; foon load recipes PATH loads more."
+        raise UsageError(f"the graph has no recipe “{recipe_id}”", hint=hint)
+    row = rows[0]
+    classes = tuple(DishClass(name, sure=sure) for name, sure in sorted(row.classes, key=lambda c: (not c[1], c[0])))
+    return StoredRecipe(recipe_id, row.title, classes, tuple(CalledFor(*called) for called in row.ingredients))
+
+
+def _batches(recipes: Iterable[CollectedRecipe], size: int) -> Iterator[list[CollectedRecipe]]:
+    waiting = iter(recipes)
+    while batch := list(islice(waiting, size)):
+        yield batch
+
+
+def _contents(connection: Connection, batch: Sequence[CollectedRecipe]) -> dict[str, str]:
+    with connection.session() as session:
+        rows = session.execute_read(ask, cypher.RECIPE_CONTENTS, ids=[recipe.id for recipe in batch])
+    return {row.id: row.content for row in rows}
+
+
+def _content(recipe: CollectedRecipe, version: str) -> str:
+    return f"{version}:{recipe.content}"
+
+
+def _finished(writing: Future[RecipesStored] | None, stored: Callable[[RecipesStored], None]) -> RecipesStored:
+    if writing is None:
+        return RecipesStored()
+    report = writing.result()
+    stored(report)
+    return report
+
+
+def _write(
+    connection: Connection, recipes: Sequence[UnderstoodRecipe], version: str, report: RecipesStored
+) -> RecipesStored:
+    if recipes:
+        with connection.session(writing=True) as session:
+            session.execute_write(_write_batch, recipes, version)
+    return report
+
+
+def _write_batch(transaction: neo4j.ManagedTransaction, recipes: Sequence[UnderstoodRecipe], version: str) -> None:
+    # sorted, so that two programs that load at the same time wait for each other and do not block each other
+    foods = sorted({called.object for recipe in recipes for called in recipe.ingredients})
+    classes = sorted({dish.name for recipe in recipes for dish in recipe.dish_classes})
+    words = [{"name": food, "canonical": canonical(food)} for food in foods]
+    ask(transaction, cypher.LOAD_RECIPE_WORDS, ingredients=words, dish_types=classes)
+    rows = sorted((_row(recipe, version) for recipe in recipes), key=lambda row: str(row["id"]))
+    ask(transaction, cypher.LOAD_RECIPES, recipes=rows)
+
+
+def _row(understood: UnderstoodRecipe, version: str) -> dict[str, object]:
+    recipe = understood.recipe
+    return {
+        "id": recipe.id,
+        "properties": {
+            "title": recipe.title,
+            "content": _content(recipe, version),
+            "source": recipe.place,
+            "partition": recipe.partition,
+            "url": recipe.url,
+            "left_over": list(understood.left_over) or None,
+        },
+        "classes": [{"name": dish.name, "sure": dish.sure} for dish in understood.dish_classes],
+        "ingredients": [
+            {"name": called.object, "properties": _called(called, position)}
+            for position, called in enumerate(understood.ingredients)
+        ],
+    }
+
+
+def _called(called: CalledFor, position: int) -> dict[str, object]:
+    return {
+        "position": position,
+        "state": called.state,
+        "text": called.text,
+        "quantity": called.quantity,
+        "unit": called.unit,
+    }

@@ -1,0 +1,104 @@
+"""Every query of the catalogue tied to the Python type that receives its rows, and the one way to run them."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from neo4j import ManagedTransaction, Transaction
+
+from foon_kg.cypher import named_query
+from foon_kg.store.graph import recipe_rows, rows
+
+_log = logging.getLogger(__name__)
+
+Row = TypeVar("Row")
+
+
+@dataclass(frozen=True)
+class Statement(Generic[Row]):
+    """A query by name; its columns are the fields of ``row``, in order."""
+
+    name: str
+    row: type[Row]
+
+
+SCHEMA_STATE = Statement("schema_state", rows.SchemaState)
+AWAIT_INDEXES = Statement("await_indexes", rows.Nothing)
+SCHEMA_RECORD = Statement("schema_record", rows.Nothing)
+WRITING_TURN = Statement("writing_turn", rows.SchemaState)
+
+VIDEO_NAMES = Statement("video_names", rows.NameRow)
+VIDEO_CONTENTS = Statement("video_contents", rows.ContentRow)
+SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
+VOCABULARY = Statement("vocabulary", rows.VocabularyRow)
+GOALS = Statement("goals", rows.GoalsRow)
+WORDS_FOR = Statement("words_for", rows.WordsForRow)
+LIKELY_GOALS = Statement("likely_goals", rows.LikelyGoalsRow)
+BEHIND = Statement("behind", rows.BehindRow)
+REMEMBERED = Statement("remembered", rows.PlanRow)
+REMEMBER = Statement("remember", rows.Nothing)
+KNOWN_UNITS = Statement("known_units", rows.KnownUnitsRow)
+EQUIVALENTS = Statement("equivalents", rows.EquivalentsRow)
+NODES_CALLED = Statement("nodes_called", rows.NodesRow)
+STATISTICS = Statement("statistics", rows.StatisticsRow)
+MOTION_COSTS = Statement("motion_costs", rows.MotionCostsRow)
+
+LOAD_VIDEOS = Statement("load_videos", rows.Nothing)
+LOAD_OBJECTS = Statement("load_objects", rows.Nothing)
+LOAD_UNITS = Statement("load_units", rows.KeyRow)
+LOAD_SIGHTINGS = Statement("load_sightings", rows.Nothing)
+LOAD_GOALS = Statement("load_goals", rows.Nothing)
+COUNT_FOODS = Statement("count_foods", rows.Nothing)
+COUNT_MOTIONS = Statement("count_motions", rows.Nothing)
+COUNT_VERBS = Statement("count_verbs", rows.Nothing)
+LOAD_COSTS = Statement("load_costs", rows.VerbCostRow)
+FOODS_WITHOUT_VECTOR = Statement("foods_without_vector", rows.NameRow)
+LOAD_VECTORS = Statement("load_vectors", rows.Nothing)
+
+FORGET_SIGHTINGS = Statement("forget_sightings", rows.KeyRow)
+FORGET_GOALS = Statement("forget_goals", rows.Nothing)
+FORGET_PLANS = Statement("forget_plans", rows.Nothing)
+FORGET_VIDEOS = Statement("forget_videos", rows.Nothing)
+FORGET_VECTORS = Statement("forget_vectors", rows.Nothing)
+UNSUPPORTED_UNITS = Statement("unsupported_units", rows.UnitRow)
+SWEEP_UNITS = Statement("sweep_units", rows.Nothing)
+SWEEP_WORDS = Statement("sweep_words", rows.Nothing)
+CLEAR = Statement("clear", rows.Nothing)
+
+METHODS = Statement("methods", rows.MethodsRow)
+METHODS_COMMON = Statement("methods_common", rows.MethodsCommonRow)
+METHODS_ASKED = Statement("methods_asked", rows.MethodsAskedRow)
+FRAMES = Statement("frames", rows.FramesRow)
+LOAD_MATTERS = Statement("load_matters", rows.Nothing)
+LOAD_OPERATORS = Statement("load_operators", rows.Nothing)
+ATTESTED = Statement("attested", rows.AttestedRow)
+EVIDENCE = Statement("evidence", rows.EvidenceRow)
+FIRST_SIGHTINGS = Statement("first_sightings", rows.FirstSightingsRow)
+LOAD_EVIDENCE = Statement("load_evidence", rows.Nothing)
+COUNT_OPERATORS = Statement("count_operators", rows.Nothing)
+SWEEP_OPERATORS = Statement("sweep_operators", rows.Nothing)
+LOAD_FRAMES = Statement("load_frames", rows.Nothing)
+FORGET_FRAMES = Statement("forget_frames", rows.TextRow)
+COUNT_JOINS = Statement("count_joins", rows.Nothing)
+FORGET_METHODS = Statement("forget_methods", rows.GoneRow)
+
+UNITS_SHOWN = Statement("units_shown", rows.ShownRow)
+LABELS_THERE = Statement("labels_there", rows.NameRow)
+
+LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
+LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
+RECIPE_CONTENTS = Statement("recipe_contents", recipe_rows.RecipeContentRow)
+RECIPE = Statement("recipe", recipe_rows.RecipeRow)
+RECIPE_CLASSES = Statement("recipe_classes", recipe_rows.RecipeClassRow)
+RECIPE_IDS = Statement("recipe_ids", recipe_rows.RecipeIdRow)
+COUNT_RECIPES = Statement("count_recipes", recipe_rows.RecipeCountRow)
+WANTED_FOODS = Statement("wanted_foods", recipe_rows.WantedFoodRow)
+
+
+def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:
+    """Run ``statement`` in one round trip and answer its rows."""
+    _log.debug("%s", statement.name)
+    result = transaction.run(named_query(statement.name).text, parameters)
+    return [statement.row(*record.values()) for record in result]

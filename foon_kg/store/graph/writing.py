@@ -1,0 +1,183 @@
+"""One write transaction on the graph.
+
+Writers take turns: making a :class:`Writer` waits until no other is at work. So counts are never added to twice, and no
+unit is swept away while another program refers to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import neo4j
+
+from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.model.names import canonical
+from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.similarity.points import indexed_points, word_lists_key
+from foon_kg.store.graph import statements as cypher
+from foon_kg.store.graph.learning import Learner
+from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.reading import subgraph_of
+from foon_kg.store.graph.rows import bare_unit_of, properties_of
+from foon_kg.store.graph.schema import kitchen_key, schema_version
+from foon_kg.store.graph.statements import Row, Statement, ask
+from foon_kg.store.snapshot import goals_of
+from foon_kg.store.vocabulary import WordCounts
+
+
+class Writer:
+    """Adds and forgets subgraphs within ``transaction``; :meth:`finish` brings everything derived up to date.
+
+    ``state`` is what the graph said about itself when our turn came; ``None`` where there is no graph (any more).
+
+    Units that lost a sighting are looked at only at the end, so that what the new content of a video shows again is
+    never deleted in between.
+    """
+
+    def __init__(self, transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
+        self._transaction = transaction
+        self._kitchen = kitchen
+        self._counts = WordCounts(kitchen.is_utensil)
+        self._learner = Learner(self._ask, kitchen)
+        self._doubtful: set[str] = set()
+        self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
+
+    def add(self, subgraphs: Sequence[Subgraph]) -> None:
+        """Write videos of which the graph has no sightings (any more)."""
+        if not subgraphs:
+            return
+        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
+        nodes = {node for unit in units.values() for node in (*unit.input_nodes, *unit.output_nodes)}
+        self._ask(cypher.LOAD_VIDEOS, videos=[_video_row(subgraph) for subgraph in subgraphs])
+        self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes))
+        new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
+        self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
+        self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
+        self._throw_out_trees(units[row.key] for row in new)
+        self._counts.count(units[row.key] for row in new)
+        self._learner.learn((units[row.key] for row in new), subgraphs)
+
+    def forget(self, names: Sequence[str]) -> None:
+        """Take away what the named videos say, but not the videos."""
+        if names:
+            self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
+            self._ask(cypher.FORGET_GOALS, names=names, dish_types=DISH_TYPES)
+            self._learner.forget(names)
+
+    def drop_videos(self, names: Sequence[str]) -> None:
+        """Take away forgotten videos."""
+        self._ask(cypher.FORGET_VIDEOS, names=names)
+
+    def finish(self) -> None:
+        """Sweep what no video shows any more, and bring the counts of words up to date."""
+        rows = self._ask(cypher.UNSUPPORTED_UNITS, keys=sorted(self._doubtful)) if self._doubtful else []
+        gone = list(map(bare_unit_of, rows))
+        self._counts.count(gone, weight=-1)
+        self._learner.unlearn(gone, self._doubtful)
+        if gone:
+            self._throw_out_trees(gone)
+            self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows])
+        foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
+        motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
+        verbs = [{"motion": r.motion, "units": r.units, "several": r.several} for r in self._counts.gatherings()]
+        if foods or motions or verbs:
+            self._ask(cypher.COUNT_FOODS, rows=foods)
+            self._ask(cypher.COUNT_MOTIONS, rows=motions)
+            self._ask(cypher.COUNT_VERBS, rows=verbs)
+        self._learner.finish(self._doubtful)
+        if self._doubtful:
+            self._ask(cypher.SWEEP_WORDS)
+        self._write_vectors()
+
+    def write_anew(self) -> None:
+        """Write the whole FOON again, for another kitchen than the one that the graph was written with."""
+        names = [row.name for row in self._ask(cypher.VIDEO_NAMES)]
+        subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+        self._ask(cypher.CLEAR)
+        self.add(subgraphs)
+        self.finish()
+        self.record(methods_key())
+
+    def forget_methods(self, most: int) -> bool:
+        """Take away some of what was learnt; say whether there was any."""
+        return any(row.gone for row in self._ask(cypher.FORGET_METHODS, most=most))
+
+    def learn(self, names: Sequence[str]) -> None:
+        """Learn from videos that are there, and from their units, of which some may be learnt from already."""
+        subgraphs = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+        units = {a.unit.key: a.unit for subgraph in subgraphs for a in subgraph.annotations}
+        rows = self._ask(cypher.ATTESTED, keys=sorted(units))
+        known = {unit for row in rows for unit, *_ in row.attested}
+        self._learner.learn((unit for key, unit in units.items() if key not in known), subgraphs)
+        self._learner.unlearn((), ())
+        self._learner.finish(())
+        self._write_vectors()
+
+    def record(self, methods: str) -> None:
+        """Write down with which kitchen the graph is written, and by what its operators and frames were learnt."""
+        kitchen = kitchen_key(self._kitchen)
+        self._ask(cypher.SCHEMA_RECORD, version=schema_version(), kitchen=kitchen, methods=methods)
+
+    def _throw_out_trees(self, changed: Iterable[FunctionalUnit]) -> None:
+        """Throw out the reference trees that the ``changed`` units, new or about to go, are behind the goals of."""
+        if keys := sorted({node.key for unit in changed for node in unit.output_nodes}):
+            self._ask(cypher.FORGET_PLANS, keys=keys)
+
+    def _write_vectors(self) -> None:
+        """Give every food its point in the vector index; all of them anew where the word lists are others."""
+        words = word_lists_key()
+        if self.state is None or self.state.words != words:
+            self._ask(cypher.FORGET_VECTORS, words=words)
+        names = sorted(row.name for row in self._ask(cypher.FOODS_WITHOUT_VECTOR))
+        if names:
+            rows = zip(names, indexed_points(names), strict=True)
+            self._ask(
+                cypher.LOAD_VECTORS,
+                rows=[
+                    {"name": name, "canonical": canonical(name), "singular": singular(name), "vector": vector}
+                    for name, vector in rows
+                ],
+            )
+
+    def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        return ask(self._transaction, statement, **parameters)
+
+    def _object_rows(self, nodes: Iterable[ObjectNode]) -> list[dict[str, Any]]:
+        return [
+            {
+                "key": node.key,
+                "label": node.label,
+                "states": node.states,
+                "ingredients": node.ingredients,
+                "relation": node.relation,
+                "container": node.container,
+                "start": self._kitchen.has(node) or None,  # the closure asks for nodes without the property
+            }
+            for node in sorted(nodes, key=lambda node: node.key)
+        ]
+
+    def _goal_rows(self, subgraph: Subgraph) -> list[dict[str, str]]:
+        goals = goals_of(subgraph, self._kitchen)
+        return [{"key": node.key, "dish_type": dish_type, "video": subgraph.name} for node, dish_type in goals]
+
+
+def _video_row(subgraph: Subgraph) -> dict[str, Any]:
+    return {"name": subgraph.name, "content": subgraph.content_key, "sources": subgraph.sources}
+
+
+def _unit_row(unit: FunctionalUnit) -> dict[str, Any]:
+    return {
+        "key": unit.key,
+        "verb": unit.motion,
+        "accepts_any": unit.accepts_any,
+        "inputs": [node.key for node in unit.input_nodes],
+        "outputs": [node.key for node in unit.output_nodes],
+    }
+
+
+def _sighting_rows(subgraph: Subgraph) -> list[dict[str, Any]]:
+    return [
+        {"unit": annotation.unit.key, "video": subgraph.name, "properties": properties_of(annotation, position)}
+        for position, annotation in enumerate(subgraph.annotations)
+    ]

@@ -1,0 +1,47 @@
+"""What the file system says, in words a person can act on."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from foon_kg.model.errors import ServerError
+
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+
+
+@contextmanager
+def explain_os_error(doing: str) -> Iterator[None]:
+    """Turn an OSError of the block into a ServerError that begins with ``doing`` and says what to do."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in NO_ROOM:
+            raise no_room(doing) from error
+        raise ServerError(
+            f"{doing}: {error.strerror or error}",
+            hint="FOON_KG_HOME names another folder for the data, FOON_KG_CACHE another one for the jars",
+            code="disk",
+        ) from error
+
+
+def no_room(doing: str) -> ServerError:
+    """Return the error for a full disk."""
+    return ServerError(
+        f"{doing}: no space is left there",
+        hint="free 1 GB and start again, or let FOON_KG_HOME (data) and FOON_KG_CACHE (jars) name folders elsewhere",
+        code="no-space",
+    )
+
+
+def write_private(file: Path, text: str) -> None:
+    """Write a file that only its owner can read, whole or not at all."""
+    draft = file.with_name(f"{file.name}.{os.getpid()}.new")
+    with os.fdopen(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w", encoding="utf-8") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
+    draft.replace(file)

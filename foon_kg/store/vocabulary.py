@@ -1,0 +1,79 @@
+"""What one functional unit teaches about words, and the tables that many units add up to.
+
+The tables of :class:`~foon_kg.model.knowledge.Vocabulary` are sums over units, so that the graph can keep them right by
+adding what a new unit teaches and taking away what a forgotten one taught.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+
+from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs
+
+NO_STATE = ""
+"""Stands for the state of a node that has none, so that its food stays known."""
+
+FoodState = tuple[str, str]
+
+
+def food_states(nodes: Iterable[ObjectNode], is_utensil: Callable[[str], bool]) -> set[FoodState]:
+    """Answer every (label, state) of the foods among ``nodes``; a node without states counts as ``NO_STATE``."""
+    foods = (node for node in nodes if not is_utensil(node.label))
+    return {(node.label, state) for node in foods for state in (node.states or (NO_STATE,))}
+
+
+def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> set[str]:
+    """Answer the states that ``unit`` gives to a food: in an output of the food, in none of its inputs."""
+    before, after = food_states(unit.input_nodes, is_utensil), food_states(unit.output_nodes, is_utensil)
+    return {state for _, state in after - before if state != NO_STATE}
+
+
+def takes_several(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> bool:
+    """Say whether ``unit`` takes more than one food, be they in a vessel."""
+    names = {name for node in unit.input_nodes for name in (node.label, *node.ingredients) if not is_utensil(name)}
+    return len(names) > 1
+
+
+@dataclass
+class WordCounts:
+    """The counts of the vocabulary, growing or shrinking by one distinct unit at a time."""
+
+    is_utensil: Callable[[str], bool]
+    made: Counter[FoodState] = field(default_factory=Counter)
+    used: Counter[FoodState] = field(default_factory=Counter)
+    motions: Counter[tuple[str, str]] = field(default_factory=Counter)
+    units: Counter[str] = field(default_factory=Counter)
+    several: Counter[str] = field(default_factory=Counter)
+
+    def count(self, units: Iterable[FunctionalUnit], weight: int = 1) -> None:
+        """Add what each of ``units`` teaches ``weight`` times; -1 takes it away."""
+        for unit in units:
+            for pair in food_states(unit.output_nodes, self.is_utensil):
+                self.made[pair] += weight
+            for pair in food_states(unit.input_nodes, self.is_utensil):
+                self.used[pair] += weight
+            for state in states_made(unit, self.is_utensil):
+                self.motions[state, unit.motion] += weight
+            self.units[unit.motion] += weight
+            self.several[unit.motion] += weight * takes_several(unit, self.is_utensil)
+
+    def seen_as(self) -> Iterator[SeenAs]:
+        """Answer the rows about foods that differ from nothing, sorted."""
+        for pair in sorted(self.made.keys() | self.used.keys()):
+            if self.made[pair] or self.used[pair]:
+                yield SeenAs(*pair, made=self.made[pair], used=self.used[pair])
+
+    def made_by(self) -> Iterator[MadeBy]:
+        """Answer the rows about motions that differ from nothing, sorted."""
+        for state, motion in sorted(self.motions):
+            if self.motions[state, motion]:
+                yield MadeBy(state, motion, self.motions[state, motion])
+
+    def gatherings(self) -> Iterator[Gathering]:
+        """Answer the rows about motions and how many foods they take that differ from nothing, sorted."""
+        for motion in sorted(self.units):
+            if self.units[motion] or self.several[motion]:
+                yield Gathering(motion, self.units[motion], self.several[motion])
