@@ -96,17 +96,17 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     if not thin or len(batter) == 1 or len(dipped) != 1:
         return line, tuple(joins)
     mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
-    dip = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
-    top = replace(top, adds=(Line((dip, fried, turned, done)),))
+    bathed_in = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
+    top = replace(top, adds=(Line((bathed_in, fried, turned, done)),))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     found = []
     for join in joins:
         if join in dipped:
-            found.append(_side(join, dip, (fried, turned, done, top)))
+            found.append(_side(join, bathed_in, (fried, turned, done, top)))
         elif join in fats:
             found.append(_side(join, fried, (turned, done, top)))
         elif join in batter or (join.want.facts.is_a(*_SEASONS) and not join.want.facts.is_a(*_POURED)):
-            found.append(_side(join, mixed, (dip, fried, turned, done, top)))
+            found.append(_side(join, mixed, (bathed_in, fried, turned, done, top)))
         else:
             cooks = "cook" in owed(join.want, known)
             slot = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if cooks else None

@@ -23,7 +23,7 @@ class Plan:
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
-    ``soup``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass.
+    ``spooned``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass.
     """
 
     label: str
@@ -40,7 +40,7 @@ class Plan:
     in_pieces: bool = False
     laid: bool = False
     portioned: bool = False
-    soup: bool = False
+    spooned: bool = False
     drunk: bool = False
 
 

@@ -53,7 +53,7 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
     """Whether a food is eaten on a dish of these foods, in the form in which it is asked."""
     facts, want = join.want.facts, join.want
     others = [one.want.facts for one in plan.joins if one is not join]
-    beside = not plan.soup and facts.is_a(*word_list("is eaten beside what is stewed")) and _is_apart(want)
+    beside = not plan.spooned and facts.is_a(*word_list("is eaten beside what is stewed")) and _is_apart(want)
     if plan.one_pot and (beside or _floats(facts, others)):
         return True
     wet = any(one.is_of(*word_list("is a bath")) and not one.is_a(*word_list("is no bath")) for one in others)

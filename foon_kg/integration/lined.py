@@ -68,22 +68,22 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
         return line, tuple(joins)
     baked, top = replace(_BAKED, vessel="baking tray"), replace(_LAID, vessel="plate", relation="on")
     cut = replace(_LAID, motion="cut", does=frozenset({"cut"}), tools=("knife",), vessel="plate", relation="on")
-    rubs = [join for join in joins if join.want.facts.is_a("liquid") and join.want.facts.is_a("fat")]
+    brushed = [join for join in joins if join.want.facts.is_a("liquid") and join.want.facts.is_a("fat")]
     stages = (baked, cut, top)
     twice = not word_list("is baked twice").isdisjoint(told)
     if twice:
         cut, top = replace(_MIX, motion="mash", does=frozenset({"mash", "mix"}), tools=("masher",)), replace(_BAKED)
         stages = (baked, cut, top)
-    elif any(_runs(join) for join in joins if join not in rubs):
+    elif any(_runs(join) for join in joins if join not in brushed):
         return line, tuple(joins)
     found = []
     for join in joins:
-        stage = baked if join in whole or join in rubs else top
-        if twice and stage is top and not join.want.facts.is_a(*word_list("melts on top"), "topping", "scallion"):
+        stage = baked if join in whole or join in brushed else top
+        if twice and stage is top and not join.want.facts.is_a(*word_list("lies on what is baked twice")):
             stage = cut
         place = next(place for place, one in enumerate(stages) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
-        want = _in_its_skin(join.want) if join in whole else join.want
+        want = _in_one_piece(join.want) if join in whole else join.want
         found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
@@ -118,7 +118,7 @@ def _runs(join: Join) -> bool:
     return join.want.facts.is_a("liquid", "egg")
 
 
-def _in_its_skin(want: Want) -> Want:
+def _in_one_piece(want: Want) -> Want:
     """Return a food that is cooked whole and unpeeled."""
     owes = {name: level for name, level in want.facts.owes.items() if name not in {"cut", "peel"}}
     return replace(want, facts=replace(want.facts, owes=owes))

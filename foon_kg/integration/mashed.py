@@ -22,8 +22,8 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     fat = any(join.want.facts.is_a("fat") for join in joins)
     fried = [fat and join.want.facts.is_of(*word_list("is fried for mash")) for join in joins]
     slots = [
-        Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if fries else None
-        for join, fries in zip(joins, fried, strict=True)
+        Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        for join, apart in zip(joins, fried, strict=True)
     ]
     return Line((mixed,)), tuple(
         Join(replace(join.want, cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot)

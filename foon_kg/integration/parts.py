@@ -211,8 +211,8 @@ def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> 
         return tuple(joins)
     place = next(number for number, stage in enumerate(stages) if stage is bakes)
     spot = Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
-    crumbs = word_list("is strewn on what is baked")
-    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*crumbs) else one for one in joins)
+    strewn = word_list("is strewn on what is baked")
+    return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*strewn) else one for one in joins)
 
 
 def _cold(motion: str) -> Stage:

@@ -291,7 +291,7 @@ class _Question:
             grilled=stacked and any(dish.grilled for dish in named),
             in_pieces=any(dish.dressed for dish in named),
             laid=any(dish.laid for dish in named),
-            soup=boiled,
+            spooned=boiled,
             drunk=dish_type in word_list("is drunk"),
             portioned=not word_list("is portioned").isdisjoint(told),
         )  # fmt: skip

@@ -16,16 +16,17 @@ from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
-from foon_kg.integration.lined import lined
+from foon_kg.integration.lined import lined, topped
 from foon_kg.integration.mashed import mashed_only
+from foon_kg.integration.parts import baked_at_last
 from foon_kg.integration.places import Join
 from foon_kg.integration.portions import in_portions, roasted
-from foon_kg.integration.pots import is_never_heated, unheated
+from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
 from foon_kg.integration.smeared import smeared_and_baked
-from foon_kg.integration.warmed import garnished, warmed
+from foon_kg.integration.warmed import garnished, stirred, warmed
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
@@ -101,7 +102,7 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
 def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
-    line, joins = coated_alone(line, joins, tables())
+    line, joins = coated_alone(line, joins, frozenset(), tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
     assert told(line, joins)[:4] == [
         ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
@@ -111,7 +112,7 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
 def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "sole fillet", "flour", "butter", "lemon juice")
-    made, _ = coated_alone(line, joins, tables())
+    made, _ = coated_alone(line, joins, frozenset(), tables())
     assert [one.motion for one in made.stages] == ["cook", ""]
 
 
@@ -119,7 +120,7 @@ def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooke
     line = Line((stage("mix", {"mix"}),))
     for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
         joins = joins_at(line, 0, *foods)
-        assert coated_alone(line, joins, tables()) == (line, joins)
+        assert coated_alone(line, joins, frozenset(), tables()) == (line, joins)
 
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
@@ -131,7 +132,7 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
 def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
     joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")
-    line, joins = coated_alone(line, joins, tables())
+    line, joins = coated_alone(line, joins, frozenset(), tables())
     assert ("cook", set()) in told(line, joins)
 
 
@@ -209,7 +210,7 @@ def test_what_is_called_cold_is_not_heated(title):
 
 def laid(*foods, title="burger"):
     line = Line((stage("", set(), vessel="plate"),))
-    return told(*made_apart(line, joins_at(line, 0, *foods), frozenset(title.split()), tables()))
+    return told(*made_apart(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), grilled=False))
 
 
 def test_a_mass_is_mixed_shaped_and_fried_and_what_is_fried_for_it_by_itself():
@@ -355,3 +356,103 @@ def test_what_is_not_called_so_has_no_crust():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "puff pastry", "apple")
     assert lined(line, joins, {"strudel"}) == (line, joins)
+
+
+@pytest.mark.parametrize("thin", ["beer", "sparkling water", "milk"])
+def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_is_fried_by_itself(thin):
+    line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
+    joins = joins_at(line, 0, "cod fillet", "flour", thin, "potato", "oil", "salt")
+    line, joins = coated_alone(line, joins, frozenset({"fish", "chip"}), tables())
+    assert told(line, joins) == [
+        ("mix", {"flour", thin, "salt"}),
+        ("mix", {"cod fillet"}),
+        ("cook", {"oil"}),
+        ("flip", set()),
+        ("cook", set()),
+        ("", {"potato"}),
+    ]
+    assert next(join.slot.cooked for join in joins if join.want.label == "potato") == ("cook",)
+
+
+def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
+    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
+    joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
+    found = told(*coated_alone(line, joins, frozenset({"french", "toast"}), tables()))
+    assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
+    assert found[1] == ("mix", {"bread"})
+    assert found[-1] == ("", {"maple syrup"})
+
+
+def test_mash_covers_what_was_cooked_before():
+    line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
+    joins = joins_at(line, 0, "ground lamb", "potato/mashed", "carrot/diced", "beef broth")
+    assert told(*lined(line, joins, frozenset({"shepherd", "pie"}))) == [
+        ("cook and stir", {"ground lamb", "carrot", "beef broth"}),
+        ("", set()),
+        ("", {"potato"}),
+        ("bake", set()),
+    ]
+
+
+@pytest.mark.parametrize(("crust", "pieces"), [("pie crust", 1), ("pie crusts", 2)])
+def test_dough_that_is_asked_in_the_plural_lines_a_pie_and_covers_it(crust, pieces):
+    line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
+    _, joins = lined(line, joins_at(line, 0, "apple/sliced", "sugar", crust), frozenset({"apple", "pie"}))
+    assert sum(join.want.label == crust for join in joins) == pieces
+    assert len({join.want.number for join in joins}) == len(joins)
+
+
+def test_what_is_called_baked_is_baked_whole_cut_open_and_topped():
+    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
+    joins = joins_at(line, 0, "potato", "butter", "sour cream", "chive/chopped")
+    made, found = topped(line, joins, ("baked", "potato"))
+    assert told(made, found) == [
+        ("bake", {"potato"}), ("cut", set()), ("", {"butter", "sour cream", "chive"}),
+    ]  # fmt: skip
+    assert "cut" not in next(join.want.facts.owes for join in found if join.want.label == "potato")
+    assert topped(line, joins, ("mashed", "potato")) == (line, joins)
+    assert topped(line, joins_at(line, 0, "potato/sliced", "butter"), ("baked", "potato"))[0] is line
+    assert topped(line, joins_at(line, 0, "potato", "milk"), ("baked", "potato"))[0] is line
+
+
+def test_what_is_called_twice_baked_is_mashed_in_between():
+    line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
+    joins = joins_at(line, 0, "potato", "milk", "butter", "cheddar/shredded")
+    assert told(*topped(line, joins, ("twice", "baked", "potato"))) == [
+        ("bake", {"potato"}), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
+    ]  # fmt: skip
+
+
+def test_crumbs_come_on_what_is_baked_unless_they_bind_it():
+    mixed = stage("stir", {"mix"})
+    line = Line((mixed, stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven")))
+    joins = joins_at(line, 0, "macaroni", "cheddar", "breadcrumb")
+    assert told(*baked_at_last(line, joins, "")) == [("stir", {"macaroni", "cheddar"}), ("bake", {"breadcrumb"})]
+    bound = joins_at(line, 0, "macaroni", "egg", "breadcrumb")
+    assert told(*baked_at_last(line, bound, "")) == [("stir", {"macaroni", "egg", "breadcrumb"}), ("bake", set())]
+
+
+def test_what_is_mixed_cold_with_pasta_is_fried_in_turn():
+    boiled = Line((stage("boil", {"heat", "liquid"}, vessel="pot", appliance="stove"),))
+    mixed = stage("mix", {"mix"}, adds=[boiled, Line((stage("stir", {"mix"}),))])
+    line = Line((mixed, stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"), stage("", set())))
+    joins = (*joins_at(boiled, 0, "linguine"), *joins_at(line, 0, "clam", "garlic"), *joins_at(line, 2, "parsley"))
+    made, found = unmixed(line, joins)
+    assert told(made, found) == [("boil", {"linguine"}), ("cook", {"clam", "garlic"}), ("", {"parsley"})]
+    with_egg = (*joins, *joins_at(line, 0, "egg"))
+    assert unmixed(line, with_egg) == (line, with_egg)
+
+
+def test_what_is_only_poured_together_in_a_glass_is_stirred():
+    line = Line((stage("", set()), stage("", set(), vessel="highball glass")))
+    joins = joins_at(line, 0, "rum", "cola", "ice")
+    assert told(*stirred(line, joins)) == [("stir", {"rum", "cola", "ice"})]
+    mixes = Line((stage("stir", {"mix"}),))
+    joins = joins_at(mixes, 0, "rum", "cola")
+    assert stirred(mixes, joins) == (mixes, joins)
+
+
+def test_flesh_that_is_asked_in_shreds_is_laid_on_bread_and_not_fried():
+    assert laid("chicken breast/shredded", "salsa", "tortilla", title="taco") == [
+        ("", {"chicken breast", "salsa", "tortilla"})
+    ]
