@@ -4,12 +4,13 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 BIN := .venv/bin
 INSTALLED := .venv/installed
 INSTALLED_FOR_TESTS := .venv/installed-for-tests
+INSTALLED_FOR_DOCS := .venv/installed-for-docs
 TYPED := build/typed
 PIP_QUIETLY := --quiet --disable-pip-version-check
 LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --upgrade --generate-hashes --no-annotate \
 	--no-header --quiet
 
-.PHONY: demo test check mutants lock clean
+.PHONY: demo test check docs mutants lock clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
@@ -25,15 +26,21 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
 
+docs: $(INSTALLED_FOR_DOCS)  ## the documents as a site, in build/docs
+	$(BIN)/python docs/generate.py
+	$(BIN)/python -m sphinx -b html -W --keep-going -q docs build/docs
+	@echo "build/docs/index.html"
+
 mutants: $(INSTALLED_FOR_TESTS)  ## how many mistakes made on purpose in the core the tests find: hours; MUTANTS='foon_kg.goals*' some
 	$(BIN)/mutmut run $(foreach name,$(MUTANTS),'$(name)')
 	$(BIN)/mutmut export-cicd-stats
 	cat mutants/mutmut-cicd-stats.json
 
-lock: $(INSTALLED)  ## write both requirements files anew from pyproject.toml, for every system
+lock: $(INSTALLED)  ## write the requirements files anew from pyproject.toml, for every system
 	$(BIN)/python -m pip install --quiet uv
 	$(LOCKED) --extra server --extra fast --group build --output-file requirements.txt
 	$(LOCKED) --extra dev --group build --constraint requirements.txt --output-file requirements-dev.txt
+	$(LOCKED) --extra docs --constraint requirements-dev.txt --output-file requirements-docs.txt
 
 clean:  ## take away the environment and everything that was built
 	rm -rf .venv build dist mutants .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info
@@ -48,6 +55,10 @@ $(INSTALLED): requirements.txt pyproject.toml
 $(INSTALLED_FOR_TESTS): requirements-dev.txt $(INSTALLED)
 	@echo "Adding what the tests need, from requirements-dev.txt; the first time this takes some minutes."
 	$(BIN)/python -m pip install $(PIP_QUIETLY) --require-hashes -r requirements-dev.txt
+	@touch $@
+
+$(INSTALLED_FOR_DOCS): requirements-docs.txt $(INSTALLED)
+	$(BIN)/python -m pip install $(PIP_QUIETLY) --require-hashes -r requirements-docs.txt
 	@touch $@
 
 # mypy does not know that loaders/ and cypher/ are installed inside foon_kg: here they lie as they are installed

@@ -249,7 +249,7 @@ def test_every_parameter_has_an_example_or_a_default(query):
 @every_query
 def test_the_page_of_the_docs_has_it_with_its_command(query):
     page = PAGE.read_text(encoding="utf-8")
-    assert f"### {query.name}\n\n{query.answers}\n" in page
+    assert f"## {query.name}\n\n{query.answers}\n" in page
     assert command(query) in page
 
 

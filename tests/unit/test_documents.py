@@ -1,0 +1,104 @@
+"""The documents say what is so: their commands are commands, their examples run, their links lead somewhere."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "SECURITY.md", *(ROOT / "docs").rglob("*.md")])
+MOST_LINES = 120
+
+
+def blocks(page, language):
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def commands():
+    for page in PAGES:
+        for block in blocks(page, "sh"):
+            for line in block.replace("\\\n", " ").splitlines():
+                if line.startswith("foon "):
+                    yield pytest.param(line, id=f"{page.stem}: {line.partition('  #')[0].strip()[:60]}")
+
+
+def parsed(line):
+    """Return what is left of the words of a command once its options are read; raises where one is unknown."""
+    lexer = shlex.shlex(line, posix=True, punctuation_chars="<>|")
+    lexer.whitespace_split = True
+    words = []
+    for word in lexer:
+        if word[0] in "<>|":
+            break
+        words.append(word)
+    command, names = typer.main.get_command(app), words[:1]
+    rest = words[1:]
+    while getattr(command, "commands", None) is not None and rest and rest[0] in command.commands:
+        names.append(rest[0])
+        command, rest = command.commands[rest[0]], rest[1:]
+    context = command.context_class(command, info_name=" ".join(names))
+    return command.make_parser(context).parse_args(args=list(rest))[1], command
+
+
+@pytest.mark.parametrize("line", commands())
+def test_a_command_in_the_documents_is_one(line):
+    left, command = parsed(line)
+    assert getattr(command, "commands", None) is None or line.split()[1:2] == ["--help"], (
+        f"there is no such command: {line}"
+    )
+    takes = [one for one in command.params if one.param_type_name == "argument"]
+    assert not left or takes, f"takes no arguments: {line}"
+
+
+@pytest.mark.parametrize("line", ["foon plan --dish salad --xyzzy", "foon stats --json --limit 3"])
+def test_an_option_that_is_none_is_found(line):
+    with pytest.raises(Exception, match="No such option"):
+        parsed(line)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=lambda page: page.stem)
+def test_the_python_of_a_page_runs(page, capsys):
+    for example in blocks(page, "python"):
+        exec(compile(example, page.name, "exec"), {})
+    assert capsys.readouterr().out
+
+
+def test_the_page_of_commands_says_what_they_say():
+    spec = importlib.util.spec_from_file_location("generate", ROOT / "docs" / "generate.py")
+    generate = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(generate)
+    assert generate.TARGET.read_text(encoding="utf-8") == generate.document(), "run python docs/generate.py"
+
+
+def test_every_command_is_on_the_page_of_commands():
+    told = (ROOT / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^  ([a-z]+)  ", CliRunner().invoke(app, ["--help"]).output, re.MULTILINE)
+    assert len(listed) > 15
+    assert [name for name in listed if f"## foon {name}" not in told] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_links_between_pages_lead_somewhere(page):
+    text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    for target in re.findall(r"\]\((?!https?:)([^)#\s]+)(?:#[^)\s]*)?\)", text):
+        assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_every_page_is_in_a_table_of_contents():
+    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    pages = {str(page.relative_to(ROOT / "docs").with_suffix("")) for page in PAGES if (ROOT / "docs") in page.parents}
+    assert [
+        page for page in sorted(pages - {"index"}) if not re.search(rf"^{re.escape(page)}$", index, re.MULTILINE)
+    ] == []
+
+
+def test_readme_can_be_read_at_once():
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) <= MOST_LINES
