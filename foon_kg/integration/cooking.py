@@ -6,6 +6,7 @@ is cooked; then the lines of the frame are carried out, each heat block uninterr
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -148,13 +149,7 @@ class Cooking:
         )
         for place, stage in enumerate(line.stages):
             later = (*line.stages[place + 1 :], *after)
-            if (
-                oven
-                and any(
-                    self.utensils.device_for(one)[0] == oven for one in (stage, *line.stages[place + 1 : place + 2])
-                )
-                and self._preheats(oven)
-            ):
+            if oven and self._preheats(oven) and self._is_near(oven, line.stages[place:]):
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._boil_now(stage, vessel, subs, later)
@@ -186,6 +181,11 @@ class Cooking:
                 subs[id(line)] = made
         for join in joins:
             self.alone.cook_first(join, self.boiled_late.pop(join.want.number))
+
+    def _is_near(self, oven: str, stages: Sequence[Stage]) -> bool:
+        """Whether nothing has to wait before a dish comes into an oven: then that is lit first of all."""
+        before = list(itertools.takewhile(lambda stage: self.utensils.device_for(stage)[0] != oven, stages))
+        return not any("wait" in stage.does for stage in before[:-1])
 
     def _preheats(self, label: str) -> bool:
         row = self.known.utensil(label)

@@ -23,7 +23,8 @@ class Plan:
     ``one_pot``: what is boiled is boiled in it; ``cold``: it is served cold; ``flat``: its dough is rolled out;
     ``grilled``: it is fried once it is put together; ``in_pieces``: what it is made of is eaten with a fork;
     ``laid``: it lies on dough, and bakes no longer than that; ``portioned``: its dough is cut into pieces;
-    ``spooned``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass.
+    ``spooned``: all that is in it is eaten with the spoon; ``drunk``: it is served in a glass;
+    ``closed_by``: what is done at last to bread around what lies on it.
     """
 
     label: str
@@ -42,6 +43,7 @@ class Plan:
     portioned: bool = False
     spooned: bool = False
     drunk: bool = False
+    closed_by: str = ""
 
 
 class Course:

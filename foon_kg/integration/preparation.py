@@ -125,9 +125,13 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
 
 
 def _cut_by_name(want: Want) -> Want:
-    """Return a food that is cut as its name says (lime wedge), where no state is asked."""
+    """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    cut = not want.asked and want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
+    if want.asked:
+        return want
+    if want.facts.is_a(*word_list("is grated off the whole")):
+        return replace(want, make=min(word_list("only grates")), leaf=("whole",))
+    cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
     return replace(want, make=shape[0]) if cut else want
 
 

@@ -77,7 +77,18 @@ class Serving:
         for join in closing:
             self._bring(join, plate)
         self.work.name(plate, self.plan.label)
+        self._close(plate)
         return self._heat_through(plate, fats, stage) if self.plan.grilled else plate
+
+    def _close(self, plate: Vessel) -> None:
+        """Roll or fold bread around what lies on it, where the dish is called so and the FOON shows how."""
+        foods = foods_of(plate)
+        ways = [way for way in self.bench.operators.ways_of(self.plan.closed_by) if not way[1]]
+        attested = self.bench.attest(ways, foods) or self.bench.far(ways, foods)
+        if attested is not None:
+            able = self.known.motion(attested.way[0]).gives  # how the motion is called, it is then: rolled
+            own = sorted(state for state in able if state.startswith(attested.way[0]))
+            self.bench.work(plate, attested, self.plan.label, tuple(own[:1]), with_device=False)
 
     @staticmethod
     def in_layers(joins: Sequence[Join]) -> list[Join]:

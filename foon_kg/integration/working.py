@@ -227,10 +227,14 @@ class Worker:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])
         if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
-            known = set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
-            given = self.bench.operators.giving
-            able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
-            own = way[0][:4]  # what is shaped is told as shaped, and not as leveled
-            able = [s for s in able if not self.known.state(s).needs_heat]
-            states |= known | set(sorted(able, key=lambda s: (not s.startswith(own), s))[:1])
+            able = self.given_by(way)
+            states |= set(able[:1]) if states.isdisjoint(able) else set()
+            states |= set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
         return tuple(sorted(states))
+
+    def given_by(self, way: Way) -> list[str]:
+        """Return the states that a way gives without heat, first the one called like it (shaped, not leveled)."""
+        given = self.bench.operators.giving
+        able = [s for s in given if way in given[s] and s in self.known.motion(way[0]).gives]
+        cold = [s for s in able if not self.known.state(s).needs_heat]
+        return sorted(cold, key=lambda s: (not s.startswith(way[0][:4]), s))

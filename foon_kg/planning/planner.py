@@ -293,6 +293,7 @@ class _Question:
             laid=any(dish.laid for dish in named),
             spooned=boiled,
             drunk=dish_type in word_list("is drunk"),
+            closed_by=_closing(told, joins),
             portioned=not word_list("is portioned").isdisjoint(told),
         )  # fmt: skip
         cooking = Cooking(bench, line, plan)
@@ -378,6 +379,13 @@ class _Question:
             code="avoided" if self._is_all_avoided() else "no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
+
+
+def _closing(told: Collection[str], joins: Sequence[Join]) -> str:
+    """Return by which motion thin bread is closed around what lies on it, by the words of a title; ``""`` for none."""
+    flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
+    ways = ("is rolled up", "is folded over")
+    return next((min(word_list(f"{way} by")) for way in ways if flat and not word_list(way).isdisjoint(told)), "")
 
 
 def _made_as(dish_type: str, title: str, known: Tables) -> str:

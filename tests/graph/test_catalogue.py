@@ -127,7 +127,9 @@ def test_its_columns_are_the_fields_of_the_type_that_receives_them(query):
 
 @every_named_query
 def test_code_uses_it(query):
-    programs = [path.read_text() for path in (REPO / "foon_kg" / "graph").glob("*.py") if path.stem != "statements"]
+    programs = [
+        path.read_text() for path in (REPO / "foon_kg" / "store" / "graph").glob("*.py") if path.stem != "statements"
+    ]
     assert any(re.search(rf"\b{CONSTANTS[query.name]}\b", program) for program in programs)
 
 
@@ -148,7 +150,7 @@ def test_a_header_that_does_not_say_the_mode_is_refused(header):
 def test_only_three_places_hand_text_to_the_driver():
     """The catalogue's queries, the steps of the schema, and what a person typed."""
     sends = re.compile(r"\b(?:session|transaction|driver)\.(?:run|execute_query)\(")
-    programs = (REPO / "foon_kg" / "graph").glob("*.py")
+    programs = (REPO / "foon_kg" / "store" / "graph").glob("*.py")
     assert {path.stem for path in programs if sends.search(path.read_text())} == {"statements", "schema", "free_cypher"}
 
 

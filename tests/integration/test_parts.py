@@ -456,3 +456,13 @@ def test_flesh_that_is_asked_in_shreds_is_laid_on_bread_and_not_fried():
     assert laid("chicken breast/shredded", "salsa", "tortilla", title="taco") == [
         ("", {"chicken breast", "salsa", "tortilla"})
     ]
+
+
+def test_what_is_called_a_wrap_is_closed_at_last():
+    asked = tuple(RequiredIngredient(*food) for food in [("tortilla", ""), ("cheese", "sliced"), ("tomato", "sliced")])
+    snapshot = snapshot_of(videos.SANDWICH, videos.ROLL)
+    planner = Planner(snapshot, PlanSettings(KITCHEN, time_limit=None), snapshot.units)
+    last = planner.plan(Recipe("sandwich", asked, "one", "tomato wrap")).units[-1]
+    assert last.motion_node == "roll"
+    assert any("rolled" in node.states for node in last.output_nodes)
+    assert planner.plan(Recipe("sandwich", asked, "one", "tomato sandwich")).units[-1].motion_node != "roll"

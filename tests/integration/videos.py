@@ -98,6 +98,12 @@ tomato (sliced; on cutting board) + bread (sliced; {butter, cheese}; on plate) +
   → sandwich ({bread, butter, cheese, tomato}; on plate) + plate ({sandwich})
 """
 
+ROLL = """
+name: rolling
+tortilla (plain; on plate) + ham (sliced; on plate) + plate ({ham, tortilla}) → ROLL
+  → ham roll (rolled; {ham, tortilla}; on plate) + plate ({ham roll})
+"""
+
 DRINK = """
 name: banana_drink
 dish: drinks
