@@ -82,7 +82,13 @@ class Plan:
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
-        """The steps, numbered from 1."""
+        """The steps, numbered from 1.
+
+        >>> print(plan.steps[1])
+        2. Peel the onion with the knife.
+        >>> plan.steps[1].motion
+        'peel'
+        """
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
     def _step(self, number: int, unit: PlannedUnit) -> Step:
@@ -91,7 +97,11 @@ class Plan:
 
     @property
     def goal(self) -> ObjectNode:
-        """The dish."""
+        """The dish.
+
+        >>> print(plan.goal)
+        salad (mixed; {olive oil, onion, tomato}; in salad bowl)
+        """
         return self.result.goal
 
     @property
@@ -108,23 +118,37 @@ class Plan:
         """Return what the judge says: whether a robot could carry it out and a cook would serve it, and every finding.
 
         The judge knows nothing of the planner (docs/contract.md).
+
+        >>> plan.check().accepted
+        True
         """
         tree = TaskTree.from_json(self.result.to_json())
         return check(tree, self._foon.known, free=self._wishes.kitchen.free_foods)
 
     def explain(self) -> tuple[Explanation, ...]:
-        """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence."""
+        """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.
+
+        >>> plan.explain()[0].videos
+        ('bean_salad', 'farmhouse_omelette', 'garden_salad')
+        """
         question = Question(given=self.result.recipe)
         return self._foon.answer(question, self._wishes, explain=True)[1]
 
     def to_json(self) -> JsonObject:
-        """Return the plan as ``foon plan --json`` prints it."""
+        """Return the plan as ``foon plan --json`` prints it.
+
+        >>> plan.to_json()["reference"]["videos"]
+        ['greek_salad']
+        """
         return self.result.to_json()
 
     def to_frame(self) -> pd.DataFrame:
         """Return the steps as a table, a row each, with motion, inputs, outputs, video, start and end (seconds).
 
         Raises :class:`~foon_kg.model.errors.UsageError` where pandas is not installed.
+
+        >>> plan.to_frame()["motion"][2]
+        'peel'
         """
         return self.result.to_frame()
 
@@ -133,6 +157,9 @@ class Plan:
 
         A node has ``kind`` (``object`` or ``motion``), ``label`` and, of a motion, ``step`` (from 1). Raises
         :class:`~foon_kg.model.errors.UsageError` where networkx is not installed.
+
+        >>> plan.to_networkx().nodes["2 peel"]["kind"]
+        'motion'
         """
         try:
             import networkx as nx  # noqa: PLC0415 - only this needs it, and it is not always there
@@ -149,7 +176,11 @@ class Plan:
         return graph
 
     def to_svg(self) -> str:
-        """Return a picture of the tree. Raises ``UsageError`` without the extra ``pictures``."""
+        """Return a picture of the tree. Raises ``UsageError`` without the extra ``pictures``.
+
+        >>> plan.to_svg()[:4]
+        '<svg'
+        """
         from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
         from foon_kg.formats.views.shown_tree import ShownTree  # noqa: PLC0415
         from foon_kg.model.extras import missing  # noqa: PLC0415
@@ -164,6 +195,9 @@ class Plan:
 
         ``form``: ``foon``, ``json``, ``dot``, ``mermaid``, ``graphml``, ``markdown``, ``behaviour-tree`` or ``pddl``.
         Raises :class:`~foon_kg.model.errors.UsageError` for another one.
+
+        >>> print(plan.export("markdown").splitlines()[0])
+        # Salad
         """
         files = export_tree(ExportedTree.of_plan(self.result), form)
         if len(files) == 1:
@@ -205,6 +239,9 @@ class Foon:
         """Read subgraph files, and all in folders. What of them cannot be used is left out.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
+
+        >>> Foon.from_files(demo_folder())
+        <Foon of 23 videos in memory>
         """
         from foon_kg.loaders import read_paths  # noqa: PLC0415 - who connects reads no files
 
@@ -245,7 +282,12 @@ class Foon:
 
     @contextmanager
     def reading(self) -> Iterator[Snapshot | GraphView]:
-        """Open the FOON for reading, for what this class has no method for."""
+        """Open the FOON for reading, for what this class has no method for.
+
+        >>> with foon.reading() as view:
+        ...     len(view.goals())
+        23
+        """
         if self._snapshot is not None:
             yield self._snapshot
             return
@@ -285,6 +327,10 @@ class Foon:
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
         :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
+
+        >>> plan = foon.plan("salad", [("onion", "chopped"), ("olive oil", "")], avoid=["nuts"])
+        >>> len(plan)
+        6
         """
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
         wishes = Wishes(chosen, tuple(avoid), kitchen=kitchen or Kitchen.default())
@@ -331,7 +377,11 @@ class Foon:
         yield self._cooks[wishes]
 
     def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1."""
+        """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
+
+        >>> foon.similar("caper", limit=1)[0].name
+        'black olive'
+        """
         with self.reading() as view:
             return view.equivalents([food], limit=limit)[0]
 
@@ -341,6 +391,9 @@ class Foon:
         """Return the shortest tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
+
+        >>> len(foon.retrieve("omelette").units)
+        10
         """
         from foon_kg.model.levels import Level  # noqa: PLC0415
         from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree  # noqa: PLC0415
@@ -350,7 +403,11 @@ class Foon:
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), view.motion_costs())
 
     def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
-        """Return what can be made of ``foods``, the best first; utensils among them are then the only ones."""
+        """Return what can be made of ``foods``, the best first; utensils among them are then the only ones.
+
+        >>> foon.suggest(["egg", "butter", "salt"], most=1)[0].goal.node.label
+        'omelette'
+        """
         from foon_kg.planning.kitchen_file import Entry, ThingReader  # noqa: PLC0415
         from foon_kg.planning.recipes import IngredientWords  # noqa: PLC0415
         from foon_kg.planning.suggestion import suggest  # noqa: PLC0415

@@ -32,8 +32,11 @@ def salad(door):
     return door.plan("salad", ASKED)
 
 
-def test_the_example_at_the_top_is_true():
-    assert doctest.testmod(foon).failed == 0
+def test_the_examples_of_the_docstrings_are_true(door, salad):
+    names = {"foon": door, "plan": salad, "demo_folder": demo_folder}
+    done = doctest.testmod(foon, extraglobs=names)
+    assert done.failed == 0
+    assert done.attempted > 20
 
 
 def test_the_example_of_readme_runs(capsys):
