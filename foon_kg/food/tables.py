@@ -24,6 +24,10 @@ UTENSILS_VARIABLE = "FOON_KG_UTENSILS"
 FOODS_VARIABLE = "FOON_KG_FOODS"
 
 
+_MOST_NAMED = 4096
+"""For how many texts the dishes in them are remembered."""
+
+
 class Tables:
     """The five tables, and how a name is looked up in each. Each is read when it is first asked.
 
@@ -36,6 +40,7 @@ class Tables:
         self._own_foods = list(_own(own_foods, FOODS))
         self._states: dict[str, State] = {}
         self._motions: dict[str, Motion] = {}
+        self._named: dict[tuple[str, ...], tuple[Dish, ...]] = {}
         if own_utensils:
             _ = self.utensils  # a fault in a user's own table is told at once
         if own_foods:
@@ -150,6 +155,14 @@ class Tables:
 
     def dishes_named(self, *texts: str) -> tuple[Dish, ...]:
         """Return the dishes that stand in ``texts`` (a goal's label, a title), the longer names only."""
+        known = self._named.get(texts)
+        if known is None:
+            if len(self._named) >= _MOST_NAMED:
+                self._named.clear()
+            known = self._named[texts] = self._dishes_named(texts)
+        return known
+
+    def _dishes_named(self, texts: tuple[str, ...]) -> tuple[Dish, ...]:
         found: dict[str, Dish] = {}
         for text in texts:
             own = words(text)

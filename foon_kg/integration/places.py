@@ -236,7 +236,7 @@ class Matcher:
         self.posts = posts
         self.known = posts.known
         self.like = like
-        self._fits: dict[tuple[int, str, str], float] = {}
+        self._fits: dict[int, dict[tuple[str, str], float]] = {}
         self._needs: dict[tuple[int, str], frozenset[str]] = {}
 
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
@@ -310,10 +310,14 @@ class Matcher:
         dish_type = layout.frame.dish_type
         usual: float | None = None
         runs = want.facts.is_a("liquid", "water", "creamy", "frozen")
+        fits = self._fits.setdefault(want.number, {})
         for place in layout.places:
-            if not runs and place.slot.kind == "water":
+            slot = place.slot
+            if not runs and slot.kind == "water":
                 continue  # no solid takes the place of the water in which a dish is cooked
-            fit = self._fit(want, place.slot)
+            key = slot.food, slot.kind
+            known = fits.get(key)
+            fit = fits[key] = self._fitting(want, slot) if known is None else known
             if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (main and place.main)):
                 fit = _SAME_ROLE
             bound = main and place.main and place.spot is layout.bound  # of whatever patties are made
@@ -373,13 +377,6 @@ class Matcher:
             needs = {need for dish in self.known.dishes_named(dish_type) for needs in dish.needs for need in needs}
             found = self._needs[key] = frozenset(need for need in needs if is_need(need, want.facts))
         return found
-
-    def _fit(self, want: Want, slot: Slot) -> float:
-        key = (want.number, slot.food, slot.kind)
-        fit = self._fits.get(key)
-        if fit is None:
-            fit = self._fits[key] = self._fitting(want, slot)
-        return fit
 
     def _fitting(self, want: Want, slot: Slot) -> float:
         name = singular(want.label)

@@ -17,6 +17,9 @@ _BODY = word_list("is the body of what is poured over")
 _FINE = 4
 """As finely as this (minced, grated, mashed) some foods are cut that only give a dressing their taste."""
 
+_SPRAYS = word_list("sprays")
+_WHEN_FINE = word_list("is poured over when it is fine")
+
 _LEAST = 2
 """Of how many foods that run a dressing is made."""
 
@@ -30,10 +33,9 @@ _MIXING = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (),
 
 def is_poured_over(want: Want, slot: Slot | None = None) -> bool:
     """Whether a food is what dressings are made of: it runs, it seasons, or only its juice is taken."""
-    if want.facts.kind in word_list("sprays"):
+    if want.facts.kind in _SPRAYS:
         return False
-    fine = want.asked and (tables().state(want.asked).fine or 0) >= _FINE
-    if fine and want.facts.is_a(*word_list("is poured over when it is fine")):
+    if want.facts.is_a(*_WHEN_FINE) and want.asked and (tables().state(want.asked).fine or 0) >= _FINE:
         return True
     return want.squeezed or want.facts.is_a(*_PARTS) or (slot is not None and "juice" in slot.states)
 
