@@ -28,6 +28,7 @@ EXAMPLES = examples(
     "foon show plan.json --schedule --hands 2 --svg -o schedule.svg",
     "foon show plan.json --difference --files subgraphs/",
     "foon show plan.json --shopping",
+    "foon show plan.json --units",
 )
 
 
@@ -48,6 +49,7 @@ def show(
     ] = False,
     hands: Annotated[int, typer.Option("--hands", metavar="N", min=1, help="Pairs of hands for --schedule.")] = 1,
     shopping: Annotated[bool, typer.Option("--shopping", help="What to buy: the kitchen without utensils.")] = False,
+    as_units: Annotated[bool, typer.Option("--units", help="Each step as the FOON writes it.")] = False,
     unfold: Annotated[bool, typer.Option("--unfold", help="Draw every utensil and leftover as a node.")] = False,
     line: Annotated[
         int, typer.Option("--line", metavar="N", min=1, help="Which result of a file with many, from 1.")
@@ -60,8 +62,9 @@ def show(
 ) -> None:
     """Show a task tree.
 
-    Without an option the steps are printed in the terminal: objects plain, states green, motions red, ingredients that
-    the FOON has never seen blue. --svg, --png and --html make a picture that needs nothing else.
+    Without an option the steps are printed as sentences, and what the FOON has never seen is blue. --units prints what
+    goes in, what is done and what comes out: objects plain, states green, motions red. --svg, --png and --html make a
+    picture that needs nothing else.
 
     Only --schedule and --difference ask a FOON (of --files, or the database): for the times at which videos show each
     motion, and for the reference tree.
@@ -69,9 +72,10 @@ def show(
     forms = [name for name, asked in (("svg", svg), ("png", png), ("html", html)) if asked]
     _at_most_one("forms", [f"--{form}" for form in forms])
     matters = {"progress": progress, "schedule": timetable, "shopping": shopping, "difference": changes}
+    matters["units"] = as_units
     _at_most_one("matters", [f"--{matter}" for matter, asked in matters.items() if asked])
     matter = next((matter for matter, asked in matters.items() if asked), "tree")
-    if (shopping and forms) or (html and matter != "tree"):
+    if ((shopping or as_units) and forms) or (html and matter != "tree"):
         raise UsageError(f"--{forms[0]} does not show that", hint="A page has the lists; ask for --svg or --png.")
     shown = _Shown(shown_tree(result, line), matter, hands, files, quiet=quiet, folded=not unfold)
     if not forms:
@@ -156,7 +160,7 @@ class _Shown:
             case "progress":
                 return progress_view(self.tree)
             case _:
-                return tree_view(self.tree)
+                return tree_view(self.tree, as_units=self.matter == "units")
 
     def drawn(self) -> str:
         with pictures_extra():

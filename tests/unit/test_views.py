@@ -10,7 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from foon_kg.formats.views.tree import plan_view
+from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.formats.views.tree import plan_view, tree_view
 from foon_kg.formats.views.words import node_words, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.plans.progress import ProgressLine, ProgressStep
@@ -88,8 +89,16 @@ def test_every_part_of_a_plan_is_there():
     assert "  ~kohlrabi (whole) · grater · salad bowl (empty) · cream (whipped)" in lines
 
 
-def test_steps_say_what_goes_in_what_is_done_and_what_comes_out():
+def test_steps_are_sentences_in_which_unseen_foods_are_marked():
     lines = lines_of(plan_view(PLAN), width=139)
+    place = lines.index("Steps")
+    assert lines[place + 1] == "  1 Grate the ~kohlrabi into the salad bowl with the grater.  [like carrot]"
+    assert lines[place + 2].startswith("  2 Toss the ~kohlrabi and cream in the salad bowl")
+    assert "~ no video of this FOON has it" in lines
+
+
+def test_steps_say_what_goes_in_what_is_done_and_what_comes_out():
+    lines = lines_of(tree_view(ShownTree.of_result(PLAN), as_units=True), width=139)
     place = lines.index("Steps")
     taken, made = "~kohlrabi (whole) + grater + salad bowl (empty)", "~kohlrabi (grated, in salad bowl)"
     assert lines[place + 1] == f"  1 {taken} → GRATE → {made}  [like carrot]"
@@ -100,7 +109,7 @@ def test_steps_say_what_goes_in_what_is_done_and_what_comes_out():
 def test_a_progress_line_names_what_the_food_has_become_part_of():
     lines = lines_of(plan_view(PLAN))
     place = lines.index("Progress of each ingredient")
-    assert lines[place + 1 :] == [
+    assert lines[place + 1 : place + 4] == [
         "  ~kohlrabi",
         "    whole → grate → slaw grated, in salad bowl → toss → salad",
         "  prune does not reach the dish",
@@ -126,7 +135,7 @@ def test_colour_adds_nothing_but_colour():
     coloured = printed(plan_view(PLAN), colour=True)
     assert ESCAPE.sub("", coloured) == printed(plan_view(PLAN))
     assert "\x1b[32mgrated" in coloured
-    assert "\x1b[1;31mGRATE" in coloured
+    assert "\x1b[1;31m→ grate →" in coloured
     assert "\x1b[34m~kohlrabi" in coloured
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -10,6 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
     ASIDE,
@@ -26,6 +28,7 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
 
@@ -38,8 +41,8 @@ def plan_view(result: PlanResult) -> RenderableType:
     return tree_view(ShownTree.of_result(result))
 
 
-def tree_view(tree: ShownTree) -> RenderableType:
-    """Answer the same of any tree, as far as it is known."""
+def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
+    """Return the same of any tree, as far as it is known; its steps as sentences, or ``as_units`` of the FOON."""
     unseen = frozenset(tree.unseen)
     rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in tree.kitchen), " · "))]
     if tree.substitutions:
@@ -50,8 +53,11 @@ def tree_view(tree: ShownTree) -> RenderableType:
         rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
     if tree.lines:
         rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
+    if unseen and not as_units:
+        rest.append(Padding(Text(f"{UNSEEN_SIGN} no video of this FOON has it", ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
-    return Group(header, _Beside(_section("Steps", _steps(tree.units, unseen)), Group(*rest)))
+    steps = _units(tree.units, unseen) if as_units else _sentences(tree.units, unseen)
+    return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
 
 
 def progress_view(tree: ShownTree) -> RenderableType:
@@ -116,7 +122,33 @@ def _plain_header(tree: ShownTree) -> RenderableType:
     return table
 
 
-def _steps(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+def _sentences(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+    """Return each step as a sentence for a cook."""
+    kitchen = Kitchen.default()
+    table = Table.grid(padding=(0, 1))
+    table.add_column(justify="right", style=ASIDE)
+    for number, unit in enumerate(units, start=1):
+        text = Text(_marked(sentence(unit.as_unit(), kitchen), unseen))
+        text.highlight_words([f"{UNSEEN_SIGN}{name}" for name in unseen], UNSEEN, case_sensitive=False)
+        table.add_row(str(number), _with_source(text, unit))
+    return table
+
+
+def _marked(told: str, unseen: frozenset[str]) -> str:
+    """Return a sentence in which foods that the FOON has never seen carry their sign."""
+    for name in sorted(unseen, key=len, reverse=True):
+        told = re.sub(
+            rf"(?<![\w{UNSEEN_SIGN}]){re.escape(name)}(?!\w)", rf"{UNSEEN_SIGN}\g<0>", told, flags=re.IGNORECASE
+        )
+    return told
+
+
+def _with_source(text: Text, unit: PlannedUnit) -> Text:
+    adapted = unit.origin != "foon" and unit.seen_in
+    return text.append(f"  [like {unit.seen_in[0].video}]", ASIDE) if adapted else text
+
+
+def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     told: set[tuple[str, tuple[str, ...]]] = set()
@@ -136,10 +168,7 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
 
     taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
     made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
-    text = Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made)
-    if unit.origin != "foon" and unit.seen_in:
-        text.append(f"  [like {unit.seen_in[0].video}]", ASIDE)
-    return text
+    return _with_source(Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made), unit)
 
 
 def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
