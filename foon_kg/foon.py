@@ -236,16 +236,16 @@ class Foon:
 
     @classmethod
     def from_files(cls, *paths: Paths) -> Self:
-        """Read subgraph files, and all in folders. What of them cannot be used is left out.
+        """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
 
         >>> Foon.from_files(demo_folder())
         <Foon of 23 videos in memory>
         """
-        from foon_kg.loaders import read_paths  # noqa: PLC0415 - who connects reads no files
+        from foon_kg.loaders.video_tables import read_videos  # noqa: PLC0415 - who connects reads no files
 
-        found = [result.subgraph for result in read_paths([Path(path) for path in paths])]
+        found = [result.subgraph for result in read_videos([Path(path) for path in paths])]
         subgraphs = [subgraph for subgraph in found if subgraph is not None]
         if not subgraphs:
             names = ", ".join(map(str, paths)) or "no path"
@@ -434,16 +434,17 @@ class Foon:
             return ask_freely(connection, text, parameters, limit=limit)
 
     def load(self, *paths: Paths) -> LoadReport:
-        """Bring subgraph files into the graph, all or none, and return which were new, replaced and unchanged.
+        """Bring files and tables into the graph, all or none, and return which were new, replaced and unchanged.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where one of them cannot be read whole, and
         :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
         """
-        from foon_kg.loaders import Severity, read_paths  # noqa: PLC0415
+        from foon_kg.loaders import Severity  # noqa: PLC0415
+        from foon_kg.loaders.video_tables import read_videos  # noqa: PLC0415
         from foon_kg.store.graph import Connection, load  # noqa: PLC0415
 
         settings = self._needs_settings("to load files")
-        results = list(read_paths([Path(path) for path in paths]))
+        results = list(read_videos([Path(path) for path in paths]))
         bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
         if bad:
             raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")

@@ -9,7 +9,7 @@ One row is one functional unit, with the columns ``start``, ``end``, ``motion``,
 
 A thing is its name, then its states in round brackets, what is in it in braces, and where it is. Things are separated
 by semicolons outside of brackets. A star before a thing says that it moves; a star after the motion, that any number of
-ingredients may enter here.
+ingredients may enter here. In a row with a dish the goal is the food that comes out of it.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from foon_kg.food import tables
 from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.paths import decode, read_paths
@@ -155,7 +156,7 @@ def _annotation(told: TableRow, journal: Journal, *, hours: bool) -> Annotation 
     unit = FunctionalUnit(
         tuple(one for one in inputs if isinstance(one, Participant)),
         motion.rstrip("* "),
-        tuple(_with_dish((one for one in outputs if isinstance(one, Participant)), row.get("dish", ""))),
+        tuple(_with_dish([one for one in outputs if isinstance(one, Participant)], row.get("dish", ""))),
         accepts_any=motion.endswith("*"),
     )
     return Annotation(unit, timing)
@@ -192,15 +193,29 @@ def _problem(
         return Problem(NoticeKind.UNIT_WITHOUT_INPUTS, "a unit without inputs")
     if not outputs:
         return Problem(NoticeKind.UNIT_WITHOUT_OUTPUTS, "a unit without outputs")
-    if (dish := row.get("dish", "")) and dish.lower() not in DISH_TYPES:
+    return _odd_dish(row.get("dish", ""), [one for one in outputs if isinstance(one, Participant)])
+
+
+def _odd_dish(dish: str, outputs: Sequence[Participant]) -> Problem | None:
+    if dish and dish.lower() not in DISH_TYPES:
         return Problem(NoticeKind.ODD_CLASS, f"“{dish}” is none of the dish types: {', '.join(DISH_TYPES)}")
+    if dish and _goal(outputs) is None:
+        return Problem(NoticeKind.ODD_CLASS, f"the row makes a {dish}, and no food comes out of it")
     return None
 
 
-def _with_dish(outputs: Iterable[Participant], dish: str) -> Iterator[Participant]:
-    """Mark the goal: of the outputs of a row with a dish, the last one that has ingredients, else the last one."""
-    listed = list(outputs)
-    made_of = [place for place, one in enumerate(listed) if one.node.ingredients]
-    goal = (made_of or [len(listed) - 1])[-1]
-    for place, one in enumerate(listed):
+def _with_dish(outputs: Sequence[Participant], dish: str) -> Iterator[Participant]:
+    """Mark the goal of a row with a dish: of the foods that come out, the last one that has ingredients, else the last.
+
+    What it lies in is named beside it ("bowl {salad}") and is no dish, wherever it stands.
+    """
+    goal = _goal(outputs)
+    for place, one in enumerate(outputs):
         yield Participant(one.node, one.moving, dish.lower()) if dish and place == goal else one
+
+
+def _goal(outputs: Sequence[Participant]) -> int | None:
+    """Return the place of the dish among what comes out of a row, ``None`` where only utensils do."""
+    foods = [place for place, one in enumerate(outputs) if tables().utensil(one.node.label) is None]
+    made_of = [place for place in foods if outputs[place].node.ingredients]
+    return next(reversed(made_of or foods), None)

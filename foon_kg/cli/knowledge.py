@@ -55,14 +55,14 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     """
     from foon_kg.cli.loading import tell_unknown
     from foon_kg.food.unknown import unknown_words
-    from foon_kg.loaders import read_paths
+    from foon_kg.loaders.video_tables import read_videos
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.store.snapshot import Snapshot
 
     for path in paths:
         if not path.exists():
             raise UsageError(f"there is no file or folder {path}", hint="--files names subgraph files or folders.")
-    results = list(read_paths(paths))
+    results = list(read_videos(paths))
     notices = [notice for result in results for notice in result.notices]
     if notices:
         say(f"{in_short(notices)} in these files (foon load foon --report FILE lists them)")

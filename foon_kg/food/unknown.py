@@ -6,6 +6,7 @@ which nothing is known is never owed any cooking: people have to be told, and ca
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
@@ -15,6 +16,11 @@ from foon_kg.food.rows import Match
 from foon_kg.food.tables import Tables, tables
 from foon_kg.food.words import plain_words, singular
 from foon_kg.model import ObjectNode
+
+_NEARLY = 0.85
+"""How alike two words are written of which one may be a slip of the other, and how long such words are."""
+
+_LONG = 4
 
 
 class WordKind(StrEnum):
@@ -31,6 +37,7 @@ class UnknownWord:
     """A word that the table of ``kind`` does not have, why it is thought to belong there, and what it is taken for.
 
     ``nearly``: its last words are listed, so that what it is taken for is hardly a guess ("garden salad": "salad").
+    ``meant`` is a listed word that is written nearly so.
     """
 
     kind: WordKind
@@ -38,11 +45,13 @@ class UnknownWord:
     taken_for: str
     why: str = ""
     nearly: bool = False
+    meant: str = ""
 
     @property
     def what(self) -> str:
         """What is wrong with the word, without what was done about it."""
-        return f"“{self.word}” is not in the table of {self.kind}s{self.why and f', though {self.why}'}"
+        meant = f" (is “{self.meant}” meant?)" if self.meant else ""
+        return f"“{self.word}” is not in the table of {self.kind}s{self.why and f', though {self.why}'}{meant}"
 
     def __str__(self) -> str:
         return f"{self.what}: taken for {self.taken_for}"
@@ -89,7 +98,9 @@ def _name(name: str, looks: str, known: Tables) -> UnknownWord:
     if looks and match in {Match.UNKNOWN, Match.PART}:
         return UnknownWord(WordKind.UTENSIL, name, "a food", looks)
     if match is Match.UNKNOWN:
-        return UnknownWord(WordKind.FOOD, name, "a food of no known kind")
+        return UnknownWord(
+            WordKind.FOOD, name, "a food of no known kind", meant=_meant([singular(name)], known.foods.kind_of)
+        )
     if match is Match.SUFFIX:
         return UnknownWord(WordKind.FOOD, name, f"a kind of {kind} by its ending “{taken_for}”")
     return UnknownWord(WordKind.FOOD, name, f"“{taken_for}”", nearly=match is Match.HEAD)
@@ -115,4 +126,11 @@ def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) ->
     there = own.intersection(listed)
     if own != there or not own:
         taken_for = " and ".join(f"“{word}”" for word in sorted(there))
-        yield UnknownWord(kind, phrase, taken_for or nothing)
+        yield UnknownWord(kind, phrase, taken_for or nothing, meant=_meant(own - there, listed))
+
+
+def _meant(words: Iterable[str], listed: Iterable[str]) -> str:
+    """Return the listed word that is written most like one of ``words``; ``""`` where none is nearly so."""
+    listed = list(listed)
+    close = (difflib.get_close_matches(word, listed, 1, _NEARLY) for word in sorted(words) if len(word) >= _LONG)
+    return next((match for found in close for match in found), "")

@@ -26,6 +26,20 @@ def test_a_food_of_which_nothing_is_known():
     ]
 
 
+@pytest.mark.parametrize(
+    ("node", "motions", "meant"),
+    [
+        (ObjectNode("onion", ("sllliced",)), (), "sliced"),
+        (ObjectNode("onion"), ("whissk",), "whisk"),
+        (ObjectNode("tomatoo"), (), "tomato"),
+    ],
+)
+def test_a_slip_of_the_pen_is_told_with_what_may_be_meant(node, motions, meant):
+    (word,) = unknown_words([node], motions)
+    assert word.meant == meant
+    assert f"(is “{meant}” meant?)" in str(word)
+
+
 def test_a_food_whose_last_words_are_known_is_hardly_a_guess():
     (word,) = unknown_words([ObjectNode("garden pepper")])
     assert (word.kind, word.taken_for, word.nearly) == (WordKind.FOOD, "“pepper”", True)

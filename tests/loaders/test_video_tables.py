@@ -100,6 +100,19 @@ def test_rows_are_units_in_their_order_with_times_and_goal():
     assert [(p.node.label, p.dish_type) for p in mix.unit.outputs] == [("salad", "salad"), ("spoon", None)]
 
 
+@pytest.mark.parametrize(
+    "outputs",
+    [
+        "salad {leek; onion} in bowl; bowl {salad}",
+        "bowl {salad}; salad {leek; onion} in bowl",
+        "bowl {salad}; salad; spoon",
+    ],
+)
+def test_the_dish_is_the_food_and_never_what_it_lies_in(outputs):
+    (mix,) = read(f"1,2,mix,onion; leek; bowl,{outputs},salad").subgraph.annotations
+    assert [(p.node.label, p.dish_type) for p in mix.unit.outputs if p.dish_type] == [("salad", "salad")]
+
+
 def test_empty_rows_and_columns_of_ones_own_do_not_matter():
     result = read(",,,,,", "1,2,cut,a,b,,mine", "", header=f"{HEADER},remark")
     assert len(result.subgraph.annotations) == 1
@@ -121,6 +134,7 @@ def test_one_table_may_have_several_videos():
         ("1,2,cut,a,,", NoticeKind.UNIT_WITHOUT_OUTPUTS),
         ("1,2,cut,a (,b,", NoticeKind.BAD_BRACKETS),
         ("1,2,cut,a,b,gruel", NoticeKind.ODD_CLASS),
+        ("1,2,mix,a,bowl {salad},salad", NoticeKind.ODD_CLASS),
         ("1,2,cut", NoticeKind.UNIT_WITHOUT_INPUTS),
     ],
 )
