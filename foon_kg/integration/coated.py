@@ -24,6 +24,7 @@ _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking p
 _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 
 
+_POST = ("mix", "later", True)
 _BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
 _TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
 _SAUCE = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
@@ -117,7 +118,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
 
 
 def _side(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
-    return Join(join.want, replace(join.spot, stage=stage, after=after, side=True), NATURAL)
+    return Join(join.want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL)
 
 
 def is_portion(want: Want, known: Tables) -> bool:
@@ -162,7 +163,7 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     for join in joins:
         stage = next((stage for some, stage in places if any(one is join for one in some)), None)
         if stage is not None:
-            found.append(Join(join.want, replace(join.spot, stage=stage, after=after, side=True), NATURAL))
+            found.append(Join(join.want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL))
         elif join.spot.stage is last:
             found.append(replace(join, spot=replace(join.spot, stage=served)))
         else:

@@ -35,10 +35,11 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     stewed = _is_stewed(inside) or ((stuffed or mash) and raw)
     mix, laid, baked = replace(_PAN if stewed else _MIX), replace(_LAID), replace(_BAKED)
     brought = replace(_LAID, adds=(Line((mix,)),))
-    stages = (brought, laid, baked) if stewed and not stuffed else (laid, brought, baked)
+    twofold = _is_twofold(holders[0])
+    stages = (brought, laid, baked) if stewed and not stuffed and not twofold else (laid, brought, baked)
     bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
     found = []
-    if _covers_too(holders[0], stewed=stewed, bound=bound):
+    if twofold and not bound:
         number = max(join.want.number for join in joins) + 1
         second = replace(holders[0].want, number=number)
         spot = replace(holders[0].spot, stage=baked, after=(), side=False)
@@ -97,10 +98,10 @@ def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
     return not join.want.make and facts.is_a(*word_list("is stuffed")) and facts.name.split()[-1] in told
 
 
-def _covers_too(holder: Join, *, stewed: bool, bound: bool) -> bool:
+def _is_twofold(holder: Join) -> bool:
     """Whether dough is asked of which one piece lines the dish and another one covers it: it is asked in the plural."""
     want = holder.want
-    return want.facts.is_a("dough") and want.label != singular(want.label) and not stewed and not bound
+    return want.facts.is_a("dough") and want.label != singular(want.label)
 
 
 def _is_mash(join: Join) -> bool:

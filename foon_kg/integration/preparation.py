@@ -173,7 +173,8 @@ def understood(number: int, one: RequiredIngredient, known: Tables, operators: O
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
-    can = _can_be_made(want, form, row, operators)
+    ends = one.state in word_list("is cut off at the ends") and facts.is_a("vegetable") and form == "whole"
+    can = ends or _can_be_made(want, form, row, operators)
     alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
 
@@ -283,20 +284,40 @@ class Preparer:
         if "drain" in want.facts.owes and "canned" in want.leaf:
             self._drain(ready)
         self._advise(ready)
-        if self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
+        self._divide(ready, cut, alone=alone)
+        ready.cut_later = want.then or ready.cut_later
+        return ready
+
+    def _divide(self, ready: Ready, cut: str, *, alone: bool) -> None:
+        """Cut a food as it is asked or as it needs, now or once it is cooked."""
+        want = ready.want
+        if want.make in word_list("is cut off at the ends"):
+            self._trim(ready)
+        elif self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
             self._cut(ready, self._usual_cut(want))  # it falls into shreds only once it is cooked
         elif self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
-        ready.cut_later = want.then or ready.cut_later
-        return ready
+
+    def _trim(self, ready: Ready) -> None:
+        """Cut off the ends of a food, or assume that it was done."""
+        ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
+        attested = self.bench.attest(ways, ready.want.names, act=True) or self.bench.far(
+            ways, ready.want.names, act=True
+        )
+        if attested is None:
+            self._assume(ready, ready.want.make)
+            return
+        attested = self._with_tool(attested)
+        self.bench.act(ready.stuff, attested, (ready.want.make,), self._board(attested.way))
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
         if want.squeezed or want.at_hand or want.facts.is_a(*word_list("is grated off the whole")):
             return set()
-        earns = self.known.state(want.make).earns if want.make else frozenset()
+        trimmed = want.make in word_list("is cut off at the ends")
+        earns = self.known.state(want.make).earns if want.make and not trimmed else frozenset()
         return owed(want, self.known) | (earns & set(_BY_HAND))
 
     def is_mashed_raw(self, want: Want) -> bool:
