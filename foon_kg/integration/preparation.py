@@ -48,6 +48,8 @@ _GRATE = "grate"
 _RARE = 0.2
 """So seldom, beside the most usual way, is a state given in a way that somebody noted wrongly."""
 
+_SHREDS = word_list("only what is cooked is so")
+
 _POWDER = 5
 """How fine a powder is (:class:`~foon_kg.food.rows.State`)."""
 
@@ -561,6 +563,9 @@ class Preparer:
     def _way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
+            by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
+            ways = by_hand or ways
         hard = state in word_list("grates what is hard") and want.facts.is_a(*word_list("is hard to shred"))
         grating = [way for way in ways if self._has_tool_to(_GRATE, way)]
         if grating and (hard or state in word_list("only grates") | word_list("is so by a grater")):
