@@ -216,8 +216,8 @@ class Cooking:
             and not self._heats_on(stage, later, vessel)
         ):
             self.bench.heat_off(vessel)
-        if heats and relation == "on" and (vessel.device is None or vessel.device.label != device):
-            self.bench.place(vessel, device, relation)
+        if heats and relation == "on":
+            self._put_on(vessel, device, stage)
         tops = [join for join in joins if dressed and self.serving.lies_on_top(join)]
         self._add_all(
             stage, vessel, [join for join in joins if join not in tops], lines,
@@ -232,6 +232,14 @@ class Cooking:
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
         return vessel
+
+    def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
+        """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
+        if vessel.device is not None and vessel.device.label == device:
+            return
+        if vessel.device is None and not vessel.contents and self._water(stage):
+            self.carry.add_water(vessel)
+        self.bench.place(vessel, device, "on")
 
     def _label_for(
         self, stage: Stage, vessel: Vessel | None, lines: Sequence[Vessel], joins: Sequence[Join], *, dressed: bool
@@ -331,7 +339,8 @@ class Cooking:
     ) -> None:  # fmt: skip
         on_stove = heats and vessel.device is not None and relation == "on"
         stuffs = self._comers(stage, joins, lines, heats=heats)
-        if self._water(stage):
+        watered = any(self.known.foods.food(stuff.label).is_a("water") for stuff in vessel.contents if not stuff.mixed)
+        if self._water(stage) and not watered:
             self.carry.add_water(vessel)
         fat_first = any(isinstance(one, Join) and one.want.facts.is_a("fat") for one in stuffs)
         hot_first = fat_first
