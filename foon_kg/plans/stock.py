@@ -9,7 +9,7 @@ bottle, a shaker) comes with the food that it holds; free foods, and things like
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, fields, replace
 from typing import Self
 
@@ -48,6 +48,15 @@ class StockedKitchen(Kitchen):
     def with_things(self, things: Collection[ObjectNode]) -> Self:
         """Answer this kitchen with ``things`` in it as well."""
         return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things])
+
+    def with_foods(self, names: Iterable[str]) -> Kitchen:
+        """Return the kitchen in which ``names`` are foods, also those named as utensils (a cooking spray)."""
+        foods = super().with_foods(names)
+        if foods is self or self.utensils_named is None or self.foods_named is None:
+            return foods
+        asked = set(map(singular, names))
+        both = tuple(thing for thing in self.utensils_named if singular(thing.label) in asked)
+        return replace(foods, foods_named=(*self.foods_named, *both))  # type: ignore[call-arg]
 
     def with_every_food(self) -> Kitchen:
         """Answer the kitchen with the same utensils and every food that shops sell."""

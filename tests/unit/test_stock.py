@@ -138,3 +138,10 @@ def test_what_was_named_is_never_lacking_and_naming_more_takes_nothing_away(name
     kinds = {EVERYBODY.is_food(thing) for thing in named}
     if EVERYBODY.is_food(other) in kinds:
         assert not any(more.lacks(leaf) for leaf in named if not there.lacks(leaf))
+
+
+def test_what_is_called_as_a_utensil_is_there_for_who_asks_for_it_as_a_food():
+    named = kitchen("apple", "cooking_spray", "cooking_spray(liquid)@in cooking_spray")
+    asked = named.with_foods(["apple", "cooking spray"])
+    assert not asked.lacks(node("cooking_spray(liquid)@in cooking_spray"))
+    assert kitchen("apple", "knife").with_foods(["cooking spray"]).lacks(node("cooking_spray(liquid)"))
