@@ -41,11 +41,11 @@ class Command:
 
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
-    Command(("--help",), 34, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 53, 275, HEAVY | {"numpy"}),
-    Command(("stats",), 59, 275, HEAVY | {"numpy"}),
-    Command(("similar", "caper"), 122, 365, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 198, 365, HEAVY),
+    Command(("--help",), 35, 40, HEAVY),
+    Command(("cypher", "RETURN 1"), 54, 275, HEAVY | {"numpy"}),
+    Command(("stats",), 60, 275, HEAVY | {"numpy"}),
+    Command(("similar", "caper"), 123, 365, HEAVY),
+    Command(("plan", "--dish", "salad", "chopped onion"), 199, 365, HEAVY),
 )
 
 

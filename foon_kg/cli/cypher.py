@@ -37,7 +37,13 @@ def cypher(
     limit: Annotated[int, typer.Option(min=1, help="Show no more rows than this.")] = 1000,
     timeout: Annotated[float, typer.Option(min=0.1, metavar="SECONDS", help="Give up after this time.")] = 30,
     as_json: Json = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the answer as CSV.")] = False,
+    as_csv: Annotated[
+        bool,
+        typer.Option(
+            "--csv",
+            help="Print the answer as CSV; a text that a spreadsheet would take for a formula gets a ' before it.",
+        ),
+    ] = False,
     quiet: Quiet = False,
 ) -> None:
     """Ask the graph in Cypher. Without --write, anything but a look at the graph is refused.
@@ -154,9 +160,11 @@ def _to_read(value: object) -> str:
 
 
 def _in_a_cell(value: object) -> str:
+    from foon_kg.model.cells import as_cell
+
     if value is None:
         return ""
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    return as_cell(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def as_plain(value: Any) -> object:  # noqa: ANN401 - whatever a driver can answer

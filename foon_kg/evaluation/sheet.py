@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from foon_kg.evaluation.figures import RecipeFigures
+from foon_kg.model.cells import as_cell, from_cell
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_text
 from foon_kg.plans.progress import ProgressLine, ProgressStep
@@ -42,7 +43,8 @@ def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
         for scored in recipe.scores:
             if scored.line is not None:
                 wanted = scored.ingredient
-                rows.writerow([*line_key(recipe, wanted.object, wanted.state), told(scored.line), ""])
+                named = line_key(recipe, wanted.object, wanted.state)
+                rows.writerow([*map(as_cell, (*named, told(scored.line))), ""])
     return text.getvalue()
 
 
@@ -55,7 +57,7 @@ def read_sheet(path: Path) -> FilledSheet:
     scores: dict[LineKey, int] = {}
     left_open = 0
     for number, row in _rows(path):
-        key, score = tuple(row[name] for name in _KEY), row["score"].strip()
+        key, score = tuple(from_cell(row[name]) for name in _KEY), row["score"].strip()
         if not score:
             left_open += 1
             continue

@@ -157,3 +157,10 @@ def test_a_parameter_without_a_name_is_wrong_usage():
     answer = foon("cypher", "RETURN 1", "--param", "onion")
     assert answer.exit_code == 2
     assert "--param" in answer.stderr
+
+
+@pytest.mark.neo4j
+def test_a_text_that_a_spreadsheet_would_take_for_a_formula_is_none_in_csv(database, folder):
+    foon("load", "foon", folder, "--bad-tolerance", 1)
+    answer = foon("cypher", "RETURN '=1+1' AS sum, '-2' AS less, 'onion' AS food", "--csv")
+    assert list(csv.reader(io.StringIO(answer.stdout)))[1] == ["'=1+1", "-2", "onion"]
