@@ -73,6 +73,7 @@ class NoticeKind(StrEnum):
     UNKNOWN_STATE = "unknown-state"  # a state that the tables of states do not have
     UNKNOWN_MOTION = "unknown-motion"  # a motion that the table of motions does not have
 
+    NOT_PLAYED = "not-played"  # what nobody could do so in a kitchen, or would not serve
     LISTS_DIFFER = "lists-differ"  # two files of one collection list another number of ingredients
 
 
@@ -105,11 +106,15 @@ class Notice:
 
 @dataclass(frozen=True)
 class ReadResult:
-    """What one file gave: its subgraph, or ``None`` where nothing of it could be used, and everything odd about it."""
+    """What one file gave: its subgraph, or ``None`` where nothing of it could be used, and everything odd about it.
+
+    ``lines`` says for each unit of the subgraph on which line its motion stands; empty where the format has no lines.
+    """
 
     path: str
     subgraph: Subgraph | None
     notices: tuple[Notice, ...] = ()
+    lines: tuple[int, ...] = ()
 
     @property
     def rejected(self) -> int:
@@ -169,10 +174,12 @@ class Journal:
             return self.reject_file(error.line, error.problem)
         return self.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}"))
 
-    def result(self, name: str, annotations: Sequence[Annotation], sources: Sequence[str]) -> ReadResult:
+    def result(
+        self, name: str, annotations: Sequence[Annotation], sources: Sequence[str], lines: Sequence[int] = ()
+    ) -> ReadResult:
         """Answer what was read. A file without any unit is rejected: it is hardly a FOON."""
         if annotations:
-            return self._ended(Subgraph(name, tuple(annotations), tuple(sources)))
+            return self._ended(Subgraph(name, tuple(annotations), tuple(sources)), lines)
         if any(notice.severity is Severity.REJECTED for notice in self._notices):
             return self._ended(None)
         return self.reject_file(None, Problem(NoticeKind.NO_UNITS, "no functional unit in it"))
@@ -181,8 +188,8 @@ class Journal:
         """Answer everything noted so far, by line."""
         return tuple(sorted(self._notices, key=lambda notice: notice.line or 0))
 
-    def _ended(self, subgraph: Subgraph | None) -> ReadResult:
-        return ReadResult(self._file, subgraph, self.notices())
+    def _ended(self, subgraph: Subgraph | None, lines: Sequence[int] = ()) -> ReadResult:
+        return ReadResult(self._file, subgraph, self.notices(), tuple(lines))
 
     def _add_rejected(self, line: int | None, problem: Problem, action: str) -> None:
         self._notices.append(Notice(self._file, line, problem.kind, problem.message, action, Severity.REJECTED))

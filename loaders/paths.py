@@ -6,6 +6,7 @@ import os
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from foon_kg.loaders.json_reader import read_json
@@ -106,7 +107,7 @@ def _read_file(path: Path, reader: TextReader) -> ReadResult:
     if len(bare) == len(text):
         return result
     mark = Notice(str(path), 1, NoticeKind.BYTE_ORDER_MARK, "a byte order mark before the first line", "left out")
-    return ReadResult(result.path, result.subgraph, (mark, *result.notices))
+    return replace(result, notices=(mark, *result.notices))
 
 
 def _video_name(path: Path) -> str:

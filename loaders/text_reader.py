@@ -44,10 +44,12 @@ class TextReader:
         known = self._lines
         lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]
         hours = counts_hours(column for line in lines if isinstance(line, MotionLine) for column in line.time_columns)
-        read = [self._annotation(draft, journal, hours=hours) for draft in _drafts(lines, journal)]
+        drafts = list(_drafts(lines, journal))
+        read = [self._annotation(draft, journal, hours=hours) for draft in drafts]
         annotations = [annotation for annotation in read if annotation is not None]
+        at = [draft.motion_at for draft, annotation in zip(drafts, read, strict=True) if annotation is not None]
         sources = [line.address for line in lines if isinstance(line, SourceLine) and line.address]
-        return journal.result(name, annotations, sources)
+        return journal.result(name, annotations, sources, at)
 
     def _line(self, text: str) -> Line:
         line = self._lines[text] = read_line(text)

@@ -138,8 +138,9 @@ def _listed(text: str | None) -> Iterator[str]:
 
 def _video(name: str, rows: Sequence[TableRow], file: str, *, hours: bool) -> ReadResult:
     journal = Journal(file)
-    annotations = [_annotation(row, journal, hours=hours) for row in rows]
-    return journal.result(name, [one for one in annotations if one is not None], ())
+    read = [(row.line, _annotation(row, journal, hours=hours)) for row in rows]
+    units = [(line, annotation) for line, annotation in read if annotation is not None]
+    return journal.result(name, [annotation for _, annotation in units], (), [line for line, _ in units])
 
 
 def _annotation(told: TableRow, journal: Journal, *, hours: bool) -> Annotation | None:

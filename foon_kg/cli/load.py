@@ -13,6 +13,7 @@ from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
 from foon_kg.cli.loading import (
     BadTolerance,
+    Check,
     DryRun,
     Report,
     refuse_too_many,
@@ -24,7 +25,7 @@ from foon_kg.cli.loading import (
 
 if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.loaders import ReadResult
+    from foon_kg.loaders import Notice, ReadResult
     from foon_kg.model import Subgraph
     from foon_kg.store.graph import LoadReport
 
@@ -55,6 +56,7 @@ def foon(
     report: Report = None,
     bad_tolerance: BadTolerance = 0,
     dry_run: DryRun = False,
+    check: Check = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -68,11 +70,15 @@ def foon(
     from foon_kg.loaders import read_paths
 
     results = list(read_paths(paths))
-    _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+    _bring(results, report, bad_tolerance, dry_run=dry_run, check=check, as_json=as_json, quiet=quiet)
 
 
 @app.command(
-    epilog=examples("foon load videos greek_salad.csv", "foon load videos annotated/ --dry-run --report notices.jsonl")
+    epilog=examples(
+        "foon load videos greek_salad.csv",
+        "foon load videos greek_salad.csv --check --dry-run",
+        "foon load videos annotated/ --dry-run --report notices.jsonl",
+    )
 )
 def videos(
     paths: Annotated[
@@ -82,6 +88,7 @@ def videos(
     report: Report = None,
     bad_tolerance: BadTolerance = 0,
     dry_run: DryRun = False,
+    check: Check = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -91,12 +98,15 @@ def videos(
     makes the dish. Things are written like "onion (chopped) on cutting board; bowl {salt}", with semicolons between
     them. All of it is loaded, or nothing. Videos that are only narrated (EPIC-KITCHENS-100, ActivityNet Captions,
     YouCook2) are drafted first: foon draft videos.
+
+    With --check each video is played in a kitchen, and what was forgotten is told by step and line: nobody lit the
+    stove, an onion is chopped that nobody brought.
     """
     from foon_kg.loaders.video_tables import read_videos
 
     _refuse_drafts(paths)
     results = list(read_videos(paths))
-    _bring(results, report, bad_tolerance, dry_run=dry_run, as_json=as_json, quiet=quiet)
+    _bring(results, report, bad_tolerance, dry_run=dry_run, check=check, as_json=as_json, quiet=quiet)
 
 
 @app.command(epilog=examples("foon load muhai recipe-annotations/", "foon load muhai easy-banana-bread.lisp --dry-run"))
@@ -149,10 +159,13 @@ def _bring(
     dry_run: bool,
     as_json: bool,
     quiet: bool,
+    check: bool = False,
 ) -> None:
     """Tell what is odd about ``results``, and load them unless too much of them is unusable."""
+    from foon_kg.cli.load_check import played
+
     say = sayer(quiet=quiet)
-    _tell_notices(results, report, say)
+    _tell_notices(results, report, say, played(results, say) if check else ())
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     rejected = sum(result.rejected for result in results)
     bad = sum(result.rejected > 0 for result in results)
@@ -161,8 +174,8 @@ def _bring(
     show_counts(_counts(subgraphs, loaded, rejected), as_json=as_json)
 
 
-def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) -> None:
-    """Write every notice to ``report``; say the rejected ones, and count the others."""
+def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say, told: Sequence[Notice] = ()) -> None:
+    """Write every notice to ``report``, and what was ``told`` already; say the rejected ones, and count the others."""
     from foon_kg.loaders import Severity, write_report
     from foon_kg.model.errors import UsageError
 
@@ -171,7 +184,8 @@ def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say) 
     if report:
         try:
             with report.open("w", encoding="utf-8") as stream:
-                write_report((*notices, *(unknown_notice(word, file) for word, file in words.items())), stream)
+                unknown = (unknown_notice(word, file) for word, file in words.items())
+                write_report((*notices, *unknown, *told), stream)
         except OSError as error:
             hint = "Name a file that can be written after --report."
             raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error

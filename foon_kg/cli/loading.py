@@ -22,6 +22,9 @@ BadTolerance = Annotated[
     int,
     typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units or recipes are unusable."),
 ]
+Check = Annotated[
+    bool, typer.Option("--check", help="Play each video in a kitchen, and say what the annotator forgot.")
+]
 DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
 
 

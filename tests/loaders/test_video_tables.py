@@ -215,3 +215,15 @@ def test_a_quote_that_never_ends_is_told_with_the_line_on_which_it_begins():
 def test_a_path_that_is_not_there_is_refused(tmp_path, name):
     with pytest.raises(ReadError, match=f"{name}: no such file"):
         list(read_videos([tmp_path / name]))
+
+
+def test_says_on_which_line_each_unit_stands_also_behind_rows_that_are_left_out() -> None:
+    table = (
+        "start,end,motion,inputs,outputs\n"
+        "0:01,0:02,chop,onion (whole); knife,onion (chopped)\n"
+        "0:03,0:04,,onion (chopped),pan {onion}\n"
+        "0:05,0:06,fry,pan {onion},pan {onion}; onion (fried) in pan\n"
+    )
+    (result,) = read_video_text(table, "onion")
+    assert result.rejected == 1
+    assert result.lines == (2, 4)
