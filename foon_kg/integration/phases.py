@@ -296,7 +296,9 @@ class _Phaser:
             wet = bath and any(comer.phase == _WET and (comer.is_solid or comer.is_water) for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
             phase = _as_phase(pattern, part, run[-1] if last else None, bath=bath, small=small)
-            if wet and simmers is None:
+            if not bath and "liquid" in phase.does:  # there is none
+                phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
+            elif wet and simmers is None:
                 phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
             elif not last and not wet and stirs is None:
                 phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))

@@ -43,6 +43,7 @@ _JUICE = "juice"
 _BRINGS = frozenset({"fetch", "move", "scatter"})
 """What a motion does that only brings a food somewhere, whatever state its video notes afterwards."""
 
+_OPEN = "open"
 _GRATE = "grate"
 
 _RARE = 0.2
@@ -152,6 +153,10 @@ def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
+    if one.state in word_list("asks for the zest"):
+        (zest,) = word_list("is grated off the whole")
+        read = understood(number, replace(one, state=zest), known, operators)
+        return replace(read, asked=one.state, read_as=zest)
     facts = known.foods.food(one.object, [one.state] if one.state else [])
     if _JUICE in one.state and facts.is_a("remains"):
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
@@ -482,6 +487,15 @@ class Preparer:
         tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())
         return replace(attested, way=(attested.way[0], tool))
 
+    def _with_peeler(self, attested: Attested, want: Want) -> Attested:
+        """Return a way of peeling with a tool that does it: none for fingers, a knife where the skin is a rind."""
+        if want.facts.is_a(*word_list("is peeled by hand")):
+            return attested
+        if not want.facts.is_a(*word_list("is peeled with a knife")):
+            return self._with_tool(attested)
+        knives = [way for way in self.operators.ways_of(attested.way[0]) if self._has_tool_to(_OPEN, way)]
+        return replace(attested, way=knives[0]) if knives else self._with_tool(attested)
+
     def _treat(self, ready: Ready, name: str) -> None:
         """Peel, core or stone the food, or assume that it was bought so."""
         want = ready.want
@@ -493,6 +507,8 @@ class Preparer:
         attested = self.bench.attest(ways, want.names, act=True)
         if attested is None and not want.facts.is_a("stock", "ready"):
             attested = self.bench.far(ways, want.names, act=True)
+        if attested is not None and name == "peel":
+            attested = self._with_peeler(attested, want)
         if attested is None:
             if want.facts.owes.get(name) is Level.FATAL or (want.make and name in self.known.state(want.make).earns):
                 self._assume(ready, self._state_for(name, want))
@@ -552,7 +568,10 @@ class Preparer:
         return [way for way in ways if given.get(way, 0) > _RARE * most]
 
     def _clean(self, ready: Ready, due: set[str]) -> None:
-        for name in _BY_HAND:
+        order = list(_BY_HAND)
+        if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
+            order.sort(key=lambda name: name == "peel")
+        for name in order:
             if name in due and not (name == "stone" and "core" in due):
                 self._treat(ready, name)
 

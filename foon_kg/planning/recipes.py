@@ -66,10 +66,17 @@ class IngredientWords:
         return self.label(" ".join(words[place:])), *self._states_in(words[:place])
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
-        """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken."""
+        """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken.
+
+        Where nobody took it, or that would be another kind of food (a sprig of what is sold dried), it is the one in
+        which it is sold.
+        """
         if wanted.state:
             return wanted, ()
-        state = self._usual_states.get(canonical(wanted.object), UNTOUCHED)
+        plain = tables().foods.food(wanted.object)
+        state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
+        if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:
+            state = plain.sold_as
         return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
 
     def _chosen(
