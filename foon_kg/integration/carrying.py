@@ -301,6 +301,8 @@ class Carrier:
                 if attested is None:
                     ways = self._fitting(group, stuff, source, vessel, strict=strict)
                     attested = self.bench.attest(ways, stuff.foods)
+                    if attested is None and group is groups[1]:  # whatever it is: no jar is emptied of what is thick
+                        attested = self.bench.far(ways, stuff.foods)
         by_hand: list[Way] = [("pick-and-place", ()), ("pour", ())]
         if attested is None:  # as seldom as it may be
             attested = self.bench.attest(self._fitting(by_hand, stuff, source, vessel, strict=False), stuff.foods)

@@ -153,10 +153,13 @@ def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
-    if one.state in word_list("asks for the zest"):
-        (zest,) = word_list("is grated off the whole")
-        read = understood(number, replace(one, state=zest), known, operators)
-        return replace(read, asked=one.state, read_as=zest)
+    if one.state not in word_list("asks for the zest"):
+        return _as_asked(number, one, known, operators)
+    (zest,) = word_list("is grated off the whole")
+    return replace(_as_asked(number, replace(one, state=zest), known, operators), asked=one.state, read_as=zest)
+
+
+def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     facts = known.foods.food(one.object, [one.state] if one.state else [])
     if _JUICE in one.state and facts.is_a("remains"):
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
