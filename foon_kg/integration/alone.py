@@ -277,6 +277,12 @@ class Alone:
         row = self.known.state(state)
         return row.half or not {"raw", "uncooked", "frozen"}.isdisjoint(state.split())
 
+    def _is_stirred(self, ready: Ready, method: Sequence[str]) -> bool:
+        """Whether a food is in pieces, which would burn where they lie."""
+        pieces = any(1 < (self.known.state(state).fine or 0) < _POWDER for state in ready.stuff.states)
+        loose = pieces or ready.want.facts.is_a(*word_list("lies loose"))
+        return loose and set(method) == {"cook"} and not self._pours(ready.want)
+
     def _pan_cook(self, ready: Ready, method: Sequence[str]) -> None:
         bench, want = self.bench, ready.want
         pan = bench.vessel("cooking pan")
@@ -288,6 +294,11 @@ class Alone:
         self.carry.bring(ready, pan, None)
         stuff = ready.stuff
         ways = [way for motion in (*method, "cook") for way in bench.operators.ways_of(motion)]
+        if self._is_stirred(ready, method):
+            stirring = [
+                way for motion in sorted(word_list("cooks and stirs")) for way in bench.operators.ways_of(motion)
+            ]
+            ways = [*(way for way in stirring if way[1]), *ways]
         attested = bench.require(ways, want.names)
         states = self._cooked_states(stuff, want, attested.way)
 

@@ -74,6 +74,8 @@ class Done:
     phase: str
 
 
+_BRINGS = frozenset({"coat", "fetch", "move", "scatter"})
+
 Thing = Device | Vessel | Stuff | str
 
 
@@ -443,6 +445,31 @@ class Bench:
             (device.running.add if on else device.running.discard)(number)
 
         self.emit(attested, [thing], change, [thing], motion=name)
+
+    def forget_short_breaks(self) -> None:
+        """Leave an appliance on where it was turned off and on again while food only came into its vessel."""
+        kept: list[Done] = []
+        for done in self.done:
+            place = self._off_before(kept, done) if done.step.motion != "turn off" else None
+            if place is None:
+                kept.append(done)
+            else:
+                del kept[place]
+        self.done[:] = kept
+
+    def _off_before(self, before: Sequence[Done], done: Done) -> int | None:
+        """Return the place of the step that turned off what ``done`` turns on, with nothing but such steps since."""
+        if len(done.step.inputs) != 1 or len(done.step.outputs) != 1:
+            return None
+        (off,), (on,) = done.step.inputs, done.step.outputs
+        for place in range(len(before) - 1, -1, -1):
+            step = before[place].step
+            if step.inputs == (on,) and step.outputs == (off,):
+                return place
+            into = any(mention.thing == off.container_thing for mention in step.outputs)
+            if not into or not self.known.motion(step.motion).does <= _BRINGS:
+                return None
+        return None
 
     def is_running(self, vessel: Vessel) -> bool:
         """Whether the appliance of a vessel is on for it."""

@@ -355,7 +355,7 @@ class Carrier:
         finest = max((self.known.state(state).fine or 0 for state in stuff.states), default=0)
         form = form_of(self.known, stuff.label, stuff.states)
         loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(stuff.states)
-        return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form == "pieces")
+        return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form in {"pieces", "whole"})
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""

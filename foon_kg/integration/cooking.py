@@ -73,6 +73,7 @@ class Cooking:
         vessel = self._finish(vessel)
         if len(vessel.contents) > 1 or vessel.contents[0].label != self.plan.label:
             self.work.name(vessel, self.plan.label)
+        self.bench.forget_short_breaks()
         return vessel.contents[0]
 
     # --- single foods ---
@@ -184,6 +185,8 @@ class Cooking:
 
     def _is_near(self, oven: str, stages: Sequence[Stage]) -> bool:
         """Whether nothing has to wait before a dish comes into an oven: then that is lit first of all."""
+        if self.work.rises([join.want.label for join in self.plan.joins]):
+            return False
         before = list(itertools.takewhile(lambda stage: self.utensils.device_for(stage)[0] != oven, stages))
         return not any("wait" in stage.does for stage in before[:-1])
 
@@ -231,7 +234,18 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
+        self._take_out(stage, vessel, later, main=main and relation == "on")
         return vessel
+
+    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> None:
+        """Take out of a pot what only gave its taste, before the dish is served or blended."""
+        if not main or stage.does.isdisjoint(HEATS) or any(not one.does.isdisjoint(HEATS) for one in later):
+            return
+        if any(join.want.facts.is_a(*word_list("is taken out of the dish")) for join in self.plan.joins):
+            self.bench.heat_off(vessel)
+            if len(vessel.contents) > 1:
+                self.work.name(vessel, self.plan.label)
+            self.work.take_out(vessel)
 
     def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
@@ -436,6 +450,8 @@ class Cooking:
             self._by_hand_device(stage, vessel, device, later, main=main)
             return
         if device and (vessel.device is None or vessel.device.label != device):
+            if "dry" in stage.does:
+                self.work.let_rise_again(vessel)
             self._into_device(vessel, device, relation)
         if vessel.device is not None and not self.bench.is_running(vessel) and vessel.device.label == device:
             self._heat_on(vessel)
@@ -493,7 +509,8 @@ class Cooking:
         if later and heats and all(self._is_only_made_hot(food) for food in foods):
             return True
         flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
-        if flat or ("cut" in stage.does and not heats and self._is_in_pieces(vessel)):
+        done = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)  # it lies on a plate
+        if flat or (done and not heats) or ("cut" in stage.does and not heats and self._is_in_pieces(vessel)):
             return True
         needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
         if single and mixes and not heats and needless:

@@ -58,9 +58,10 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
     last = line.stages[place]
     if len(runs) < _LEAST or not body or own:
         boiled = {number for number, stage in beside.items() if stage.does <= _BOILS}
-        return line, tuple(
+        apart = (
             _apart(join, last, line.stages[place + 1 :]) if id(join.spot.stage) in boiled else join for join in joins
         )
+        return _at_once(line, place, tuple(apart), parts)
     before = {id(one): _without_work(one) for one in line.stages[: place + 1] if _is_mixing(one)}
     gathered = before[id(last)] = _without_work(last)
     over = replace(_MIXING, step=last.step)
@@ -80,6 +81,39 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
             found.append(join)
     first = [before.get(id(one), one) for one in line.stages[:place]]
     return Line((*first, gathered, tossed, *line.stages[place + 1 :])), tuple(found)
+
+
+def _at_once(line: Line, place: int, joins: tuple[Join, ...], parts: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return a line at whose mixing at ``place`` all comes together that a video mixes and cools for a dressing before.
+
+    There is no dressing where none of ``parts`` joins it. What is mashed there is left alone.
+    """
+    kept: list[Stage] = []
+    gone: list[Stage] = []
+    for stage in line.stages[:place]:
+        here = [join for join in joins if join.spot.stage is stage]
+        dresses = any(join in parts for join in here)
+        mashed = "mash" in stage.does and any(_is_mashed_there(join) for join in here)
+        by_hand = stage.does <= _BY_HAND and bool(stage.does & {"mix", "mash", "whip"})
+        (gone if (by_hand and not dresses and not mashed) or stage.does == {"wait"} else kept).append(stage)
+    beside = any(isinstance(add, Line) and _joins(add, joins) for stage in gone for add in stage.adds)
+    if not gone or beside:
+        return line, joins
+    last, later = line.stages[place], line.stages[place + 1 :]
+    moved = (_apart(join, last, later) if any(join.spot.stage is one for one in gone) else join for join in joins)
+    return Line((*kept, *line.stages[place:])), tuple(moved)
+
+
+def _is_mashed_there(join: Join) -> bool:
+    """Whether a food is what the video mashes there, or is of its kind."""
+    soft = join.want.facts.is_a(*word_list("can be mashed"))
+    return soft and join.slot is not None and join.slot.kind == join.want.facts.kind
+
+
+def _joins(line: Line, joins: Sequence[Join]) -> bool:
+    """Whether any food joins a line."""
+    stages = {id(stage) for stage in _stages(line)}
+    return any(id(join.spot.stage) in stages for join in joins)
 
 
 def _plain(stage: Stage) -> Stage:

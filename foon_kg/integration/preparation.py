@@ -43,6 +43,7 @@ _JUICE = "juice"
 _BRINGS = frozenset({"fetch", "move", "scatter"})
 """What a motion does that only brings a food somewhere, whatever state its video notes afterwards."""
 
+_BOWL = "bowl"
 _OPEN = "open"
 _GRATE = "grate"
 
@@ -112,6 +113,9 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     """Return a food as the title has it, which says what the recipe left out: smoked salmon, mashed potato."""
     told = words(title)
     heads = words(want.label)[-1:]
+    mash = word_list("is mash")
+    if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
+        return replace(want, then=min(word_list("is mashed so")))
     for before, word in itertools.pairwise(told):
         if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
             continue
@@ -153,10 +157,10 @@ def as_there(want: Want, ready_in: Callable[[str, str], str | None]) -> Want:
 
 def understood(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
     """Return a required food with its state as it is understood: sold so, made so, or a crude word for something."""
-    if one.state not in word_list("asks for the zest"):
+    if one.state not in word_list("asks for what is grated off"):
         return _as_asked(number, one, known, operators)
-    (zest,) = word_list("is grated off the whole")
-    return replace(_as_asked(number, replace(one, state=zest), known, operators), asked=one.state, read_as=zest)
+    (state,) = word_list("is grated off the whole")
+    return replace(_as_asked(number, replace(one, state=state), known, operators), asked=one.state, read_as=state)
 
 
 def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Operators) -> Want:
@@ -490,14 +494,13 @@ class Preparer:
         tool = next((way[1] for way in self.operators.ways_of(attested.way[0]) if way[1]), ())
         return replace(attested, way=(attested.way[0], tool))
 
-    def _with_peeler(self, attested: Attested, want: Want) -> Attested:
-        """Return a way of peeling with a tool that does it: none for fingers, a knife where the skin is a rind."""
-        if want.facts.is_a(*word_list("is peeled by hand")):
-            return attested
-        if not want.facts.is_a(*word_list("is peeled with a knife")):
-            return self._with_tool(attested)
-        knives = [way for way in self.operators.ways_of(attested.way[0]) if self._has_tool_to(_OPEN, way)]
-        return replace(attested, way=knives[0]) if knives else self._with_tool(attested)
+    def _with_a_fit_tool(self, name: str, ways: Sequence[Way], want: Want) -> Sequence[Way]:
+        """Return the ways to take off a skin with what does it: fingers, a peeler, or a knife where it is a rind."""
+        if name != "peel" or want.facts.is_a(*word_list("is peeled by hand")):
+            return ways
+        if want.facts.is_a(*word_list("is peeled with a knife")):
+            return [way for way in ways if self._has_tool_to(_OPEN, way)] or ways
+        return [way for way in ways if way[1]] or ways
 
     def _treat(self, ready: Ready, name: str) -> None:
         """Peel, core or stone the food, or assume that it was bought so."""
@@ -507,11 +510,10 @@ class Preparer:
         ways = [way for way in ways if not self.known.motion(way[0]).does & _NOT_BY_HAND]
         if name == "shell":
             ways = [way for way in ways if "open" not in self.known.motion(way[0]).does]  # opened is not shelled
+        ways = list(self._with_a_fit_tool(name, ways, want))
         attested = self.bench.attest(ways, want.names, act=True)
         if attested is None and not want.facts.is_a("stock", "ready"):
             attested = self.bench.far(ways, want.names, act=True)
-        if attested is not None and name == "peel":
-            attested = self._with_peeler(attested, want)
         if attested is None:
             if want.facts.owes.get(name) is Level.FATAL or (want.make and name in self.known.state(want.make).earns):
                 self._assume(ready, self._state_for(name, want))
@@ -524,7 +526,10 @@ class Preparer:
         kept = tuple(s for s in ready.stuff.states if not self.known.state(s).undivided and s != "unpeeled")
         if any(self.known.state(s).undivided for s in ready.stuff.states):
             kept = (*kept, "whole") if name in {"peel", "shell"} else kept
-        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), self._board(attested.way))
+        board = self._board(attested.way)
+        if ready.stuff.at is not None and ready.stuff.at.storage:
+            board = board or _BOWL  # what is peeled does not stay in its packet
+        self.bench.act(ready.stuff, attested, tuple(sorted({*kept, state})), board)
 
     def _far(self, ways: Sequence[Way], want: Want) -> Attested | None:
         """Return how the likest food is divided: a knife cuts all, but no trout is grated or mashed like a carrot."""
@@ -555,10 +560,14 @@ class Preparer:
         ready.assumptions.append(why)
 
     def _board(self, way: Way) -> str:
-        """Return what a food lies on or in while it is worked on in this way; ``""`` for the hand."""
-        tools = [self.known.utensil(tool) for tool in way[1]]
-        if not self.is_cut(way) or not tools:
+        """Return what a food lies on or in while it is worked on in this way; ``""`` for the hand.
+
+        What fingers tear or crumble falls into a bowl.
+        """
+        if not self.is_cut(way):
             return ""
+        if not way[1]:
+            return _BOWL
         places = self.operators.onto.get(way)
         if not places:
             places = self.operators.onto[("chop", ("knife",))]

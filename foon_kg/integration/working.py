@@ -12,7 +12,13 @@ from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Plan
 from foon_kg.integration.frames import Stage
 from foon_kg.integration.operators import Attested, Nearness, Way
+from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
+
+_LEAST = 2
+"""Of as many foods is something of which one can be taken out."""
+
+_RISEN = frozenset({"fermented", "proofed", "risen"})
 
 
 class Worker:
@@ -112,6 +118,56 @@ class Worker:
             if attested is not None:
                 states = tuple(sorted({*whole.states, state}))
                 self.bench.work(vessel, attested, whole.label, states, with_device=False)
+
+    def take_out(self, vessel: Vessel) -> None:
+        """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how."""
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        for want in (join.want for join in self.plan.joins if join.want.number in inside):
+            whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
+            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
+            if in_pieces or not want.facts.is_a(*word_list("is taken out of the dish")) or len(whole.wants) < _LEAST:
+                continue
+            ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
+            ways = [way for way in ways if any(self._lifts(tool) for tool in way[1])]
+            attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)
+            if attested is not None:
+                self._take_out(vessel, whole, want, attested)
+
+    def _lifts(self, tool: str) -> bool:
+        row = self.known.utensil(tool)
+        return row is not None and "lift" in row.can
+
+    def _take_out(self, vessel: Vessel, whole: Stuff, want: Want, attested: Attested) -> None:
+        plate, heads = self.bench.vessel("plate"), {want.label}
+        part = Stuff(want.label, self.bench.number(), ("cooked",), (want.label,), frozenset(), plate)
+
+        def change() -> None:
+            whole.foods = tuple(food for food in whole.foods if food not in heads)
+            whole.wants -= {want.number}
+            plate.contents.append(part)
+
+        self.bench.emit(attested, [vessel, whole, plate], change, [vessel, whole, plate, part])
+
+    def let_rise_again(self, vessel: Vessel) -> None:
+        """Let dough with yeast that rested and was shaped then rise where it is to be baked."""
+        dough = next((stuff for stuff in vessel.contents if {"rested", "shaped"} <= set(stuff.states)), None)
+        if dough is None or not self.rises(dough.foods) or not _RISEN.isdisjoint(dough.states):
+            return
+        ways = [way for motion in sorted(word_list("rises")) for way in self.bench.operators.ways_of(motion)]
+        attested = self.bench.attest(ways, dough.foods) or self.bench.far(ways, dough.foods)
+        if attested is None:
+            return
+        states = tuple(sorted({*dough.states, *sorted(_RISEN & self.known.motion(attested.way[0]).gives)[:1]}))
+
+        def change() -> None:
+            dough.states = states
+
+        self.bench.emit(attested, [vessel, dough], change, [vessel, dough])
+
+    def rises(self, foods: Sequence[str]) -> bool:
+        """Whether such dough rises by itself, and is no flat bread."""
+        rising = any(self.known.foods.food(food).is_a(*word_list("makes dough rise")) for food in foods)
+        return rising and not self.plan.flat
 
     def way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         """Return how a stage is done to what is in the vessel, nearest to what the FOON attests, or ``None``."""

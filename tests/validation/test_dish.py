@@ -250,6 +250,17 @@ def test_k5_findings_are_fatal():
 # --- K6 asked ---
 
 
+def test_what_only_gives_its_taste_may_be_taken_out_again_but_has_to_be_in_it_first():
+    """A bay leaf that was never in the pot is not in the dish."""
+    out = """
+soup (cooked; {bay leaf, leek, water}; in pot) + pot (hot; {soup}; on stove) + plate (empty) + tong → REMOVE
+  → soup (cooked; {leek, water}; in pot) + pot (hot; {soup}; on stove) + bay leaf (cooked; on plate) + plate ({bay leaf})
+"""
+    asked = recipe("soup", "leek; bay leaf; water")
+    assert found("K6", asked + heated("soup", "leek", "bay leaf", "water", motion="SIMMER") + out) == []
+    assert len(found("K6", asked + heated("soup", "leek", "water", motion="SIMMER"))) == 1
+
+
 def test_k6_an_asked_food_is_in_the_dish():
     assert found("K6", recipe("salad", "tomato; salt") + served("salad", "tomato", "salt")) == []
     assert found("K6", recipe("salad", "tomato; leek") + served("salad", "tomato", "salt")) == [

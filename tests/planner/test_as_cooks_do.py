@@ -1,0 +1,105 @@
+"""What a cook does without being told, whatever the recorded dish did: found missing by people who read trees."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+
+from foon_kg.food import tables
+from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.planning.planner import Planner
+from foon_kg.planning.settings import PlanSettings
+
+pytestmark = pytest.mark.shared_data
+KNOWN = tables()
+
+
+@pytest.fixture(scope="module")
+def steps():
+    """Return a function that plans a dish and answers its steps: the labels that go in, the motion, what comes out."""
+    snapshot = public_snapshot()
+    planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
+
+    def plan(dish_type, title, *asked):
+        pairs = (one.rpartition(":")[::2] for one in asked)
+        foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
+        units = planner.plan(Recipe(dish_type, foods, "x", title)).units
+        return [({n.label for n in one.input_nodes}, one.motion_node, one.output_nodes) for one in units]
+
+    return plan
+
+
+def with_food(steps, food, motions):
+    return [inputs for inputs, motion, _ in steps if food in inputs and motion in motions]
+
+
+def test_who_asks_for_a_zested_lemon_has_its_zest_grated_and_no_slices(steps):
+    told = steps("cookie", "Lemon Shortbread", "butter:softened", "flour:powder", "sugar:granulated", "lemon:zested")
+    assert any("grater" in inputs for inputs in with_food(told, "lemon", {"grate"}))
+    assert not with_food(told, "lemon", {"slice", "peel", "cut", "chop"})
+
+
+def test_a_rind_is_cut_off_with_a_knife_and_the_core_comes_out(steps):
+    told = steps("salad", "Fruit Salad", "pineapple:diced", "banana:sliced", "orange juice:juice")
+    (first, *_) = [(inputs, outputs) for inputs, _, outputs in told if "pineapple" in inputs]
+    assert "knife" in first[0]
+    assert with_food(told, "pineapple", {"core"})
+
+
+def test_the_stone_comes_out_of_an_avocado_before_its_skin_comes_off(steps):
+    told = steps("salad", "Green Salad", "avocado:sliced", "lettuce:chopped", "olive oil:liquid")
+    motions = [motion for inputs, motion, _ in told if "avocado" in inputs]
+    assert motions.index("core") < motions.index("peel")
+
+
+def test_nothing_is_simmered_without_a_liquid(steps):
+    told = steps("rice", "Fried Rice", "rice:cooked", "egg:beaten", "garlic:minced", "vegetable oil:liquid")
+    assert "simmer" not in {motion for _, motion, _ in told}
+
+
+def test_what_only_gives_its_taste_is_taken_out_before_the_soup_is_served(steps):
+    told = steps(
+        "soup", "Pea Soup", "split pea:dried", "carrot:diced", "onion:chopped", "bay leaf:dried", "water:liquid"
+    )
+    (taken,) = [number for number, (_, motion, _) in enumerate(told) if motion == "remove"]
+    assert taken < len(told) - 1
+    assert not any("bay leaf" in node.ingredients for node in told[-1][2])
+
+
+def test_a_mash_is_boiled_and_mashed(steps):
+    told = steps("potatoes", "Sweet Potato Mash", "sweet potato:cubed", "butter:stick", "milk:liquid")
+    assert with_food(told, "sweet potato", {"boil"})
+    assert with_food(told, "sweet potato", {"mash"})
+
+
+def test_dough_rises_again_when_it_is_shaped(steps):
+    told = steps("bread", "White Bread", "flour:powder", "yeast:dry", "milk:warm", "butter:melted", "salt:granulated")
+    motions = [motion for _, motion, _ in told]
+    shaped = motions.index("shape")
+    rising = KNOWN.motion("ferment").does
+    assert any(KNOWN.motion(motion).does == rising for motion in motions[shaped:])
+    assert motions.index("bake") > shaped
+
+
+def test_what_fingers_tear_falls_into_a_bowl(steps):
+    told = steps("salad", "Tomato Salad", "tomato:sliced", "basil leaves:torn", "olive oil:liquid")
+    torn = [
+        node for _, _, outputs in told for node in outputs if node.label == "basil leaves" and "torn" in node.states
+    ]
+    assert torn
+    assert torn[0].container == "bowl"
+
+
+def test_a_stove_is_not_turned_off_only_to_add_something(steps):
+    told = steps(
+        "chicken", "Chicken Marsala", "chicken breast:raw", "flour:powder", "mushroom:sliced", "chicken broth:liquid",
+        "butter:stick",
+    )  # fmt: skip
+    motions = [motion for inputs, motion, _ in told if "stove" in inputs]
+    assert motions.count("turn on") == 1
+
+
+def test_what_nobody_mashes_is_not_mashed_because_a_video_did(steps):
+    told = steps("salad", "Corn Salad", "corn:cooked", "black beans:drained", "red onion:minced", "cilantro:chopped",
+                 "lime:juiced")  # fmt: skip
+    assert not [motion for _, motion, _ in told if "mash" in KNOWN.motion(motion).does]
