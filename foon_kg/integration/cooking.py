@@ -328,6 +328,7 @@ class Cooking:
         hot_first = bool(grease) or not any(self.carry.is_wet(stuff) for stuff in vessel.contents)
         if relation == "on" and hot_first and "heat" in stage.does:
             self._heat_on(fresh)
+            self.work.heat_fat(fresh)
         self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel) or stage.does == {"cut"})
         return fresh
 
@@ -366,6 +367,7 @@ class Cooking:
             fat = isinstance(one, Join) and one.want.facts.is_a("fat")
             if on_stove and hot_first and not fat:
                 self._heat_on(vessel)  # what fries comes into a hot pan
+                self.work.heat_fat(vessel)
             if isinstance(one, Vessel):
                 self.bench.heat_off(one)
                 if not vessel.contents and "shape" not in stage.does:
@@ -613,7 +615,7 @@ class Cooking:
         self.bench.all_off()
         row = self.known.utensil(vessel.label)
         if self.plan.drunk and row is not None and row.group in word_list("is not drunk from"):
-            glass = self.bench.vessel("drinking glass")
+            glass = self.bench.vessel("mug" if vessel.hot else "drinking glass")
             self.carry.transfer(vessel, glass, self.line.stages[-1])
             return glass
         if row is None or row.can.isdisjoint({"heat", "cook", "bake"}) or "chilled" in vessel.contents[0].states:

@@ -119,6 +119,27 @@ class Worker:
                 states = tuple(sorted({*whole.states, state}))
                 self.bench.work(vessel, attested, whole.label, states, with_device=False)
 
+    def heat_fat(self, vessel: Vessel) -> None:
+        """Melt the fat that is alone in a pan over the heat, or let it get hot, before anything else comes into it."""
+        stuffs = [stuff for stuff in vessel.contents if not stuff.mixed]
+        foods = [self.known.foods.food(stuff.label) for stuff in stuffs]
+        device = vessel.device
+        if device is None or vessel.hot or not stuffs or not all(food.is_a("fat") for food in foods):
+            return
+        solid = [stuff for stuff, food in zip(stuffs, foods, strict=True) if not food.is_a("liquid")]
+        motions = word_list("makes fat run" if solid else "makes fat hot")
+        ways = [way for motion in sorted(motions) for way in self.bench.operators.ways_of(motion) if not way[1]]
+        attested = self.bench.attest(ways, foods_of(vessel)) or self.bench.far(ways, foods_of(vessel))
+        if attested is None or len(stuffs) < len(vessel.contents):
+            return
+
+        def change() -> None:
+            vessel.hot = True
+            for stuff in solid:
+                stuff.states = ("melted",)
+
+        self.bench.emit(attested, [vessel, (device, vessel), *stuffs], change, [vessel, *stuffs])
+
     def take_out(self, vessel: Vessel) -> None:
         """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how."""
         inside = {number for stuff in vessel.contents for number in stuff.wants}

@@ -254,7 +254,8 @@ def test_what_only_gives_its_taste_may_be_taken_out_again_but_has_to_be_in_it_fi
     """A bay leaf that was never in the pot is not in the dish."""
     out = """
 soup (cooked; {bay leaf, leek, water}; in pot) + pot (hot; {soup}; on stove) + plate (empty) + tong → REMOVE
-  → soup (cooked; {leek, water}; in pot) + pot (hot; {soup}; on stove) + bay leaf (cooked; on plate) + plate ({bay leaf})
+  → soup (cooked; {leek, water}; in pot) + pot (hot; {soup}; on stove) + bay leaf (cooked; on plate)
+  + plate ({bay leaf})
 """
     asked = recipe("soup", "leek; bay leaf; water")
     assert found("K6", asked + heated("soup", "leek", "bay leaf", "water", motion="SIMMER") + out) == []
