@@ -333,6 +333,11 @@ class Bench:
         self.emit(attested, [target, *source, stuff], change, [target, part, stuff])
         return part
 
+    def cooling(self, foods: Sequence[str]) -> Attested | None:
+        """Return the evidence of how foods cool by themselves."""
+        ways = [way for motion in sorted(word_list("cools")) for way in self.operators.ways_of(motion) if not way[1]]
+        return self.attest(ways, foods) or self.far(ways, foods)
+
     def work(
         self,
         vessel: Vessel,
@@ -353,6 +358,7 @@ class Bench:
             inputs.insert(1, extra)
         parts = list(vessel.contents)
         heats = not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
+        cools = attested.way[0] in word_list("cools")
         if heats and with_device and device is not None and not self.is_running(vessel):
             raise RefusedError(f"the {device.label} under the {vessel.label} is off")
         same = next((stuff for stuff in parts if stuff.label == label), None)
@@ -371,7 +377,7 @@ class Bench:
             if mixes:
                 vessel.contents[:] = [whole]
             whole.states = states
-            vessel.hot = vessel.hot or (heats and device is not None)
+            vessel.hot = not cools and (vessel.hot or (heats and device is not None))
 
         outputs: list[Thing] = [vessel, whole] if mixes else [vessel, *parts]
         self.emit(attested, inputs, change, outputs)

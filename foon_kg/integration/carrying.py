@@ -52,6 +52,9 @@ class Carrier:
         if row is not None and "strain" in row.can and 0 < len(water) < len(stuffs):
             self.drain(source, target, [stuff for stuff in stuffs if stuff not in water])
             return
+        out_of_tin = self._is_in_tin(source)
+        if out_of_tin:
+            self._cool(source)
         foods = foods_of(source)
         if "coat" in stage.does and stage.motion in word_list("greases") and not whole:
             onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
@@ -67,11 +70,25 @@ class Carrier:
         ways += [way for way in usual if self._pure(way)]
         if one_piece and (whole or not _SOLID.isdisjoint(state for stuff in stuffs for state in stuff.states)):
             ways = self._lifting(ways, source)
+        if out_of_tin:
+            ways = [way for way in ways if not way[1]] or ways  # nothing reaches under it
         if self._is_portioned(stuffs, target):
             spoons = (way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way))
             ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
         self.bench.bring(stuffs, target, attested)
+
+    def _is_in_tin(self, vessel: Vessel) -> bool:
+        """Whether something was baked in a tin with a rim."""
+        row = self.known.utensil(vessel.label)
+        return row is not None and row.group == "tins" and any("baked" in stuff.states for stuff in vessel.contents)
+
+    def _cool(self, vessel: Vessel) -> None:
+        """Let what was baked cool in its tin, or it breaks when it comes out."""
+        (whole, *others) = vessel.contents
+        cooling = self.bench.cooling(foods_of(vessel))
+        if vessel.hot and not others and cooling is not None:
+            self.bench.work(vessel, cooling, whole.label, tuple(sorted({*whole.states, "cooled"})), with_device=False)
 
     def _hangs_together(self, stuffs: Sequence[Stuff], *, whole: bool) -> tuple[bool, bool]:
         """Return whether what is moved runs, and whether it is moved in one piece."""

@@ -234,12 +234,15 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
-        self._take_out(stage, vessel, later, main=main and relation == "on")
+        self._take_out(stage, vessel, later, main=main)
         return vessel
 
     def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> None:
         """Take out of a pot what only gave its taste, before the dish is served or blended."""
-        if not main or stage.does.isdisjoint(HEATS) or any(not one.does.isdisjoint(HEATS) for one in later):
+        if not (main or self.plan.drunk):
+            return
+        hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
+        if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return
         if any(join.want.facts.is_a(*word_list("is taken out of the dish")) for join in self.plan.joins):
             self.bench.heat_off(vessel)
@@ -429,8 +432,10 @@ class Cooking:
             return False
         if isinstance(stage, Phase):
             return True
-        if "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins):
-            return False  # bought dough has its water
+        alike = any(join.slot is not None for join in self.plan.joins if join.spot.stage is stage)
+        bought = "knead" in stage.does and any(join.want.facts.is_a("dough") for join in self.plan.joins)
+        if bought or not (stage.appliance or alike):
+            return False  # bought dough has its water, and nothing comes of what the video thins with it
         apart = any(join.want.facts.is_a(*word_list("is boiled by itself")) for join in self.plan.joins)
         if apart and not self.plan.one_pot and "liquid" not in stage.does:
             return False  # that was the water to boil it in

@@ -17,6 +17,7 @@ _PAN = replace(_MIX, motion="cook and stir", does=frozenset({"heat", "mix"}), ve
 _PAN = replace(_PAN, source="heat")
 _LAID = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="baking dish", label="")
 _BAKED = replace(_LAID, motion="bake", does=frozenset({"dry", "heat"}), appliance="oven", source="heat")
+_COOLED = replace(_LAID, motion="cool", does=frozenset({"wait"}))
 _HOLLOW = "halved"
 
 
@@ -36,7 +37,12 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     mix, laid, baked = replace(_PAN if stewed else _MIX), replace(_LAID), replace(_BAKED)
     brought = replace(_LAID, adds=(Line((mix,)),))
     twofold = _is_twofold(holders[0])
-    stages = (brought, laid, baked) if stewed and not stuffed and not twofold else (laid, brought, baked)
+    first = (brought, laid) if stewed and not stuffed and not twofold else (laid, brought)
+    stages: tuple[Stage, ...] = (*first, baked)
+    tops = [join for join in inside if join.want.facts.is_a(*word_list("is put on what is filled"))]
+    top = replace(_LAID)
+    if tops and len(tops) < len(inside):
+        stages = (*stages, replace(_COOLED), top)
     bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
     found = []
     if twofold and not bound:
@@ -48,6 +54,7 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
         is_a = join.want.facts.is_a
         melts = is_a(*word_list("melts on top")) and not is_a("creamy") and len(inside) > 1
         stage = laid if join in holders else baked if melts and not bound else mix
+        stage = top if join in tops and top in stages else stage
         place = next(place for place, one in enumerate((mix, *stages)) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages if stage is mix else stages[place:], side=stage is mix)
         apart = _is_raw(join) and not stewed

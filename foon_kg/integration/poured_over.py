@@ -79,7 +79,8 @@ def dressed_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, 
             found.append(_apart(join, gathered, (tossed, *line.stages[place + 1 :])))
         else:
             found.append(join)
-    first = [before.get(id(one), one) for one in line.stages[:place]]
+    joined = {id(join.spot.stage) for join in found}
+    first = [before.get(id(one), one) for one in line.stages[:place] if one.does != {"wait"} or id(one) in joined]
     return Line((*first, gathered, tossed, *line.stages[place + 1 :])), tuple(found)
 
 

@@ -128,6 +128,7 @@ class Serving:
         for join in fats:
             self._bring(join, pan)
         self.bench.switch(pan, device, on=True)
+        self.work.heat_fat(pan)
         self.carry.transfer(plate, pan, stage, whole=True)
         foods = foods_of(pan)
         heats = [way for way in self.bench.operators.ways.get("heat", ()) if self._only(way, {"heat"})]

@@ -53,6 +53,8 @@ def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Lin
         return line, tuple(joins)
     pot, top = replace(_POT), replace(_TOP)
     glass = replace(_TOP if whole else _GLASS, adds=(Line((pot,)),))  # what is mixed in the pot is only poured
+    if whole:
+        glass, top = replace(glass, vessel="mug"), replace(top, vessel="mug")
     found = []
     for join in joins:
         facts = join.want.facts

@@ -129,7 +129,7 @@ class Worker:
         solid = [stuff for stuff, food in zip(stuffs, foods, strict=True) if not food.is_a("liquid")]
         motions = word_list("makes fat run" if solid else "makes fat hot")
         ways = [way for motion in sorted(motions) for way in self.bench.operators.ways_of(motion) if not way[1]]
-        attested = self.bench.attest(ways, foods_of(vessel)) or self.bench.far(ways, foods_of(vessel))
+        attested = self.bench.attest(ways, foods_of(vessel))
         if attested is None or len(stuffs) < len(vessel.contents):
             return
 
@@ -211,6 +211,8 @@ class Worker:
         return self._attested(stage, foods)
 
     def _attested(self, stage: Stage, foods: Sequence[str]) -> Attested | None:
+        if stage.motion in word_list("cools"):
+            return self.bench.cooling(foods)
         own = self.bench.attest([(stage.motion, stage.tools)], foods)
         if own is not None and own.nearness <= Nearness.LIKE:
             return own
