@@ -98,7 +98,7 @@ def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     if files:
         return FixedFoon(snapshot_of(files, say))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
-    foon.current()  # what is wrong is said now, and not to the first who asks
+    foon.edition()  # what is wrong is said now, and not to the first who asks
     return foon
 
 

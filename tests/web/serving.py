@@ -21,8 +21,8 @@ NAMES = frozenset({"localhost", "127.0.0.1"})
 SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion", "olive oil"]}
 
 
-def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None):
-    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most)
+def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None, patience=60):
+    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most, patience=patience)
     return web_app(service, names=NAMES, public=public, token=token, limits=limits, callers=callers)
 
 
