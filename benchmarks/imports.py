@@ -42,7 +42,7 @@ class Command:
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 35, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 54, 275, HEAVY | {"numpy"}),
+    Command(("cypher", "RETURN 1"), 55, 275, HEAVY | {"numpy"}),
     Command(("stats",), 60, 275, HEAVY | {"numpy"}),
     Command(("similar", "caper"), 123, 365, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 199, 365, HEAVY),

@@ -7,11 +7,16 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
+from io import FileIO
 from pathlib import Path
-from typing import BinaryIO
 
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.regular_files import read_bytes
+from foon_kg.model.written_files import writing
+
+MOST_BYTES = 4_000_000_000
+"""How large a file of answers may be that is gone on with."""
 
 _EXIT_CODES = {"read": ReadError.exit_code, "usage": UsageError.exit_code, "unknown-dish-type": UsageError.exit_code}
 
@@ -31,7 +36,7 @@ class AnswerFile:
         Raises :class:`~foon_kg.model.errors.UsageError` where it cannot be read or holds something else than answers.
         """
         try:
-            content = path.read_bytes() if path.exists() else b""
+            content = read_bytes(path, MOST_BYTES) if path.exists() else b""
         except OSError as error:
             raise UsageError(f"{path}: {error.strerror}", hint="--output names a file.") from error
         whole = content[: content.rfind(b"\n") + 1]
@@ -53,20 +58,19 @@ class AnswerFile:
     @contextmanager
     def going_on(self) -> Iterator[Callable[[str], None]]:
         """Open the file after its last whole line; answer what adds a line to it, at once."""
-        try:
-            file = self.path.open("ab")
-        except OSError as error:
-            raise UsageError(
-                f"{self.path}: {error.strerror}", hint="--output names a file that can be written."
-            ) from error
+        hint = "--output names a file that can be written."
+        with writing(self.path, hint):
+            file = self.path.open("ab", buffering=0)
         with file:
             file.truncate(self.size)
-            yield partial(_add, file)
+            yield partial(_add, file, self.path, hint)
 
 
-def _add(file: BinaryIO, line: str) -> None:
-    file.write(f"{line}\n".encode())
-    file.flush()
+def _add(file: FileIO, path: Path, hint: str, line: str) -> None:
+    left = memoryview(f"{line}\n".encode())
+    with writing(path, hint):
+        while left:
+            left = left[file.write(left) :]
 
 
 def _value(path: Path, number: int, line: bytes) -> JsonObject:

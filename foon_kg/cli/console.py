@@ -5,7 +5,10 @@ Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree; the error itself knows w
 
 from __future__ import annotations
 
+import errno
 import json
+import os
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from time import monotonic
@@ -15,6 +18,7 @@ import typer
 from typer.core import TyperGroup
 
 from foon_kg.model.errors import FoonError
+from foon_kg.model.written_files import NO_ROOM, no_room
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -67,6 +71,21 @@ class ErrorsAtTheEdge(TyperGroup):
                 raise
             raise self._told(ctx, lacks) from error
 
+    def main(self, *arguments: Any, **options: Any) -> Any:  # noqa: ANN401 - as typer has it
+        """Run the program; where a disk is full, or nobody reads stdout any more, end it in order."""
+        try:
+            try:
+                return super().main(*arguments, **options)
+            finally:
+                sys.stdout.flush()  # what fails later nobody can be told
+        except OSError as error:
+            if error.errno not in {*NO_ROOM, errno.EPIPE}:
+                raise
+            _give_up_stdout()
+            if error.errno != errno.EPIPE:
+                show_error(no_room(error.filename or "standard output"))
+            sys.exit(1)
+
     @staticmethod
     def _told(ctx: typer.Context, error: FoonError) -> typer.Exit:
         """Tell an error, and return the end of the program that it asks for."""
@@ -76,6 +95,19 @@ class ErrorsAtTheEdge(TyperGroup):
 
             print_json({"error": error_to_json(error)})
         return typer.Exit(error.exit_code)
+
+
+def _give_up_stdout() -> None:
+    """Drop what is still to be written to stdout where it takes nothing any more.
+
+    Otherwise Python tries once more at its end, and says what went wrong in words of its own.
+    """
+    try:
+        sys.stdout.flush()
+    except OSError:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())
+        os.close(nowhere)
 
 
 def data() -> Console:

@@ -21,6 +21,7 @@ from foon_kg.cli.console import (
     sayer,
 )
 from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.model.written_files import write_file, writing
 
 if TYPE_CHECKING:
     from foon_kg.language.drafting import Draft
@@ -286,18 +287,15 @@ def _write(drafts: Iterable[Draft], folder: Path, *, force: bool, as_json: bool)
     from foon_kg.language.drafting.tables import write_draft
 
     counts = []
-    try:
+    with writing(folder, "Another --output."):
         folder.mkdir(parents=True, exist_ok=True)
-        for draft in drafts:
-            path = folder / f"{draft.name}.csv"
-            with path.open("w" if force else "x", encoding="utf-8", newline="") as stream:
-                stream.write(write_draft(draft))
-            counts.append({"file": str(path), "units": len(draft.units), "left_out": len(draft.left_out)})
-            if not as_json:
-                typer.echo(f"{path}: {len(draft.units)} units, {len(draft.left_out)} narrations left out")
-    except FileExistsError as error:
-        raise UsageError(f"{error.filename}: is there already", hint="Another --output, or --force.") from error
-    except OSError as error:
-        raise UsageError(f"{error.filename}: cannot be written: {error.strerror}", hint="Another --output.") from error
+    for draft in drafts:
+        path = folder / f"{draft.name}.csv"
+        if path.exists() and not force:
+            raise UsageError(f"{path}: is there already", hint="Another --output, or --force.")
+        write_file(path, write_draft(draft), "Another --output.")
+        counts.append({"file": str(path), "units": len(draft.units), "left_out": len(draft.left_out)})
+        if not as_json:
+            typer.echo(f"{path}: {len(draft.units)} units, {len(draft.left_out)} narrations left out")
     if as_json:
         print_json(counts)

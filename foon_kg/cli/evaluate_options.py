@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 import typer
 
 from foon_kg.cli.console import Say
-from foon_kg.model.errors import UsageError
+from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
     from foon_kg.evaluation.comparison import Comparison
@@ -88,7 +88,4 @@ def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Co
 
 def write_text(path: Path, text: str, option: str) -> None:
     """Write ``text`` to the file that ``option`` names; raises UsageError where that cannot be."""
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise UsageError(f"{path}: {error.strerror}", hint=f"{option} names a file that can be written.") from error
+    write_file(path, text, f"{option} names a file that can be written.")

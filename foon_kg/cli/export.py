@@ -13,6 +13,7 @@ from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.cli.retrieve import Weights
 from foon_kg.model.errors import UsageError
+from foon_kg.model.written_files import write_file, writing
 
 if TYPE_CHECKING:
     from foon_kg.food.motion_costs import MotionCosts
@@ -182,12 +183,11 @@ def _write(files: Sequence[ExportFile], output: Path | None) -> None:
         typer.echo(files[0].text, nl=False)
         return
     folder = len(files) > 1 or output.is_dir() or str(output).endswith(os.sep)
-    try:
+    hint = "--output names a file or a folder."
+    with writing(output, hint):
         (output if folder else output.parent).mkdir(parents=True, exist_ok=True)
-        for name, text in _distinct(files):
-            (output / name if folder else output).write_text(text, encoding="utf-8", newline="\n")
-    except OSError as error:
-        raise UsageError(f"{error.filename}: {error.strerror}", hint="--output names a file or a folder.") from error
+    for name, text in _distinct(files):
+        write_file(output / name if folder else output, text, hint)
 
 
 def _distinct(files: Iterable[ExportFile]) -> Iterator[tuple[str, str]]:

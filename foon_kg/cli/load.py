@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,6 +13,7 @@ import typer
 from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
 from foon_kg.cli.loading import (
+    UNWRITTEN,
     BadTolerance,
     Check,
     DryRun,
@@ -22,6 +24,7 @@ from foon_kg.cli.loading import (
     tell_unknown,
     unknown_notice,
 )
+from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
@@ -177,18 +180,14 @@ def _bring(
 def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say, told: Sequence[Notice] = ()) -> None:
     """Write every notice to ``report``, and what was ``told`` already; say the rejected ones, and count the others."""
     from foon_kg.loaders import Severity, write_report
-    from foon_kg.model.errors import UsageError
 
     notices = [notice for result in results for notice in result.notices]
     words = _unknown_words(results)
     if report:
-        try:
-            with report.open("w", encoding="utf-8") as stream:
-                unknown = (unknown_notice(word, file) for word, file in words.items())
-                write_report((*notices, *unknown, *told), stream)
-        except OSError as error:
-            hint = "Name a file that can be written after --report."
-            raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
+        stream = StringIO()
+        unknown = (unknown_notice(word, file) for word, file in words.items())
+        write_report((*notices, *unknown, *told), stream)
+        write_file(report, stream.getvalue(), UNWRITTEN)
     for notice in notices:
         if notice.severity is Severity.REJECTED:
             say(str(notice))

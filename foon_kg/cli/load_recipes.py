@@ -6,7 +6,7 @@ import json
 import os
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TextIO
@@ -15,6 +15,7 @@ import typer
 
 from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
 from foon_kg.cli.loading import (
+    UNWRITTEN,
     BadTolerance,
     DryRun,
     Report,
@@ -25,6 +26,7 @@ from foon_kg.cli.loading import (
     unknown_notice,
     where_listed,
 )
+from foon_kg.model.written_files import writing
 
 if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
@@ -156,21 +158,23 @@ class Journal:
         tell_unknown(sorted(found), self._report, say)
 
     def _write(self, entry: dict[str, object]) -> None:
-        if self._stream:
-            self._stream.write(json.dumps(entry, ensure_ascii=True) + "\n")
+        if self._stream and self._report:
+            with writing(self._report, UNWRITTEN):
+                self._stream.write(json.dumps(entry, ensure_ascii=True) + "\n")
 
 
 @contextmanager
 def _journal(report: Path | None) -> Iterator[Journal]:
-    from foon_kg.model.errors import UsageError
-
-    with ExitStack() as stack:
-        try:
-            stream = stack.enter_context(report.open("w", encoding="utf-8")) if report else None
-        except OSError as error:
-            hint = "Name a file that can be written after --report."
-            raise UsageError(f"{report}: cannot be written: {error.strerror}", hint=hint) from error
+    if report is None:
+        yield Journal(None, None)
+        return
+    with writing(report, UNWRITTEN):
+        stream = report.open("w", encoding="utf-8")
+    try:
         yield Journal(stream, report)
+    finally:
+        with writing(report, UNWRITTEN):
+            stream.close()
 
 
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:

@@ -27,6 +27,7 @@ Check = Annotated[
 ]
 DryRun = Annotated[bool, typer.Option("--dry-run", help="Read and report only; change nothing.")]
 
+UNWRITTEN = "Name a file that can be written after --report."
 
 _FEW = 10
 _NAMED = 3

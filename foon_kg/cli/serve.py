@@ -14,8 +14,6 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:
     import socket
 
-    from fastapi import FastAPI
-
     from foon_kg.web.service import Foon
 
 EXAMPLES = examples(
@@ -24,10 +22,6 @@ EXAMPLES = examples(
     "foon serve --host 0.0.0.0 --token-file ~/.foon-token",
     "foon serve --name foon.example.org --proxy 127.0.0.1 --token-file token",
 )
-
-
-SPARE = 2
-"""So many connections may be open for each request that may be under way: most are kept for the next one."""
 
 
 def serve(  # noqa: PLR0917 - each parameter is an option of its own
@@ -70,6 +64,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.planning.batch import cores
     from foon_kg.web.api import web_app
     from foon_kg.web.callers import Callers, proxy_network
+    from foon_kg.web.connections import server_of
     from foon_kg.web.limits import Limits
     from foon_kg.web.security import is_loopback, own_names, public_name, token_from
     from foon_kg.web.service import FoonService
@@ -90,7 +85,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
     app = web_app(service, names=own_names(host), public=public, token=token, limits=limits, callers=callers)
-    _run(app, listener, SPARE * limits.requests)
+    server_of(app, limits, callers).run(sockets=[listener])
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
@@ -103,24 +98,8 @@ def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     if files:
         return FixedFoon(snapshot_of(files, say))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
-    foon.current()  # what is wrong is said now, and not to the first who asks
+    foon.edition()  # what is wrong is said now, and not to the first who asks
     return foon
-
-
-def _run(app: FastAPI, listener: socket.socket, connections: int) -> None:
-    import uvicorn
-
-    config = uvicorn.Config(
-        app,
-        log_level="warning",
-        server_header=False,
-        proxy_headers=False,
-        ws="none",
-        limit_concurrency=connections,
-        timeout_keep_alive=5,
-        timeout_graceful_shutdown=5,
-    )
-    uvicorn.Server(config).run(sockets=[listener])
 
 
 def _address(host: str, listener: socket.socket) -> str:

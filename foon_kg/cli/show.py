@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Quiet, examples, print_view, sayer
-from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.model.errors import NoTreeError, ReadError, UsageError
+from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -240,7 +241,4 @@ def _write(content: bytes, output: Path | None) -> None:
             raise UsageError("a picture is nothing to print on a terminal", hint="Name a file with --output.")
         sys.stdout.buffer.write(content)
         return
-    try:
-        output.write_bytes(content)
-    except OSError as error:
-        raise FoonError(f"{output}: cannot be written: {error.strerror}", hint="Name another file.") from error
+    write_file(output, content, "Name another file with --output.")

@@ -25,8 +25,8 @@ from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
-from foon_kg.web.service import FoonService
-from foon_kg.web.words import Kind
+from foon_kg.web.service import Edition, FoonService
+from foon_kg.web.words import FoonWords, Kind
 
 _REFUSALS: dict[int | str, dict[str, Any]] = {
     400: {"description": "The body cannot be read."},
@@ -43,6 +43,9 @@ _REFUSALS: dict[int | str, dict[str, Any]] = {
     504: {"description": "The answer takes too long."},
 }
 REFUSALS = {status: told | {"model": telling.Refusal} for status, told in _REFUSALS.items()}
+
+EDITION, NEWER = "foon-edition", "foon-newer"
+"""The headers that name the edition of the FOON that answered, and a newer one that is being read."""
 
 _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, known or not.", examples=[["caper"]])
 _LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
@@ -98,31 +101,38 @@ def web_app(
 
 
 @router.get("/summary")
-def summary(request: Request) -> telling.Summary:
+def summary(request: Request, response: Response) -> telling.Summary:
     """Answer how large the FOON is, and its dish types."""
-    return telling.Summary.model_validate(_service(request).summary())
+    return telling.Summary.model_validate(_words(request, response).summary())
 
 
 @router.get("/complete")
 def complete(
-    request: Request, text: Annotated[str, _BEGINNING], kind: Kind = "ingredient", limit: Annotated[int, _LIMIT] = 10
+    request: Request,
+    response: Response,
+    text: Annotated[str, _BEGINNING],
+    kind: Kind = "ingredient",
+    limit: Annotated[int, _LIMIT] = 10,
 ) -> list[str]:
     """Answer the words that ``text`` may become; an ingredient is a state and a food."""
-    return _service(request).complete(kind, text, limit)
+    return _words(request, response).complete(kind, text, limit)
 
 
 @router.get("/similar")
 def similar(
-    request: Request, names: Annotated[list[asking.Words], _NAMES], limit: Annotated[int, _LIMIT] = 5
+    request: Request,
+    response: Response,
+    names: Annotated[list[asking.Words], _NAMES],
+    limit: Annotated[int, _LIMIT] = 5,
 ) -> list[telling.SimilarTold]:
     """Answer for each name the known foods that can stand for it, best first."""
-    return [telling.SimilarTold.model_validate(told) for told in _service(request).similar(names, limit)]
+    return [telling.SimilarTold.model_validate(told) for told in _words(request, response).similar(names, limit)]
 
 
 @router.get("/object")
-def around(request: Request, label: Annotated[str, _LABEL]) -> telling.ObjectTold:
+def around(request: Request, response: Response, label: Annotated[str, _LABEL]) -> telling.ObjectTold:
     """Answer an object's nodes, the units that make and take it, and the videos it is in."""
-    return telling.ObjectTold.model_validate(_service(request).around(label))
+    return telling.ObjectTold.model_validate(_words(request, response).around(label))
 
 
 @router.post("/plan", response_model=telling_plans.PlanTold)
@@ -151,11 +161,23 @@ async def suggest(request: Request, asked: asking.SuggestAsked) -> Response:
 async def _answered(request: Request, question: Question) -> Response:
     service, limits = _service(request), request.app.state.limits
     try:
-        future = await asyncio.to_thread(service.ask, question)
+        edition, future = await asyncio.to_thread(service.asked, question)
         reply = await asyncio.wait_for(asyncio.shield(asyncio.wrap_future(future)), limits.seconds)
     except TimeoutError as error:
         raise TooLongError(limits.seconds) from error
-    return Response(reply.body, reply.status, media_type="application/json")
+    return Response(reply.body, reply.status, _edition_told(edition), "application/json")
+
+
+def _words(request: Request, response: Response) -> FoonWords:
+    """Return what answers quick questions, and have ``response`` tell of which edition it is."""
+    edition = _service(request).current()
+    response.headers.update(_edition_told(edition))
+    return edition.words
+
+
+def _edition_told(edition: Edition) -> dict[str, str]:
+    """Return the headers that say which edition of the FOON answered, and which newer one is being read."""
+    return {EDITION: edition.name} | ({NEWER: edition.newer} if edition.newer else {})
 
 
 def _service(request: Request) -> FoonService:

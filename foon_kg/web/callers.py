@@ -52,6 +52,11 @@ class Callers:
                 break
         return _caller(caller)
 
+    def at_the_end_of(self, connection: tuple[str, int] | None) -> str | None:
+        """Answer who holds a connection open; ``None`` for a proxy, which holds those of many callers."""
+        peer = _address((connection or ("",))[0])
+        return None if peer is not None and self._is_proxy(peer) else _caller(peer)
+
     def _is_proxy(self, address: Address) -> bool:
         return any(address in network for network in self.proxies)
 

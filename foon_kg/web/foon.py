@@ -1,12 +1,15 @@
-"""The FOON that is served, as it stands now: in memory, and read anew when somebody has written to the graph."""
+"""The FOON that is served: in memory, and which edition of it stands now."""
 
 from __future__ import annotations
 
+import itertools
 import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
+from foon_kg.model import content_key
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Neo4jGraph
 from foon_kg.store.snapshot import Snapshot
@@ -17,9 +20,9 @@ EVERY = 2.0
 
 @dataclass(frozen=True)
 class Served:
-    """A FOON in memory; another ``edition`` (a number that only grows) has other content."""
+    """A FOON in memory, and the name of its edition: another one has other content."""
 
-    edition: int
+    edition: str
     snapshot: Snapshot
 
 
@@ -27,14 +30,22 @@ class FixedFoon:
     """The FOON of files: it never changes while it is served."""
 
     def __init__(self, snapshot: Snapshot) -> None:
-        self._served = Served(0, snapshot)
+        self._snapshot = snapshot
 
-    def current(self) -> Served:
+    def edition(self) -> str:
+        """Answer the name of its only edition."""
+        return self._name
+
+    def read(self) -> Served:
         """Answer the FOON."""
-        return self._served
+        return Served(self._name, self._snapshot)
 
     def close(self) -> None:
         """Nothing is held open."""
+
+    @cached_property
+    def _name(self) -> str:
+        return content_key([known.unit.key for known in self._snapshot.units])
 
 
 class LiveFoon:
@@ -49,23 +60,29 @@ class LiveFoon:
         self._turn = threading.Lock()
         self._graph: Neo4jGraph | None = None
         self._name: str | None = None
-        self._served: Served | None = None
         self._looked = 0.0
+        self._unnamed = (f"look-{number}" for number in itertools.count())
 
-    def current(self) -> Served:
-        """Answer the FOON as it was at most ``every`` seconds ago; raises GraphError where nothing answers.
+    def edition(self) -> str:
+        """Answer which edition the graph had at most ``every`` seconds ago; raises GraphError where nothing answers.
 
-        While one thread reads a new edition the others go on with the one before.
+        While one thread looks the others are told what was seen before.
         """
-        served = self._served
-        if served is not None and time.monotonic() - self._looked < self._every:
-            return served
-        if not self._turn.acquire(blocking=served is None):
-            return served or self.current()
+        known = self._name
+        if not self._turn.acquire(blocking=known is None):
+            return known or self.edition()
         try:
-            return self._look()
+            if self._name is None or time.monotonic() - self._looked >= self._every:
+                self._name = self._look()
+                self._looked = time.monotonic()
+            return self._name
         finally:
             self._turn.release()
+
+    def read(self) -> Served:
+        """Answer the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
+        name = self._read_name()
+        return Served(name, self._connected().snapshot())
 
     def close(self) -> None:
         """Give the sockets back."""
@@ -73,28 +90,19 @@ class LiveFoon:
             self._graph.close()
             self._graph = None
 
-    def _look(self) -> Served:
-        served = self._served
-        if served is not None and time.monotonic() - self._looked < self._every:
-            return served  # another thread looked while this one waited for its turn
-        name = self._edition()
-        if served is None or name is None or name != self._name:
-            served = Served(0 if served is None else served.edition + 1, self._connected().snapshot())
-        self._served, self._name, self._looked = served, name, time.monotonic()
-        return served
-
-    def _edition(self) -> str | None:
+    def _look(self) -> str:
         try:
-            return self._read_edition()
+            return self._read_name()
         except GraphError as error:
-            if error.code != "unreachable" or self._served is None:
+            if error.code != "unreachable" or self._name is None:
                 raise
             self.close()
-            return self._read_edition()
+            return self._read_name()
 
-    def _read_edition(self) -> str | None:
+    def _read_name(self) -> str:
+        """Answer the edition's name; of a graph that does not tell editions apart each look is one of its own."""
         with self._connected().reading() as view:
-            return view.edition
+            return view.edition or next(self._unnamed)
 
     def _connected(self) -> Neo4jGraph:
         if self._graph is None:

@@ -31,7 +31,8 @@ class Limits:
     """What the service puts up with.
 
     ``body`` in bytes; ``seconds`` for a question, and for sending it; of one caller ``per_second`` requests, and
-    ``burst`` at once; ``waiting`` plans that are under way or wait; ``requests`` under way at once.
+    ``burst`` at once; ``waiting`` plans that are under way or wait; ``requests`` under way at once; ``connections``
+    that are open, ``of_one`` caller; ``asking`` seconds from a connection's begin to its first whole request.
     """
 
     body: int = 64 * 1024
@@ -40,6 +41,9 @@ class Limits:
     burst: int = 100
     waiting: int = 16
     requests: int = 200
+    connections: int = 400
+    of_one: int = 100
+    asking: float = 10.0
 
 
 async def refuse(

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from concurrent.futures import CancelledError, Future
-from dataclasses import dataclass
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from foon_kg.model.json_fields import JsonObject
@@ -17,6 +17,9 @@ from foon_kg.web.workers import Workers
 SECONDS = 20.0
 """How long anybody waits for an answer."""
 
+PATIENCE = 2.0
+"""How long who first sees a new edition waits for it; others go on with the one before."""
+
 MOST_KEPT = 512
 """How many answers are kept for who asks the same again."""
 
@@ -24,8 +27,12 @@ MOST_KEPT = 512
 class Foon(Protocol):
     """Where the FOON comes from."""
 
-    def current(self) -> Served:
-        """Answer the FOON as it stands now."""
+    def edition(self) -> str:
+        """Answer the name of the edition that stands now, which takes no time worth speaking of."""
+        ...
+
+    def read(self) -> Served:
+        """Answer the FOON as it stands now, which may take a while."""
         ...
 
     def close(self) -> None:
@@ -34,12 +41,13 @@ class Foon(Protocol):
 
 
 @dataclass(frozen=True)
-class _Edition:
-    """One edition of the FOON with all that answers from it."""
+class Edition:
+    """One edition of the FOON with all that answers from it; ``newer`` is one that is being read meanwhile."""
 
-    number: int
+    name: str
     words: FoonWords
     workers: Workers
+    newer: str | None = None
 
 
 class FoonService:
@@ -47,24 +55,70 @@ class FoonService:
 
     Plans are made by ``processes`` processes (0: by one thread of this one); more than ``most`` at once are refused
     with BusyError, and a process that plans for longer than ``seconds`` is replaced. Equal questions to one edition of
-    the FOON are answered once. Close it, or use it in ``with``.
+    the FOON are answered once. Whoever first sees a new edition waits ``patience`` seconds for it to be read; where
+    that takes longer, and for all others, the edition before answers until it is there. Close it, or use it in
+    ``with``.
     """
 
-    def __init__(self, foon: Foon, *, processes: int = 0, most: int = 16, seconds: float = SECONDS) -> None:
+    def __init__(
+        self,
+        foon: Foon,
+        *,
+        processes: int = 0,
+        most: int = 16,
+        seconds: float = SECONDS,
+        patience: float = PATIENCE,
+    ) -> None:
         self._foon = foon
         self._processes = processes
         self._most = most
         self._seconds = seconds
+        self._patience = patience
         self._turn = threading.Lock()
-        self._edition: _Edition | None = None
+        self._edition: Edition | None = None
+        self._reader = ThreadPoolExecutor(1, "foon-reading")
+        self.reading: Future[Edition] | None = None
         self._kept: OrderedDict[Question, Future[Reply]] = OrderedDict()
 
-    def ask(self, question: Question) -> Future[Reply]:
-        """Take a question that takes a while; raises BusyError, or GraphError where there is no FOON."""
+    def current(self) -> Edition:
+        """Answer the edition that answers now; raises GraphError where there is none."""
+        name = self._foon.edition()
+        with self._turn:
+            there = self._edition
+            if there is not None and there.name == name:
+                return there
+            reading, first = self.reading, False
+            if reading is None or reading.done():
+                reading, first = self._begin_reading(), True
+        if there is None:
+            return reading.result()
         try:
-            return self._taken(self._current(), question)
-        except RuntimeError:  # another edition took its place meanwhile
-            return self._taken(self._current(), question)
+            return reading.result(self._patience if first else 0)
+        except TimeoutError:
+            return replace(there, newer=name)
+
+    def asked(self, question: Question) -> tuple[Edition, Future[Reply]]:
+        """Take a question that takes a while; raises BusyError, or GraphError where there is no FOON."""
+        edition = self.current()
+        with self._turn:
+            if self._edition is not None and self._edition.name != edition.name:
+                edition = self._edition  # it took the place of the other meanwhile
+            kept = self._kept.get(question)
+            if kept is not None and not _failed(kept):
+                self._kept.move_to_end(question)
+                return edition, kept
+            try:
+                future = edition.workers.submit(question)
+            except RuntimeError as error:
+                raise _ending() from error
+            self._kept[question] = future
+            while len(self._kept) > MOST_KEPT:
+                self._kept.popitem(last=False)
+            return edition, future
+
+    def ask(self, question: Question) -> Future[Reply]:
+        """Take a question that takes a while; raises what :meth:`asked` raises."""
+        return self.asked(question)[1]
 
     def answer(self, question: Question) -> Reply:
         """Answer a question that takes a while; raises TooLongError, BusyError or GraphError where there is none."""
@@ -73,26 +127,27 @@ class FoonService:
         except TimeoutError as error:
             raise TooLongError(self._seconds) from error
         except CancelledError as error:
-            raise BusyError("the service is ending", hint="Ask again when it is there again.") from error
+            raise _ending() from error
 
     def summary(self) -> JsonObject:
         """Answer how large the FOON is, and its dish types."""
-        return self._current().words.summary()
+        return self.current().words.summary()
 
     def complete(self, kind: Kind, text: str, limit: int) -> list[str]:
         """Answer what ``text`` may become."""
-        return self._current().words.complete(kind, text, limit)
+        return self.current().words.complete(kind, text, limit)
 
     def similar(self, names: list[str], limit: int) -> list[JsonObject]:
         """Answer for each name the known foods that can stand for it."""
-        return self._current().words.similar(names, limit)
+        return self.current().words.similar(names, limit)
 
     def around(self, label: str) -> JsonObject:
         """Answer what the FOON has around an object; raises UnknownError."""
-        return self._current().words.around(label)
+        return self.current().words.around(label)
 
     def close(self) -> None:
         """End the processes, and give the sockets back."""
+        self._reader.shutdown(cancel_futures=True)
         with self._turn:
             if self._edition is not None:
                 self._edition.workers.close(at_once=True)
@@ -105,31 +160,29 @@ class FoonService:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _current(self) -> _Edition:
-        served = self._foon.current()
-        with self._turn:
-            if self._edition is None or self._edition.number < served.edition:
-                self._edition = self._replaced(served)
-            return self._edition
+    def _begin_reading(self) -> Future[Edition]:
+        try:
+            self.reading = self._reader.submit(self._read)
+        except RuntimeError as error:
+            raise _ending() from error
+        return self.reading
 
-    def _replaced(self, served: Served) -> _Edition:
-        if self._edition is not None:
-            self._edition.workers.close()
-        self._kept.clear()
+    def _read(self) -> Edition:
+        """Read the FOON, begin the processes that plan from it, and have it answer from now on."""
+        served = self._foon.read()
         workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
-        return _Edition(served.edition, FoonWords(served.snapshot), workers)
-
-    def _taken(self, edition: _Edition, question: Question) -> Future[Reply]:
+        edition = Edition(served.edition, FoonWords(served.snapshot), workers)
         with self._turn:
-            kept = self._kept.get(question)
-            if kept is not None and not _failed(kept):
-                self._kept.move_to_end(question)
-                return kept
-            self._kept[question] = future = edition.workers.submit(question)
-            while len(self._kept) > MOST_KEPT:
-                self._kept.popitem(last=False)
-            return future
+            if self._edition is not None:
+                self._edition.workers.close()
+            self._kept.clear()
+            self._edition = edition
+        return edition
 
 
 def _failed(future: Future[Reply]) -> bool:
     return future.done() and (future.cancelled() or future.exception() is not None)
+
+
+def _ending() -> BusyError:
+    return BusyError("the service is ending", hint="Ask again when it is there again.")

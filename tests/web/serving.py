@@ -7,10 +7,11 @@ import socket
 import threading
 
 import httpx
-import uvicorn
 from pictures.demo_plans import demo_foon
 
 from foon_kg.web.api import web_app
+from foon_kg.web.callers import Callers
+from foon_kg.web.connections import server_of
 from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
 from foon_kg.web.service import FoonService
@@ -20,16 +21,16 @@ NAMES = frozenset({"localhost", "127.0.0.1"})
 SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion", "olive oil"]}
 
 
-def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None):
-    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most)
+def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None, patience=60):
+    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most, patience=patience)
     return web_app(service, names=NAMES, public=public, token=token, limits=limits, callers=callers)
 
 
 @contextlib.contextmanager
-def served(application):
+def served(application, callers=None):
     """The address of ``application`` behind a real socket."""
     listener = socket.create_server(("127.0.0.1", 0))
-    server = uvicorn.Server(uvicorn.Config(application, log_level="error", ws="none", timeout_graceful_shutdown=2))
+    server = server_of(application, application.state.limits, callers or Callers())
     thread = threading.Thread(target=server.run, args=([listener],), daemon=True)
     thread.start()
     address = f"http://127.0.0.1:{listener.getsockname()[1]}"

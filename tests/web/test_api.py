@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import threading
 from dataclasses import replace
 
 import httpx
@@ -16,6 +17,7 @@ from foon_kg.planning.batch import Cook, Question, Wishes
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import schedule as schedule_of
+from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
 
 
@@ -266,10 +268,51 @@ def test_more_than_there_are_places_for_is_refused():
     application = app(most=1)
     service = application.state.service
     with TestClient(application, base_url="http://localhost") as client:
-        places = service._current().workers._places
+        places = service.current().workers._places
         with places:  # the only one
             answer = client.post("/api/plan", json=SALAD)
         assert answer.status_code == 503
         assert answer.headers["retry-after"] == "1"
         assert error_of(answer)["code"] == "busy"
         assert client.post("/api/plan", json=SALAD).status_code == 200
+
+
+class ChangedFoon(FixedFoon):
+    """A FOON that was changed since it was read, and is being read without end."""
+
+    changed = False
+
+    def __init__(self, snapshot):
+        super().__init__(snapshot)
+        self.let = threading.Event()
+
+    def edition(self):
+        return "later" if self.changed else super().edition()
+
+    def read(self):
+        assert not self.changed or self.let.wait(60)
+        return super().read()
+
+
+def test_an_answer_says_of_which_edition_it_is():
+    foon = ChangedFoon(demo_foon())
+    asked = [
+        *(
+            ("get", f"/api/{path}", {})
+            for path in ("summary", "complete?text=on", "similar?name=caper", "object?label=onion")
+        ),
+        *(
+            ("post", f"/api/{path}", {"json": body})
+            for path, body in (("plan", SALAD), ("suggest", {"foods": ["onion"]}))
+        ),
+    ]
+    with TestClient(app(foon=foon, patience=0), base_url="http://localhost") as asking:
+        now = {asking.request(*words, **body).headers["foon-edition"] for *words, body in asked}
+        assert len(now) == 1
+        foon.changed = True
+        for *words, body in asked:
+            answer = asking.request(*words, **body)
+            assert answer.status_code == 200
+            assert {answer.headers["foon-edition"]} == now
+            assert answer.headers["foon-newer"] == "later"
+        foon.let.set()

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
+import threading
 from concurrent.futures import CancelledError, ThreadPoolExecutor
 
 import pytest
 from pictures.demo_plans import demo_foon
 
 from foon_kg.cli.demo import demo_subgraphs
+from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon, LiveFoon, Served
@@ -33,15 +36,16 @@ class GrowingFoon:
 
     def __init__(self, count):
         self.count = count
-        self.edition = 0
 
     def grow(self, count):
-        self.count, self.edition = count, self.edition + 1
+        self.count = count
 
-    def current(self):
-        return Served(
-            self.edition, Snapshot.of(sorted(demo_subgraphs(), key=lambda s: s.name)[: self.count], Kitchen.default())
-        )
+    def edition(self):
+        return str(self.count)
+
+    def read(self):
+        videos = sorted(demo_subgraphs(), key=lambda s: s.name)[: self.count]
+        return Served(self.edition(), Snapshot.of(videos, Kitchen.default()))
 
     def close(self):
         """Nothing is open."""
@@ -56,7 +60,7 @@ def test_equal_questions_are_answered_once():
 
 def test_a_new_edition_is_answered_from_at_once():
     foon = GrowingFoon(2)
-    with FoonService(foon) as service:
+    with FoonService(foon, patience=60) as service:
         assert service.summary()["videos"] == 2
         with pytest.raises(UnknownError):
             service.around("watermelon slice that nobody has")
@@ -65,6 +69,76 @@ def test_a_new_edition_is_answered_from_at_once():
         assert service.summary()["videos"] == 23
         assert service.ask(SALAD) is not kept
         assert service.answer(SALAD).status == 200
+
+
+class HeldFoon:
+    """A FOON whose graph changes when the test says, and is read only when the test lets it."""
+
+    def __init__(self, videos):
+        self.videos = videos
+        self.let = threading.Event()
+        self.let.set()
+        self.begun = threading.Event()
+        self.trouble = None
+
+    def edition(self):
+        return f"with {self.videos}"
+
+    def read(self):
+        self.begun.set()
+        assert self.let.wait(60)
+        if self.trouble:
+            raise self.trouble
+        return Served(self.edition(), GrowingFoon(self.videos).read().snapshot)
+
+    def close(self):
+        """Nothing is open."""
+
+
+def test_while_a_new_edition_is_read_the_one_before_answers_and_says_so():
+    foon = HeldFoon(2)
+    with FoonService(foon, patience=0) as service:
+        assert (service.current().name, service.current().newer) == ("with 2", None)
+        foon.begun.clear()
+        foon.let.clear()
+        foon.videos = 23
+        with ThreadPoolExecutor(4) as pool:  # nobody waits, however many ask
+            told = list(pool.map(lambda _: (service.current().name, service.current().newer), range(8)))
+        assert told == [("with 2", "with 23")] * 8
+        assert service.summary()["videos"] == 2
+        assert service.answer(SALAD).status in {200, 404}
+        assert foon.begun.wait(60)
+        reading = service.reading
+        foon.let.set()
+        assert reading.result(60).name == "with 23"
+        assert (service.current().name, service.current().newer) == ("with 23", None)
+        assert service.summary()["videos"] == 23
+
+
+def test_an_edition_that_cannot_be_read_is_tried_again():
+    foon = HeldFoon(2)
+    with FoonService(foon, patience=60) as service:
+        service.summary()
+        foon.videos, foon.trouble = 3, GraphError("the graph was emptied")
+        for _ in range(2):
+            with pytest.raises(GraphError, match="emptied"):
+                service.summary()
+        foon.trouble = None
+        assert service.summary()["videos"] == 3
+
+
+def test_a_service_that_ends_while_it_reads_leaves_no_process():
+    foon = HeldFoon(2)
+    service = FoonService(foon, processes=1, patience=0)
+    service.summary()
+    foon.let.clear()
+    foon.videos = 3
+    service.summary()
+    reading = service.reading
+    foon.let.set()
+    service.close()
+    assert reading.done()
+    assert not multiprocessing.active_children()
 
 
 def test_many_threads_get_the_same_answers():
@@ -84,7 +158,7 @@ def outside():
 
 
 def desk_of(service):
-    (desk,) = service._current().workers._desks
+    (desk,) = service.current().workers._desks
     return desk
 
 
@@ -119,7 +193,7 @@ def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(ou
 
 def test_the_process_of_an_edition_ends_when_what_it_was_asked_is_answered():
     foon = GrowingFoon(2)
-    with FoonService(foon, processes=1) as service:
+    with FoonService(foon, processes=1, patience=60) as service:
         asked, before = service.ask(SALAD), desk_of(service)._process
         foon.grow(3)
         assert service.answer(ONIONS).status in {200, 404}
@@ -146,7 +220,7 @@ def test_a_graph_that_somebody_changes_is_read_anew(empty_graph):
     subgraphs = sorted(demo_subgraphs(), key=lambda subgraph: subgraph.name)
     with Connection(empty_graph) as connection:
         load(connection, subgraphs[:2])
-        with FoonService(LiveFoon(lambda: Neo4jGraph(empty_graph), every=0)) as service:
+        with FoonService(LiveFoon(lambda: Neo4jGraph(empty_graph), every=0), patience=60) as service:
             assert service.summary()["videos"] == 2
             kept = service.ask(SALAD)
             assert service.ask(SALAD) is kept

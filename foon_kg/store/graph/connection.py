@@ -18,6 +18,8 @@ _SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "ne
 _ANSWER_SECONDS = 8.0
 """In which a Neo4j that is up lets a connection in."""
 _ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
+_UNWRITTEN = "Neo.DatabaseError.Transaction.TransactionLogError"
+_BROKEN = ("critical error, and needs to be restarted", "No space left on device", "File too large", "quota exceeded")
 _DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
 
 
@@ -95,12 +97,23 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
             f"{settings.uri}: {error}", hint="Check NEO4J_URI: neo4j://host or bolt://host:7687."
         ) from error
     except driver_errors.Neo4jError as error:
-        raise GraphError(f"{settings.uri}: {error.message}", hint=_hint_for(error, settings)) from error
+        raise _refused(error, settings) from error
     except driver_errors.DriverError as error:
         raise GraphError(f"{settings.uri}: {error}", hint="Is this a Neo4j, 5.26 or newer?") from error
 
 
-def _hint_for(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> str:
+def _refused(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> GraphError:
+    """Return what an answer of the server means; after a full disk it answers nothing until it is started anew."""
+    message = error.message or ""
+    if error.code == _UNWRITTEN or any(words in message for words in _BROKEN):
+        return GraphError(
+            f"the Neo4j at {settings.uri} could not write to its disk, and answers nothing until it is started again",
+            hint="Make room where its data are, then restart it: foon server stop, and the next command starts "
+            "foon-kg's own. Nothing is lost of what was stored.",
+            code="broken",
+        )
     if error.code == _DATABASE_NOT_FOUND:
-        return f"There is no database “{settings.database}”: check NEO4J_DATABASE."
-    return "See the log of the database."
+        hint = f"There is no database “{settings.database}”: check NEO4J_DATABASE."
+    else:
+        hint = "See the log of the database."
+    return GraphError(f"{settings.uri}: {message}", hint=hint)

@@ -1,0 +1,67 @@
+"""Files that people ask for: written whole or left as they were, and what is told where that cannot be."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from foon_kg.model.errors import FoonError, UsageError
+
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+"""What a full disk is called, a used up quota, and a file that may not grow."""
+
+
+def no_room(place: object) -> FoonError:
+    """Return the error for a full disk, which is no mistake of who asked."""
+    return FoonError(
+        f"{place}: no space is left there",
+        hint="Make room, or write to another place; then ask again.",
+        code="no-space",
+    )
+
+
+@contextmanager
+def writing(path: Path, hint: str) -> Iterator[None]:
+    """Turn an OSError of the block into a UsageError with ``hint``, or into what is told of a full disk."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno in NO_ROOM:
+            raise no_room(path) from error
+        raise UsageError(f"{path}: cannot be written: {error.strerror}", hint=hint) from error
+
+
+def write_file(path: Path, content: str | bytes, hint: str) -> None:
+    """Write ``path`` whole, or leave what is there; raises as :func:`writing` does."""
+    with writing(path, hint):
+        write_whole(path, content)
+
+
+def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:
+    """Write a file beside ``path`` and put it in its place; raises OSError, and leaves nothing of it then.
+
+    A link stays one. A file keeps its mode unless ``mode`` says another. Devices and pipes, and files in a folder that
+    takes no others, are written where they are.
+    """
+    data = content.encode() if isinstance(content, str) else content
+    target = Path(os.path.realpath(path))
+    there = target.exists()
+    if there and not (target.is_file() and os.access(target.parent, os.W_OK)):
+        target.write_bytes(data)
+        return
+    draft = target.with_name(f".{os.urandom(8).hex()}.new")
+    try:
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        with os.fdopen(os.open(draft, flags, 0o666 if mode is None else mode), "wb") as stream:
+            if there and mode is None:
+                draft.chmod(target.stat().st_mode & 0o777)
+            stream.write(data)
+            stream.flush()
+            os.fsync(stream.fileno())
+        draft.replace(target)
+    except BaseException:
+        draft.unlink(missing_ok=True)
+        raise
