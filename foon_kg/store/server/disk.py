@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import errno
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 from foon_kg.model.errors import ServerError
 
@@ -35,13 +33,3 @@ def no_room(doing: str) -> ServerError:
         hint="free 1 GB and start again, or let FOON_KG_HOME (data) and FOON_KG_CACHE (jars) name folders elsewhere",
         code="no-space",
     )
-
-
-def write_private(file: Path, text: str) -> None:
-    """Write a file that only its owner can read, whole or not at all."""
-    draft = file.with_name(f"{file.name}.{os.getpid()}.new")
-    with os.fdopen(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w", encoding="utf-8") as stream:
-        stream.write(text)
-        stream.flush()
-        os.fsync(stream.fileno())
-    draft.replace(file)
