@@ -33,17 +33,22 @@ LINE = re.compile(r"import time:\s+(\d+) \|\s+\d+ \|\s+(\S+)")
 
 @dataclass(frozen=True)
 class Command:
-    """A command, the most modules of foon-kg and of other packages that it may import, and packages it may not."""
+    """A command, the most modules of foon-kg and of other packages that it may import, and packages it may not.
+
+    ``again``: counted is a second run, which finds what the first one kept.
+    """
 
     words: tuple[str, ...]
     own: int
     others: int
     never: frozenset[str] = frozenset()
+    again: bool = False
 
     @property
     def name(self) -> str:
         """How the command is called in the table."""
-        return " ".join(("plan", "--files") if "--files" in self.words else self.words[:1])
+        words = [word for word in self.words[:2] if word in {"foon", "--files"}]
+        return " ".join([self.words[0], *words])
 
 
 DEMO = demo_folder()
@@ -52,6 +57,7 @@ COMMANDS = (
     Command(("--help",), 35, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 20, 260, HEAVY | {"numpy"}),
     Command(("stats",), 26, 260, HEAVY | {"numpy"}),
+    Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 50, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 166, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 175, 230, HEAVY | {"neo4j", "psutil"}),
@@ -79,6 +85,8 @@ def main() -> int:
     faults: list[str] = []
     print(f"{'':20}{'foon-kg':>9}{'at most':>9}{'others':>9}{'at most':>9}")
     for command in COMMANDS:
+        if command.again:
+            imported(command.words)
         modules = imported(command.words)
         own = sum(top(name) == "foon_kg" for name in modules)
         others = sum(top(name) not in {"foon_kg", *sys.stdlib_module_names} for name in modules)

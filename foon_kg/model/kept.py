@@ -10,8 +10,9 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +58,17 @@ def kept(folder: str, source: bytes, make: Callable[[], Any]) -> Any:  # noqa: A
     value = make()
     keep(folder, asked, json.dumps(value, ensure_ascii=False, separators=(",", ":")))
     return value
+
+
+def code_key(places: Iterable[Traversable]) -> str:
+    """Return a hash of the code and the tables at ``places``, which are files and packages."""
+    digest = hashlib.blake2b(digest_size=16)
+    for place in places:
+        files = [place] if place.is_file() else sorted(place.iterdir(), key=lambda file: file.name)
+        for file in files:
+            if file.name.endswith((".py", ".toml")):
+                digest.update(file.read_bytes())
+    return digest.hexdigest()
 
 
 def write_private(file: Path, text: str) -> None:

@@ -9,7 +9,8 @@ from foon_kg.model.knowledge import Neighbour
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
-from foon_kg.similarity.points import Question, question, word_lists_key
+from foon_kg.similarity.points import Question, question
+from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.rows import EquivalentsRow
 from foon_kg.store.graph.schema import check_readable
