@@ -33,6 +33,10 @@ class FixedFoon:
         """Answer the FOON."""
         return self._served
 
+    def fresh(self) -> Served:
+        """Answer the FOON."""
+        return self._served
+
     def close(self) -> None:
         """Nothing is held open."""
 
@@ -57,15 +61,21 @@ class LiveFoon:
 
         While one thread reads a new edition the others go on with the one before.
         """
-        served = self._served
-        if served is not None and time.monotonic() - self._looked < self._every:
+        served = self.fresh()
+        if served is not None:
             return served
+        served = self._served
         if not self._turn.acquire(blocking=served is None):
             return served or self.current()
         try:
             return self._look()
         finally:
             self._turn.release()
+
+    def fresh(self) -> Served | None:
+        """Answer the FOON where it was looked at in the last ``every`` seconds, and never wait for anybody."""
+        served = self._served
+        return served if served is not None and time.monotonic() - self._looked < self._every else None
 
     def close(self) -> None:
         """Give the sockets back."""
@@ -74,9 +84,9 @@ class LiveFoon:
             self._graph = None
 
     def _look(self) -> Served:
+        if (fresh := self.fresh()) is not None:
+            return fresh  # another thread looked while this one waited for its turn
         served = self._served
-        if served is not None and time.monotonic() - self._looked < self._every:
-            return served  # another thread looked while this one waited for its turn
         name = self._edition()
         if served is None or name is None or name != self._name:
             served = Served(0 if served is None else served.edition + 1, self._connected().snapshot())

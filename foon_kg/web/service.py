@@ -28,6 +28,10 @@ class Foon(Protocol):
         """Answer the FOON as it stands now."""
         ...
 
+    def fresh(self) -> Served | None:
+        """Answer the FOON where that is known at once."""
+        ...
+
     def close(self) -> None:
         """Give back what is held open."""
         ...
@@ -58,6 +62,27 @@ class FoonService:
         self._turn = threading.Lock()
         self._edition: _Edition | None = None
         self._kept: OrderedDict[Question, Future[Reply]] = OrderedDict()
+        self._said: OrderedDict[bytes, Question] = OrderedDict()
+
+    def said(self, words: bytes, question: Question) -> None:
+        """Remember in which ``words`` a question was asked: whoever says them again need not be understood again."""
+        with self._turn:
+            self._said[words] = question
+            while len(self._said) > MOST_KEPT:
+                self._said.popitem(last=False)
+
+    def answered(self, words: bytes) -> Reply | None:
+        """Return the answer to what was said before in the same ``words``; ``None`` where it is not there at once."""
+        served = self._foon.fresh()
+        with self._turn:
+            question = self._said.get(words)
+            if question is None or served is None or self._edition is None or self._edition.number != served.edition:
+                return None
+            kept = self._kept.get(question)
+            if kept is None or not kept.done() or _failed(kept):
+                return None
+            self._kept.move_to_end(question)
+            return kept.result()
 
     def ask(self, question: Question) -> Future[Reply]:
         """Take a question that takes a while; raises BusyError, or GraphError where there is no FOON."""

@@ -43,6 +43,9 @@ class GrowingFoon:
             self.edition, Snapshot.of(sorted(demo_subgraphs(), key=lambda s: s.name)[: self.count], Kitchen.default())
         )
 
+    def fresh(self):
+        return self.current()
+
     def close(self):
         """Nothing is open."""
 
