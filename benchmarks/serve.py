@@ -2,23 +2,28 @@
 
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
 
-Starts foon serve on a free port with its own limits (but a rate that this one address may reach), asks for every N-th
-recipe beside the checkout from ``--clients`` threads over kept connections, once each, then ``--again`` times in all
-once more. Printed for either: questions, plans a second, median and 95 % time in ms, CPU ms a question of the processes
-that plan and of the one that serves (which has these clients in it), statuses. The first line is what planning costs;
-the second what equal questions cost, which are kept.
+Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
+N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
+``--again`` times in all once more; then as often with what an earlier answer was marked by (``If-None-Match``).
+Printed for each: questions, plans a second, median and 95 % time in ms, CPU ms a question of the processes that plan
+and of the one that serves, statuses. The first line is what planning costs; the others what equal questions cost, which
+are kept. CPU says on a busy machine what the seconds do not.
 """
 
 import argparse
+import http.client
+import json
 import statistics
 import threading
 import time
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
+from urllib.parse import urlencode
 
-import httpx
 import psutil
 import uvicorn
 
@@ -33,17 +38,20 @@ from foon_kg.web.limits import Limits
 from foon_kg.web.service import FoonService
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
-LIMITS = Limits(per_second=1e6, burst=1_000_000)
+LIMITS = Limits(per_second=1e6, burst=1_000_000, waiting=64)
+
+Asked = tuple[str, list[str]]
+"""A dish type and ingredients."""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--files", type=Path, default=SHARED / "foon-111" / "TXT")
-    parser.add_argument("--recipes", nargs="+", type=Path, default=[SHARED / "queries"])
+    parser.add_argument("--recipes", nargs="+", type=Path, default=[SHARED / "queries", SHARED / "queries-more"])
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=cores())
-    parser.add_argument("--clients", type=int, default=4)
-    parser.add_argument("--again", type=int, default=1000)
+    parser.add_argument("--clients", type=int, default=32)
+    parser.add_argument("--again", type=int, default=5000)
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
@@ -53,26 +61,33 @@ def main() -> None:
         uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
     )
     thread = threading.Thread(target=server.run)
-    thread.start()
-    while not server.started:
-        time.sleep(0.05)
-    address = f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
-    warm = [{"dish_type": "", "ingredients": [f"chopped onion{' ' * n}", "egg"]} for n in range(2 * options.jobs)]
-    measure(address, warm, options.clients)  # each process has begun
-    show("new questions", measure(address, questions, options.clients))
-    repeated = [questions[n % len(questions)] for n in range(options.again)]
-    show("asked before", measure(address, repeated, options.clients))
-    server.should_exit = True
-    thread.join()
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as asking:
+        asking.submit(time.time).result()  # it is there before CPU is counted
+        thread.start()
+        while not server.started:
+            time.sleep(0.05)
+        port = server.servers[0].sockets[0].getsockname()[1]
+
+        def measure(asked: list[Asked], *, marked: bool = False) -> Measured:
+            before = cpu_seconds()
+            started = time.perf_counter()
+            answers = asking.submit(ask_all, port, asked, options.clients, marked=marked).result()
+            spent = [after - then for after, then in zip(cpu_seconds(), before, strict=True)]
+            return Measured(time.perf_counter() - started, *spent, answers)
+
+        measure([("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)])  # each process has begun
+        show("new questions", measure(questions))
+        repeated = [questions[n % len(questions)] for n in range(options.again)]
+        show("asked before", measure(repeated))
+        show("with its mark", measure(repeated, marked=True))
+        server.should_exit = True
+        thread.join()
 
 
-def questions_of(snapshot: Snapshot, paths: list[Path]) -> list[dict[str, object]]:
+def questions_of(snapshot: Snapshot, paths: list[Path]) -> list[Asked]:
     words = IngredientWords(snapshot.vocabulary(), snapshot.kitchen)
     recipes = [read_recipe(path, words).recipe for path in paths]
-    return [
-        {"dish_type": recipe.dish_type, "ingredients": [f"{one.object}, {one.state}" for one in recipe.ingredients]}
-        for recipe in recipes
-    ]
+    return [(recipe.dish_type, [f"{one.object}, {one.state}" for one in recipe.ingredients]) for recipe in recipes]
 
 
 @dataclass(frozen=True)
@@ -86,25 +101,46 @@ class Measured:
 
 
 def cpu_seconds() -> tuple[float, float]:
+    """Return the CPU seconds of the processes that plan, and of this one; the one that asks is in neither."""
     own = psutil.Process()
-    spent = [sum(process.cpu_times()[:2]) for process in own.children()]
-    return sum(spent), sum(own.cpu_times()[:2])
+    plan = [child for child in own.children() if any("spawn_main" in word for word in child.cmdline())]
+    asking = min(plan, key=lambda child: child.create_time())
+    return sum(sum(child.cpu_times()[:2]) for child in plan if child != asking), sum(own.cpu_times()[:2])
 
 
-def measure(address: str, questions: list[dict[str, object]], clients: int) -> Measured:
-    """Ask all questions."""
-    with httpx.Client(base_url=address, timeout=60) as client:
+def ask_all(port: int, questions: list[Asked], clients: int, *, marked: bool) -> list[tuple[int, float]]:
+    """Ask all questions; ``marked``: with the marks of their answers, which were asked for before."""
+    once = {path_of(asked): asked for asked in questions} if marked else {}
+    marks = {path: mark_of(port, asked) for path, asked in once.items()}
 
-        def ask(question: dict[str, object]) -> tuple[int, float]:
+    def some(first: int) -> Iterator[tuple[int, float]]:
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
+        for asked in questions[first::clients]:
             started = time.perf_counter()
-            status = client.post("/api/plan", json=question).status_code
-            return status, time.perf_counter() - started
+            if marked:
+                connection.request("GET", path_of(asked), headers={"If-None-Match": marks[path_of(asked)]})
+            else:
+                body = json.dumps({"dish_type": asked[0], "ingredients": asked[1]})
+                connection.request("POST", "/api/plan", body, {"Content-Type": "application/json"})
+            answer = connection.getresponse()
+            answer.read()
+            yield answer.status, time.perf_counter() - started
+        connection.close()
 
-        started, before = time.perf_counter(), cpu_seconds()
-        with ThreadPoolExecutor(clients) as pool:
-            answers = list(pool.map(ask, questions))
-        planning, serving = (after - then for after, then in zip(cpu_seconds(), before, strict=True))
-        return Measured(time.perf_counter() - started, planning, serving, answers)
+    with ThreadPoolExecutor(clients) as pool:
+        return [one for answers in pool.map(lambda first: list(some(first)), range(clients)) for one in answers]
+
+
+def path_of(asked: Asked) -> str:
+    return "/api/plan?" + urlencode([("dish_type", asked[0]), *(("ingredient", one) for one in asked[1])])
+
+
+def mark_of(port: int, asked: Asked) -> str:
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
+    connection.request("GET", path_of(asked))
+    answer = connection.getresponse()
+    answer.read()
+    return answer.headers.get("ETag", "")
 
 
 def show(name: str, measured: Measured) -> None:

@@ -9,15 +9,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
+from foon_kg.loaders.found import foon_files
 from foon_kg.loaders.json_reader import read_json
 from foon_kg.loaders.muhai import read_muhai_file
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
-from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_bytes
 
-_ENDINGS = (".txt", ".json", ".lisp")
 _BYTE_ORDER_MARK = "\ufeff"
 _LINE_END = re.compile(rb"\r\n|\r|\n")
 
@@ -38,36 +37,9 @@ def read_paths(paths: Iterable[Path]) -> Iterator[ReadResult]:
     same. Hidden files and folders are passed over. A file that cannot be used is a result without subgraph, never
     an exception. Raises ``ReadError`` for a path that does not exist or holds no FOON file.
     """
-    found = sorted({file for path in paths for file in _foon_files(path)}, key=_file_order)
+    found = foon_files(paths)
     copies = Counter(file.stem for file in found)
     return _read_all(found, {name for name, count in copies.items() if count > 1})
-
-
-def _foon_files(path: Path) -> list[Path]:
-    if path.is_dir():
-        files = [file for file in _below(path) if file.suffix.lower() in _ENDINGS]
-        if not files:
-            raise ReadError(f"{path}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
-        return files
-    if not path.exists():
-        raise ReadError(f"{path}: no such file or folder", hint="Check the path.")
-    if path.suffix.lower() not in _ENDINGS:
-        raise ReadError(f"{path}: neither *.txt nor *.json", hint="A subgraph is a FOON text or its JSON.")
-    return [path]
-
-
-def _below(folder: Path) -> Iterator[Path]:
-    for place, folders, files in os.walk(folder, onerror=_refuse_folder):
-        folders[:] = [name for name in folders if not name.startswith(".")]
-        yield from (Path(place, name) for name in files if not name.startswith("."))
-
-
-def _refuse_folder(error: OSError) -> None:
-    raise ReadError(f"{error.filename}: cannot be opened: {error.strerror}", hint="Check its permissions.") from error
-
-
-def _file_order(path: Path) -> tuple[str, bool, str]:
-    return (path.stem, path.suffix.lower() != ".txt", str(path))
 
 
 def _read_all(files: list[Path], with_copies: set[str]) -> Iterator[ReadResult]:

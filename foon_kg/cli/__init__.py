@@ -3,37 +3,17 @@
 from __future__ import annotations
 
 import gc
+import os
 from typing import Annotated
 
 import typer
 
 from foon_kg import __version__
-from foon_kg.cli import (
-    check,
-    cypher,
-    data_frames,
-    demo,
-    doctor,
-    draft,
-    evaluate,
-    export,
-    load,
-    mcp,
-    plan,
-    recipes,
-    retrieve,
-    serve,
-    server,
-    show,
-    similar,
-    stats,
-    suggest,
-    videos,
-)
-from foon_kg.cli.console import ErrorsAtTheEdge
+from foon_kg.cli import data_frames
+from foon_kg.cli.commands import Foon
 
 app = typer.Typer(
-    cls=ErrorsAtTheEdge,
+    cls=Foon,
     name="foon",
     no_args_is_help=True,
     rich_markup_mode=None,  # plain help is quick to print and fits any width
@@ -58,30 +38,9 @@ def foon(
     """Plan the steps that make a dish from a knowledge graph of cooking videos, even for recipes nobody recorded."""
 
 
-app.command(epilog=demo.EXAMPLES)(demo.demo)
-app.command(epilog=plan.EXAMPLES)(plan.plan)
-app.command(epilog=retrieve.EXAMPLES)(retrieve.retrieve)
-app.command(epilog=check.EXAMPLES)(check.check)
-app.add_typer(evaluate.app)
-app.command(epilog=show.EXAMPLES)(show.show)
-app.command(epilog=export.EXAMPLES)(export.export)
-app.command(epilog=suggest.EXAMPLES)(suggest.suggest)
-app.command(epilog=similar.EXAMPLES)(similar.similar)
-app.add_typer(load.app)
-app.add_typer(draft.app)
-app.command(epilog=recipes.EXAMPLES)(recipes.recipes)
-app.command(epilog=videos.DIFF_EXAMPLES)(videos.diff)
-app.command(epilog=videos.REMOVE_EXAMPLES)(videos.remove)
-app.command(epilog=stats.EXAMPLES)(stats.stats)
-app.command(epilog=cypher.EXAMPLES)(cypher.cypher)
-app.command(epilog=serve.EXAMPLES)(serve.serve)
-app.command(epilog=mcp.EXAMPLES)(mcp.mcp)
-app.command(epilog=doctor.EXAMPLES)(doctor.doctor)
-app.add_typer(server.app)
-
-
 def main() -> None:
     """Run ``foon`` (the entry point of the installed program)."""
-    gc.set_threshold(100_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
+    gc.set_threshold(1_000_000, 50, 100)  # a command makes many small values and ends: they are not worth collecting
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # numpy's matrices are small here: its threads cost their start
     data_frames.leave_out()
     app()

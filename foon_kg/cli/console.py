@@ -155,12 +155,14 @@ def progress_bar(items: Iterable[T], total: int, done: int, after: float = 0) ->
 
     What takes no longer than ``after`` seconds shows nothing.
     """
+    console = messages()
+    if not console.is_terminal:
+        yield from items
+        return
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
-    console = messages()
     columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    hidden = not console.is_terminal
-    progress = Progress(*columns, console=console, transient=True, redirect_stdout=False, disable=hidden)
+    progress = Progress(*columns, console=console, transient=True, redirect_stdout=False)
     task = progress.add_task("", total=total, completed=done)
     begun = monotonic()
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,6 +13,7 @@ import typer
 
 from foon_kg.cli import load_recipes, load_weights
 from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.data_frames import driver_without_arrays
 from foon_kg.cli.loading import (
     UNWRITTEN,
     BadTolerance,
@@ -27,10 +29,8 @@ from foon_kg.cli.loading import (
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
-    from foon_kg.food.unknown import UnknownWord
+    from foon_kg.cli.files_read import FilesRead
     from foon_kg.loaders import Notice, ReadResult
-    from foon_kg.model import Subgraph
-    from foon_kg.store.graph import LoadReport
 
 app = typer.Typer(
     cls=ErrorsAtTheEdge,
@@ -39,6 +39,15 @@ app = typer.Typer(
     rich_markup_mode=None,
     help="Load FOONs and collections of recipes into Neo4j.",
 )
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How many videos were new, were there as they are, and had another content."""
+
+    inserted: int = 0
+    unchanged: int = 0
+    replaced: int = 0
 
 
 @app.callback()
@@ -70,10 +79,22 @@ def foon(
     line; when there are more than --bad-tolerance allows, nothing is loaded. Foods, utensils, states and motions that
     no table of foon-kg has are told, with what they are taken for.
     """
-    from foon_kg.loaders import read_paths
+    from foon_kg.cli.files_read import FilesRead, remember, remembered
+    from foon_kg.loaders.found import foon_files
 
-    results = list(read_paths(paths))
-    _bring(results, report, bad_tolerance, dry_run=dry_run, check=check, as_json=as_json, quiet=quiet)
+    files, results = foon_files(paths), None
+    read = None if check else remembered(files)
+    known = read is not None
+    if read is None:
+        results = _parsed(files)
+        read = FilesRead.of(results)
+        remember(files, read)
+    say = sayer(quiet=quiet)
+    _tell(read, report, bad_tolerance, say, _played(results, say) if check and results else ())
+    loaded = None
+    if not dry_run:
+        loaded = (_unchanged(read, quiet=quiet) if known else None) or _load(results or _parsed(files), quiet=quiet)
+    show_counts(_counts(read, loaded), as_json=as_json)
 
 
 @app.command(
@@ -165,72 +186,79 @@ def _bring(
     check: bool = False,
 ) -> None:
     """Tell what is odd about ``results``, and load them unless too much of them is unusable."""
+    from foon_kg.cli.files_read import FilesRead
+
+    read, say = FilesRead.of(results), sayer(quiet=quiet)
+    _tell(read, report, bad_tolerance, say, _played(results, say) if check else ())
+    show_counts(_counts(read, None if dry_run else _load(results, quiet=quiet)), as_json=as_json)
+
+
+def _played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
     from foon_kg.cli.load_check import played
 
-    say = sayer(quiet=quiet)
-    _tell_notices(results, report, say, played(results, say) if check else ())
-    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-    rejected = sum(result.rejected for result in results)
-    bad = sum(result.rejected > 0 for result in results)
-    refuse_too_many(rejected, bad_tolerance, "unit", f", in {bad} of {len(results)} files")
-    loaded = None if dry_run else _load(subgraphs, say, quiet=quiet)
-    show_counts(_counts(subgraphs, loaded, rejected), as_json=as_json)
+    return played(results, say)
 
 
-def _tell_notices(results: Sequence[ReadResult], report: Path | None, say: Say, told: Sequence[Notice] = ()) -> None:
-    """Write every notice to ``report``, and what was ``told`` already; say the rejected ones, and count the others."""
-    from foon_kg.loaders import Severity, write_report
+def _parsed(files: Sequence[Path]) -> list[ReadResult]:
+    from foon_kg.loaders import read_paths
 
-    notices = [notice for result in results for notice in result.notices]
-    words = _unknown_words(results)
+    return list(read_paths(files))
+
+
+def _tell(read: FilesRead, report: Path | None, bad_tolerance: int, say: Say, played: Sequence[Notice] = ()) -> None:
+    """Tell what is odd about files; raises ToleranceError where too much of them is unusable."""
+    _tell_notices(read, report, say, played)
+    refuse_too_many(read.rejected, bad_tolerance, "unit", f", in {read.bad} of {read.files} files")
+
+
+def _tell_notices(read: FilesRead, report: Path | None, say: Say, played: Sequence[Notice]) -> None:
+    """Write every notice to ``report``, with what was ``played``; say the rejected ones, and count the others."""
+    from foon_kg.loaders.notices import Severity
+
     if report:
+        from foon_kg.loaders.report import write_report
+
         stream = StringIO()
-        unknown = (unknown_notice(word, file) for word, file in words.items())
-        write_report((*notices, *unknown, *told), stream)
+        unknown = (unknown_notice(word, file) for word, file in read.words.items())
+        write_report((*read.notices, *unknown, *played), stream)
         write_file(report, stream.getvalue(), UNWRITTEN)
-    for notice in notices:
+    for notice in read.notices:
         if notice.severity is Severity.REJECTED:
             say(str(notice))
-    assumed = [notice for notice in notices if notice.severity is not Severity.REJECTED]
+    assumed = [notice for notice in read.notices if notice.severity is not Severity.REJECTED]
     tell_assumed(assumed, Counter(notice.kind for notice in assumed), report, say)
-    tell_unknown(words, report, say)
+    tell_unknown(read.words, report, say)
 
 
-def _unknown_words(results: Sequence[ReadResult]) -> dict[UnknownWord, str]:
-    """Return the words that no table has, each with the first file that has it."""
-    from foon_kg.food.unknown import unknown_words
+def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
+    """Return the counts where all that was read is in the graph; nothing that writes is imported for it."""
+    with driver_without_arrays():
+        from foon_kg.store.graph.connection import Connection
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.graph.unchanged import all_there
+    from foon_kg.store.server import connection_settings
 
-    found: dict[UnknownWord, str] = {}
-    for result in results:
-        units = [one.unit for one in result.subgraph.annotations] if result.subgraph is not None else []
-        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
-        for word in unknown_words(nodes, [unit.motion for unit in units]):
-            found.setdefault(word, result.path)
-    return dict(sorted(found.items(), key=lambda one: one[0]))
+    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
+        there = all_there(connection, read.contents, Kitchen.default())
+    return Counts(unchanged=len(read.contents)) if there else None
 
 
-def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport:
+def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     """Load with a progress bar, which only a terminal shows."""
     from rich.progress import Progress
 
     from foon_kg.store.graph import Connection, load
     from foon_kg.store.server import connection_settings
 
-    settings = connection_settings(say)
+    settings = connection_settings(sayer(quiet=quiet))
+    subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     console = messages(quiet=quiet)
     with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("Loading", total=len(subgraphs))
-        return load(connection, subgraphs, stored=lambda report: progress.advance(task, len(report)))
+        loaded = load(connection, subgraphs, stored=lambda report: progress.advance(task, len(report)))
+    return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 
 
-def _counts(subgraphs: Sequence[Subgraph], loaded: LoadReport | None, rejected: int) -> dict[str, int]:
-    units = sum(len(subgraph.annotations) for subgraph in subgraphs)
-    counts = {"subgraphs": len(subgraphs), "units": units, "rejected_units": rejected}
-    if loaded is None:
-        return counts
-    return {
-        "inserted": len(loaded.inserted),
-        "unchanged": len(loaded.unchanged),
-        "replaced": len(loaded.replaced),
-        **counts,
-    }
+def _counts(read: FilesRead, loaded: Counts | None) -> dict[str, int]:
+    counts = {"subgraphs": len(read.contents), "units": read.units, "rejected_units": read.rejected}
+    return counts if loaded is None else {**asdict(loaded), **counts}

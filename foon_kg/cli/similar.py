@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.similarity import Neighbour, Similarity
+
+    Nearest = tuple[tuple[Neighbour, ...], ...]
 
 EXAMPLES = examples(
     "foon similar caper",
@@ -37,17 +40,13 @@ def similar(
     The confidence is the probability that a cook would accept the known food: 0.5 is as likely as not, 1 is the
     same food. With --vectors it is the raw cosine of the paper, which is no probability.
     """
-    from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.similarity.answers import nearest_of_each
-
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
     similarity = _similarity(vectors)
-    with open_knowledge(files, sayer(quiet=quiet)) as view:
-        if vectors is None:
-            nearest = view.equivalents(names, limit=limit)
-        else:
-            nearest = nearest_of_each(similarity, names, view.vocabulary().labels, limit)
+    say = sayer(quiet=quiet)
+    nearest = _by_points(names, limit, say) if vectors is None and not files else None
+    if nearest is None:
+        nearest = _in_view(similarity if vectors else None, names, limit, files, say)
     if not any(nearest):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
     for name, neighbours in zip(names, nearest, strict=True):
@@ -56,6 +55,30 @@ def similar(
             print_json({"name": name, "nearest": known})
         else:
             _print_neighbours(similarity, name, neighbours)
+
+
+def _by_points(names: Sequence[str], limit: int, say: Say) -> Nearest | None:
+    """Return what the vector index of the graph answers; nothing of planning is imported for it."""
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.graph.equivalents import equivalents
+    from foon_kg.store.server import connection_settings
+
+    with Connection(connection_settings(say)) as connection:
+        return equivalents(connection, Kitchen.default(), names, limit)
+
+
+def _in_view(
+    raw: Similarity | None, names: Sequence[str], limit: int, files: Sequence[Path] | None, say: Say
+) -> Nearest:
+    """Return the nearest of all foods that are known; by a ``raw`` similarity where one was asked."""
+    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.similarity.answers import nearest_of_each
+
+    with open_knowledge(files, say) as view:
+        if raw is None:
+            return view.equivalents(names, limit=limit)
+        return nearest_of_each(raw, names, view.vocabulary().labels, limit)
 
 
 def _similarity(vectors: str | None) -> Similarity:

@@ -6,10 +6,10 @@ together for one question of the program ("which foods are free", "which motions
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib.resources import files
+
+from foon_kg.food.shipped import shipped
 
 
 def word_list(name: str) -> frozenset[str]:
@@ -20,5 +20,4 @@ def word_list(name: str) -> frozenset[str]:
 @cache
 def word_lists() -> Mapping[str, frozenset[str]]:
     """Return every list by its name."""
-    document = tomllib.loads(files("foon_kg.food").joinpath("lists.toml").read_text(encoding="utf-8"))
-    return {name: frozenset(words) for name, words in document.items()}
+    return {name: frozenset(words) for name, words in shipped("lists").items()}

@@ -7,16 +7,15 @@ of the same form named in ``FOON_KG_UTENSILS`` or ``FOON_KG_FOODS`` adds a user'
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache
-from importlib.resources import files
 from pathlib import Path
 
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
 from foon_kg.food.foods import FoodTable
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
+from foon_kg.food.shipped import shipped
 from foon_kg.food.words import plain_words, singular, words
 from foon_kg.model.errors import ReadError
 
@@ -55,12 +54,12 @@ class Tables:
     @cached_property
     def foods(self) -> FoodTable:
         """The table of foods."""
-        return food_table([("foods.toml", _shipped("foods")), *self._own_foods])
+        return food_table([("foods.toml", shipped("foods")), *self._own_foods])
 
     @cached_property
     def states(self) -> Mapping[str, State]:
         """What each listed state says."""
-        return {name.lower(): state_row(name, row) for name, row in _shipped("states")["states"].items()}
+        return {name.lower(): state_row(name, row) for name, row in shipped("states")["states"].items()}
 
     @cached_property
     def motions(self) -> Mapping[str, Motion]:
@@ -74,11 +73,11 @@ class Tables:
 
     @cached_property
     def _motion_table(self) -> Toml:
-        return _shipped("motions")
+        return shipped("motions")
 
     @cached_property
     def _utensil_table(self) -> Toml:
-        return _shipped("utensils")
+        return shipped("utensils")
 
     @cached_property
     def utensils(self) -> Mapping[str, Utensil]:
@@ -93,7 +92,7 @@ class Tables:
 
     @cached_property
     def _dish_table(self) -> Toml:
-        return _shipped("dishes")
+        return shipped("dishes")
 
     @cached_property
     def dishes(self) -> Mapping[str, Dish]:
@@ -187,14 +186,12 @@ def _tables(own_utensils: str, own_foods: str) -> Tables:
     return Tables(own_utensils, own_foods)
 
 
-def _shipped(name: str) -> Toml:
-    return tomllib.loads(files("foon_kg.food").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
-
-
 def _own(path: str, sections: Mapping[str, Mapping[str, str]]) -> Iterator[tuple[str, Toml]]:
     """Yield a user's own table; ReadError where it cannot be read, or what of it is not of the form."""
     if not path:
         return
+    import tomllib  # noqa: PLC0415 - few have tables of their own
+
     try:
         document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:

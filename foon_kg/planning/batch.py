@@ -15,10 +15,8 @@ from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
-from foon_kg.planning.cluster import spread_over
 from foon_kg.planning.explanation import Explanation
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.processes import spread
 from foon_kg.planning.recipes import (
     IngredientWords,
     ReadRecipe,
@@ -176,6 +174,8 @@ def answering(
     Every process gets ``view`` and ``units``, all that the view knows, once. The answers raise
     :class:`~foon_kg.model.errors.FoonError` where one of them was ended from outside.
     """
+    from foon_kg.planning.processes import spread  # noqa: PLC0415 - only batches need it
+
     return spread(partial(_answers_of, view, wishes, units), questions, jobs)
 
 
@@ -183,6 +183,8 @@ def answering_on(
     address: str, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
+    from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it
+
     return spread_over(partial(_answers_of, view, wishes, units), questions, address)
 
 

@@ -13,17 +13,13 @@ the groups share a few places each; as nothing in them is negative, sharing a pl
 
 from __future__ import annotations
 
-import hashlib
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
-from importlib.resources import files
-from pathlib import Path
+from functools import lru_cache
 
 import numpy as np
 
-from foon_kg.model.names import ALIASES_VARIABLE, alias_table, canonical
+from foon_kg.model.names import canonical
 from foon_kg.similarity.answers import DECIMALS
 from foon_kg.similarity.evidence import Names
 from foon_kg.similarity.food import FoodSimilarity, confidence_of, food_similarity
@@ -44,8 +40,6 @@ neighbours loses its way. Its product with any question is 0."""
 
 _SLACK = 1e-3  # log odds; databases reckon with 32 bits
 _ROUNDED = 10.0**-DECIMALS
-_FORM = "3"  # of the points and of the names beside them; a change of the code that makes them changes it
-_WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,22 +113,3 @@ def _folded(rows: Table, places: int) -> Table:
         part = rows[:, start : start + places]
         folded[:, : part.shape[1]] += part
     return folded
-
-
-def word_lists_key() -> str:
-    """Answer a hash of all that decides where a name's point is: of other word lists, or aliases, points differ.
-
-    Raises ``ReadError`` for an alias file that is broken or not there.
-    """
-    own_file = os.environ.get(ALIASES_VARIABLE, "")
-    alias_table(own_file)
-    return _word_lists_key(Path(own_file).read_bytes() if own_file else b"")
-
-
-@cache
-def _word_lists_key(own_aliases: bytes) -> str:
-    lists = (files("foon_kg.data").joinpath(name).read_bytes() for name in _WORD_LISTS)
-    digest = hashlib.blake2b(_FORM.encode(), digest_size=16)
-    for content in (*lists, own_aliases):
-        digest.update(hashlib.blake2b(content).digest())
-    return digest.hexdigest()

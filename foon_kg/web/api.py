@@ -21,11 +21,12 @@ from foon_kg.formats.pictures.svg import dark_colours
 from foon_kg.model.errors import FoonError
 from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
+from foon_kg.web.asked_before import AskedBefore, edition_told, told
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
-from foon_kg.web.service import Edition, FoonService
+from foon_kg.web.service import FoonService
 from foon_kg.web.words import FoonWords, Kind
 
 _REFUSALS: dict[int | str, dict[str, Any]] = {
@@ -44,13 +45,20 @@ _REFUSALS: dict[int | str, dict[str, Any]] = {
 }
 REFUSALS = {status: told | {"model": telling.Refusal} for status, told in _REFUSALS.items()}
 
-EDITION, NEWER = "foon-edition", "foon-newer"
-"""The headers that name the edition of the FOON that answered, and a newer one that is being read."""
-
 _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, known or not.", examples=[["caper"]])
 _LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
 _BEGINNING = Query(max_length=asking.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _LIMIT = Query(ge=1, le=50)
+_INGREDIENTS = Query(
+    alias="ingredient",
+    min_length=1,
+    max_length=asking.MOST_INGREDIENTS,
+    description="State first: “chopped onion”.",
+    examples=[["diced tomato", "sliced cucumber", "olive oil"]],
+)
+_AVOIDED = Query(max_length=20, description="Foods or kinds of food (nuts).")
+_AT_HAND = Query(max_length=asking.MOST_INGREDIENTS, description=asking.AT_HAND)
+_UNCHANGED: dict[int | str, dict[str, Any]] = {304: {"description": "The answer is the one of the ETag that was sent."}}
 
 router = APIRouter(prefix="/api", responses=REFUSALS)
 
@@ -77,6 +85,7 @@ def web_app(
         Middleware(RateLimit, limits=limits, callers=callers or Callers()),
         *([Middleware(TokenRequired, token=token)] if token else []),
         Middleware(BodyLimit, limits=limits),
+        Middleware(AskedBefore, service=service),
     ]
     app = FastAPI(
         title="foon-kg",
@@ -152,6 +161,22 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
     return await _answered(request, question)
 
 
+@router.get("/plan", response_model=telling_plans.PlanTold, responses=_UNCHANGED)
+async def plan_again(
+    request: Request,
+    ingredients: Annotated[list[asking.Words], _INGREDIENTS],
+    dish_type: asking.DishType = "",
+    avoid: Annotated[list[asking.Words], _AVOIDED] = [],  # noqa: B006 - FastAPI copies it
+    kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
+    *,
+    explain: bool = False,
+) -> Response:
+    """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
+    return await _answered(
+        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), explain=explain)
+    )
+
+
 @router.post("/suggest", response_model=telling.SuggestionsTold)
 async def suggest(request: Request, asked: asking.SuggestAsked) -> Response:
     """Name the dishes that the foods at hand make best."""
@@ -165,19 +190,16 @@ async def _answered(request: Request, question: Question) -> Response:
         reply = await asyncio.wait_for(asyncio.shield(asyncio.wrap_future(future)), limits.seconds)
     except TimeoutError as error:
         raise TooLongError(limits.seconds) from error
-    return Response(reply.body, reply.status, _edition_told(edition), "application/json")
+    service.said(request.scope["words"], question)
+    status, headers, body = told(reply, edition, request.scope)
+    return Response(body, status, headers)
 
 
 def _words(request: Request, response: Response) -> FoonWords:
     """Return what answers quick questions, and have ``response`` tell of which edition it is."""
     edition = _service(request).current()
-    response.headers.update(_edition_told(edition))
+    response.headers.update(edition_told(edition))
     return edition.words
-
-
-def _edition_told(edition: Edition) -> dict[str, str]:
-    """Return the headers that say which edition of the FOON answered, and which newer one is being read."""
-    return {EDITION: edition.name} | ({NEWER: edition.newer} if edition.newer else {})
 
 
 def _service(request: Request) -> FoonService:

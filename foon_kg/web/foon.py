@@ -36,6 +36,10 @@ class FixedFoon:
         """Answer the name of its only edition."""
         return self._name
 
+    def fresh(self) -> str:
+        """Answer the name of its only edition."""
+        return self._name
+
     def read(self) -> Served:
         """Answer the FOON."""
         return Served(self._name, self._snapshot)
@@ -78,6 +82,10 @@ class LiveFoon:
             return self._name
         finally:
             self._turn.release()
+
+    def fresh(self) -> str | None:
+        """Answer which edition was seen in the last ``every`` seconds, if any was; waits for nobody."""
+        return self._name if time.monotonic() - self._looked < self._every else None
 
     def read(self) -> Served:
         """Answer the FOON as it stands now, or newer than its name says: then the next look sees another edition."""

@@ -131,7 +131,7 @@ class BodyLimit:
                 f"the body has more than {self.limits.body} bytes", hint="Ask for less at once.", code="size"
             )
             return await refuse(scope, send, 413, large, {"connection": "close"})
-        return await self.app(scope, _again(body, receive), send)
+        return await self.app(scope, again(body, receive), send)
 
     async def _read(self, headers: Headers, receive: Receive) -> bytes | None:
         length = headers.get("content-length", "0")
@@ -147,7 +147,8 @@ class BodyLimit:
                 return bytes(body)
 
 
-def _again(body: bytes, receive: Receive) -> Receive:
+def again(body: bytes, receive: Receive) -> Receive:
+    """Return what gives the ``body`` that was read once more, then what ``receive`` gives."""
     told = False
 
     async def give() -> Message:

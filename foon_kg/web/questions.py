@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Self
 
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ServerError, UsageError, WriteRefused
@@ -85,6 +87,11 @@ class Reply:
 
     status: int
     body: bytes
+
+    @cached_property
+    def mark(self) -> str:
+        """What tells this answer from others: an entity tag of HTTP."""
+        return f'"{hashlib.blake2b(self.body, digest_size=16).hexdigest()}"'
 
     @classmethod
     def of(cls, value: JsonObject, status: int = 200) -> Self:

@@ -35,6 +35,10 @@ class Foon(Protocol):
         """Answer the FOON as it stands now, which may take a while."""
         ...
 
+    def fresh(self) -> str | None:
+        """Answer the name of the edition that stands now where that is known at once."""
+        ...
+
     def close(self) -> None:
         """Give back what is held open."""
         ...
@@ -79,6 +83,27 @@ class FoonService:
         self._reader = ThreadPoolExecutor(1, "foon-reading")
         self.reading: Future[Edition] | None = None
         self._kept: OrderedDict[Question, Future[Reply]] = OrderedDict()
+        self._said: OrderedDict[bytes, Question] = OrderedDict()
+
+    def said(self, words: bytes, question: Question) -> None:
+        """Remember in which ``words`` a question was asked: whoever says them again need not be understood again."""
+        with self._turn:
+            self._said[words] = question
+            while len(self._said) > MOST_KEPT:
+                self._said.popitem(last=False)
+
+    def answered(self, words: bytes) -> tuple[Edition, Reply] | None:
+        """Return the answer to what was said before in the same ``words``; ``None`` where it is not there at once."""
+        name = self._foon.fresh()
+        with self._turn:
+            question, edition = self._said.get(words), self._edition
+            if question is None or edition is None or edition.name != name:
+                return None
+            kept = self._kept.get(question)
+            if kept is None or not kept.done() or _failed(kept):
+                return None
+            self._kept.move_to_end(question)
+            return edition, kept.result()
 
     def current(self) -> Edition:
         """Answer the edition that answers now; raises GraphError where there is none."""

@@ -22,7 +22,7 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.store.graph import load, loading, reading, remove
 from foon_kg.store.graph.free_cypher import ask_freely
-from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.writing import Writer
 from foon_kg.store.snapshot import Snapshot
 

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import pytest
 from kitchen_stories import SALAD, subgraph
 
+from foon_kg.model import kept
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph import Connection, Neo4jGraph, kept_rows, load
+from foon_kg.store.graph import Connection, Neo4jGraph, load
 from foon_kg.store.graph.kept_rows import KeptRows
 from foon_kg.store.graph.statements import Statement
 from foon_kg.store.snapshot import Snapshot
@@ -78,7 +79,7 @@ def test_where_nothing_can_be_written_nothing_is_kept(folder):
 
 
 def test_so_many_files_are_kept_and_no_more(folder, monkeypatch):
-    monkeypatch.setattr(kept_rows, "MOST_FILES", 3)
+    monkeypatch.setattr(kept, "MOST_FILES", 3)
     for number in range(5):
         KeptRows(f"e{number}").write(COUNTED, {}, ROWS)
     assert len(list(folder.iterdir())) == 3

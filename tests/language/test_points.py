@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from foon_kg.cypher import schema_steps
 from foon_kg.model.names import ALIASES_VARIABLE, canonical
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.points import LONGEST, POINT_LENGTH, _shared, points, question, word_lists_key
+from foon_kg.similarity.points import LONGEST, POINT_LENGTH, _shared, points, question
+from foon_kg.similarity.word_lists import word_lists_key
 
 EVIDENCE = food_similarity().evidence
 LISTED = EVIDENCE.food_groups.foods

@@ -8,9 +8,9 @@ import psutil
 import pytest
 
 from foon_kg.model.errors import ServerError
+from foon_kg.model.kept import cache_folder, write_private
 from foon_kg.store.server.configuration import neo4j_conf, write_configuration
-from foon_kg.store.server.disk import write_private
-from foon_kg.store.server.home import Home, Memory, cache_folder, home
+from foon_kg.store.server.home import Home, Memory, home
 from foon_kg.store.server.idle import Visit
 from foon_kg.store.server.java import java, write_arguments
 from foon_kg.store.server.process import failure, find, free_port, is_free, speaks_bolt

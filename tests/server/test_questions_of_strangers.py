@@ -11,9 +11,9 @@ import pytest
 from server.live_server import up
 
 from foon_kg.model.errors import GraphError
+from foon_kg.model.kept import write_private
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.free_cypher import ask_freely
-from foon_kg.store.server.disk import write_private
 
 VERSIONS = ("CYPHER 5 ", "CYPHER 25 ")
 SECRET = "what nobody should read"

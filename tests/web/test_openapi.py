@@ -17,6 +17,7 @@ OPERATIONS = (
     ("/api/complete", "GET"),
     ("/api/similar", "GET"),
     ("/api/object", "GET"),
+    ("/api/plan", "GET"),
     ("/api/plan", "POST"),
     ("/api/suggest", "POST"),
 )

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.formats.exports.files import ExportFile
 from foon_kg.formats.exports.neo4j_tables import Cell, Row, edge_tables, node_tables
-from foon_kg.similarity.points import word_lists_key
+from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.snapshot import Snapshot
 

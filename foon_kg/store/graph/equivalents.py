@@ -6,10 +6,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from foon_kg.model.knowledge import Neighbour
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
 from foon_kg.similarity.answers import nearest_of_each
-from foon_kg.similarity.points import Question, question, word_lists_key
+from foon_kg.similarity.points import Question, question
+from foon_kg.similarity.word_lists import word_lists_key
+from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.rows import EquivalentsRow
+from foon_kg.store.graph.schema import check_readable
+from foon_kg.store.graph.statements import EQUIVALENTS, SCHEMA_STATE
+from foon_kg.store.graph.statements import ask as ask_in
 
 FIRST = 64
 """So many points are asked for at first; of the public FOON, 20 hold the first five equivalents of any known food."""
@@ -18,6 +24,20 @@ MORE = 8
 """So many times as many are asked for next, where one further away may still be among the best."""
 
 Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
+
+
+def equivalents(
+    connection: Connection, kitchen: Kitchen, names: Sequence[str], limit: int
+) -> tuple[tuple[Neighbour, ...], ...] | None:
+    """Answer, for each of ``names``, the ``limit`` best known foods of a graph, without all that a view of it needs.
+
+    ``None`` where they cannot be told by points (see :func:`find_equivalents`). Raises GraphError where no FOON
+    answers, SchemaError for one of another version or written with another kitchen.
+    """
+    with connection.session() as session, session.begin_transaction() as transaction:
+        check_readable(next(iter(ask_in(transaction, SCHEMA_STATE)), None), kitchen)
+        found = find_equivalents(lambda asked: ask_in(transaction, EQUIVALENTS, **asked), dict.fromkeys(names), limit)
+    return None if found is None else tuple(found[name] for name in names)
 
 
 def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:

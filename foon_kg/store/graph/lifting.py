@@ -7,18 +7,13 @@ to ``ANYTHING``.
 
 from __future__ import annotations
 
-import hashlib
-import os
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache, lru_cache
-from importlib import resources
-from pathlib import Path
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from foon_kg.food import tables
-from foon_kg.food.tables import FOODS_VARIABLE, UTENSILS_VARIABLE
 from foon_kg.integration.operators import Evidence, Operators, Way
 from foon_kg.model import FunctionalUnit, KnownUnit, Sighting, content_key
 from foon_kg.store.snapshot import in_plain_order
@@ -27,10 +22,6 @@ ANYTHING = "any:thing"
 KIND, FORM = "kind:", "form:"
 
 _SOMEWHERE = (Sighting("", 0),)
-_LEARNT_BY = (
-    "food", "world", "integration", "store/graph/lifting.py", "store/graph/frame_rows.py", "store/snapshot.py",
-)  # fmt: skip
-"""The code and the data on which what is learnt depends."""
 
 
 @dataclass(frozen=True)
@@ -151,22 +142,3 @@ def matter_rows(matters: Iterable[str]) -> dict[str, list[Any]]:
         "forms": [name for name in names if name.startswith(FORM)],
         "anything": [name for name in names if name == ANYTHING],
     }
-
-
-def methods_key() -> str:
-    """Answer a hash of all that decides what is learnt of a FOON: the code that learns, and the tables of cooking."""
-    own = (os.environ.get(variable, "") for variable in (FOODS_VARIABLE, UTENSILS_VARIABLE))
-    return content_key(_program_key(), *(Path(path).read_text(encoding="utf-8") if path else "" for path in own))
-
-
-@cache
-def _program_key() -> str:
-    package = resources.files("foon_kg")
-    digest = hashlib.blake2b(digest_size=16)
-    for name in _LEARNT_BY:
-        place = package.joinpath(name)
-        files = [place] if place.is_file() else sorted(place.iterdir(), key=lambda file: file.name)
-        for file in files:
-            if file.name.endswith((".py", ".toml")):
-                digest.update(file.read_bytes())
-    return digest.hexdigest()

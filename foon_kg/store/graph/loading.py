@@ -11,10 +11,10 @@ import neo4j
 from foon_kg.model import Subgraph
 from foon_kg.model.errors import SchemaError
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.similarity.points import word_lists_key
+from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.differences import unknown_videos
-from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.schema import check_readable, kitchen_key, prepare_for_writing
 from foon_kg.store.graph.statements import VIDEO_CONTENTS, VIDEO_NAMES, ask
 from foon_kg.store.graph.writing import Writer

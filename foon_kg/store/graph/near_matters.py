@@ -9,7 +9,8 @@ from typing import Any
 from foon_kg.food import tables
 from foon_kg.integration.operators import LIKE_AT_ALL
 from foon_kg.model.names import canonical
-from foon_kg.similarity.points import Question, question, word_lists_key
+from foon_kg.similarity.points import Question, question
+from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
 from foon_kg.store.graph.lifting import KIND
 from foon_kg.store.graph.rows import MatterValue, MethodsAskedRow

@@ -23,7 +23,7 @@ from foon_kg.store.graph.edition import Edition
 from foon_kg.store.graph.equivalents import find_equivalents
 from foon_kg.store.graph.kept_rows import KeptRows
 from foon_kg.store.graph.known_units import known_units
-from foon_kg.store.graph.lifting import methods_key
+from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.methods import CommonMethods, LearntDishes, methods_of
 from foon_kg.store.graph.remembering import keep_trees
 from foon_kg.store.graph.rows import (

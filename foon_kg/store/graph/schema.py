@@ -80,7 +80,7 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
     if state is None or state.version < schema_version():
         session.execute_write(_run_steps, state.version if state else 0)
         session.execute_read(ask, AWAIT_INDEXES)
-        from foon_kg.store.graph.lifting import methods_key  # noqa: PLC0415 - questions that plan nothing do without it
+        from foon_kg.store.graph.learnt_by import methods_key  # noqa: PLC0415 - only a new graph needs it
 
         known = state or SchemaState(0, kitchen_key(kitchen), methods=methods_key())
         state = dataclasses.replace(known, version=schema_version())

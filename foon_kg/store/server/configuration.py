@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import secrets
 
-from foon_kg.store.server.disk import explain_os_error, write_private
+from foon_kg.model.kept import write_private
+from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.home import Home
+from foon_kg.store.server.reach import HOST
 
 PAGE_CACHE = "512m"
-HOST = "127.0.0.1"
 
 
 def neo4j_conf(port: int) -> str:

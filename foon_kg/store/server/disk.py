@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 from foon_kg.model.errors import ServerError
-from foon_kg.model.written_files import NO_ROOM, write_whole
+from foon_kg.model.written_files import NO_ROOM
 
 
 @contextmanager
@@ -32,8 +31,3 @@ def no_room(doing: str) -> ServerError:
         hint="free 1 GB and start again, or let FOON_KG_HOME (data) and FOON_KG_CACHE (jars) name folders elsewhere",
         code="no-space",
     )
-
-
-def write_private(file: Path, text: str) -> None:
-    """Write a file that only its owner can read, whole or not at all."""
-    write_whole(file, text, mode=0o600)

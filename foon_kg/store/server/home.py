@@ -9,11 +9,11 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-import platformdirs
 from filelock import FileLock, Timeout
 
 from foon_kg.model.errors import ServerError
-from foon_kg.store.server.disk import explain_os_error, write_private
+from foon_kg.model.kept import write_private
+from foon_kg.store.server.disk import explain_os_error
 
 DEFAULT_IDLE_MINUTES = 30
 LOCK_SECONDS = 900  # a first start on a slow line, which others wait for
@@ -132,12 +132,8 @@ class Home:
 def home() -> Home:
     """Return the home that the environment names."""
     chosen = os.environ.get("FOON_KG_HOME")
-    folder = Path(chosen) if chosen else platformdirs.user_data_path("foon-kg", appauthor=False) / "neo4j"
-    return Home(folder.expanduser().resolve())
+    if chosen:
+        return Home(Path(chosen).expanduser().resolve())
+    import platformdirs  # noqa: PLC0415 - only where nobody named a home
 
-
-def cache_folder() -> Path:
-    """Return the folder of what can be fetched or made again; ``FOON_KG_CACHE`` names another one."""
-    chosen = os.environ.get("FOON_KG_CACHE")
-    folder = Path(chosen) if chosen else platformdirs.user_cache_path("foon-kg", appauthor=False)
-    return folder.expanduser().resolve()
+    return Home((platformdirs.user_data_path("foon-kg", appauthor=False) / "neo4j").expanduser().resolve())

@@ -9,13 +9,14 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from foon_kg.model.errors import ServerError
+from foon_kg.model.kept import write_private
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.configuration import HOST, new_password, write_configuration
-from foon_kg.store.server.disk import explain_os_error, write_private
+from foon_kg.store.server.configuration import new_password, write_configuration
+from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet
 from foon_kg.store.server.java import MAIN_CLASS, run_admin, write_arguments
+from foon_kg.store.server.reach import password_of, settings_of
 from foon_kg.store.server.settings import ConnectionSettings
 
 
@@ -66,22 +67,6 @@ def _interrupts_held() -> Iterator[Callable[[], None]]:
         signal.signal(signal.SIGINT, before)
 
 
-def settings_of(place: Home, port: int) -> ConnectionSettings:
-    """Return how to reach the server of this home on this port."""
-    return ConnectionSettings(f"bolt://{HOST}:{port}", "neo4j", _password(place), "neo4j")
-
-
-def _password(place: Home) -> str:
-    try:
-        return place.password_file.read_text(encoding="utf-8").strip()
-    except OSError as error:
-        raise ServerError(
-            f"the password of the local Neo4j cannot be read: {place.password_file}: {error.strerror}",
-            hint=f"put the file back, or remove {place.root} to begin with an empty graph",
-            code="password",
-        ) from error
-
-
 def _set_password(place: Home, class_path: Sequence[Path]) -> None:
     """Give a home that was never started its random password; Neo4j accepts it only then."""
     if place.databases.exists():
@@ -90,4 +75,4 @@ def _set_password(place: Home, class_path: Sequence[Path]) -> None:
         if not place.password_file.exists():
             write_private(place.password_file, new_password())
     arguments = place.arguments.with_name("admin.args")
-    run_admin(arguments, class_path, place.root, ("dbms", "set-initial-password", _password(place)))
+    run_admin(arguments, class_path, place.root, ("dbms", "set-initial-password", password_of(place)))

@@ -11,9 +11,9 @@ from pathlib import Path
 import psutil
 
 from foon_kg.model.errors import ServerError
-from foon_kg.store.server.configuration import HOST
 from foon_kg.store.server.disk import explain_os_error, no_room
 from foon_kg.store.server.home import Home, Memory
+from foon_kg.store.server.reach import HOST
 from foon_kg.store.server.settings import ConnectionSettings
 
 ANSWER_SECONDS = 180

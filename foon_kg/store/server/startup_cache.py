@@ -19,8 +19,9 @@ import psutil
 from filelock import FileLock, Timeout
 
 from foon_kg.model.errors import FoonError, ServerError
+from foon_kg.model.kept import cache_folder
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.home import Home, cache_folder
+from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.store.server.launch import launched

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.configuration import HOST
 from foon_kg.store.server.home import Memory, home
 from foon_kg.store.server.jars import pinned
+from foon_kg.store.server.reach import HOST
 from foon_kg.store.server.startup_cache import the_startup_cache
 
 

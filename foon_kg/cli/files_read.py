@@ -1,0 +1,117 @@
+"""What a load tells of subgraph files, kept by their bytes: what is in the graph already is not parsed again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import astuple, dataclass
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from foon_kg.food.unknown import UnknownWord, WordKind, unknown_words
+from foon_kg.loaders.notices import Notice, NoticeKind, Severity
+from foon_kg.model import kept
+from foon_kg.model.regular_files import read_bytes
+
+if TYPE_CHECKING:
+    from foon_kg.loaders.notices import ReadResult
+
+_FOLDER = "files"
+_FORM = "1"
+"""Of what is kept; another one is none."""
+
+_READ_BY = ("food", "model")
+_VARIABLES = ("FOON_KG_FOODS", "FOON_KG_UTENSILS", "FOON_KG_ALIASES")
+"""What names files of a user's own that the answer may depend on."""
+
+
+@dataclass(frozen=True)
+class FilesRead:
+    """How many ``files`` there are and in how many something is ``bad``; their videos' hashes by name; what is odd.
+
+    ``words`` are those that no table has, each with the first file that has it.
+    """
+
+    files: int
+    bad: int
+    units: int
+    contents: Mapping[str, str]
+    notices: tuple[Notice, ...]
+    words: Mapping[UnknownWord, str]
+
+    @property
+    def rejected(self) -> int:
+        """How many units were left out; an unusable file counts as one."""
+        return sum(notice.severity is Severity.REJECTED for notice in self.notices)
+
+    @classmethod
+    def of(cls, results: Sequence[ReadResult]) -> FilesRead:
+        """Return what is to be told of ``results``."""
+        subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+        return cls(
+            len(results),
+            sum(result.rejected > 0 for result in results),
+            sum(len(subgraph.annotations) for subgraph in subgraphs),
+            {subgraph.name: subgraph.content_key for subgraph in subgraphs},
+            tuple(notice for result in results for notice in result.notices),
+            _unknown_words(results),
+        )
+
+
+def remembered(files: Sequence[Path]) -> FilesRead | None:
+    """Return what was kept of files with just these names and bytes, ``None`` where nothing was."""
+    asked = _asked(files)
+    body = None if asked is None else kept.find(_FOLDER, asked)
+    if body is None:
+        return None
+    count, bad, units, contents, notices, words = json.loads(body)
+    return FilesRead(
+        count,
+        bad,
+        units,
+        contents,
+        tuple(
+            Notice(file, line, NoticeKind(kind), message, action, Severity(severity))
+            for file, line, kind, message, action, severity in notices
+        ),
+        {UnknownWord(WordKind(kind), *about): file for (kind, *about), file in words},
+    )
+
+
+def remember(files: Sequence[Path], read: FilesRead) -> None:
+    """Keep what ``files`` say."""
+    asked = _asked(files)
+    if asked is not None:
+        notices = [astuple(notice) for notice in read.notices]
+        words = [(astuple(word), file) for word, file in read.words.items()]
+        values = (read.files, read.bad, read.units, dict(read.contents), notices, words)
+        kept.keep(_FOLDER, asked, json.dumps(values, ensure_ascii=False, separators=(",", ":")))
+
+
+def _asked(files: Sequence[Path]) -> str | None:
+    """Return a hash of the files, with their names, and of the program that reads them."""
+    digest = hashlib.blake2b(digest_size=16)
+    package, loaders = resources.files("foon_kg"), resources.files("foon_kg.loaders")
+    digest.update(f"{_FORM} {kept.code_key([loaders, *map(package.joinpath, _READ_BY)])}".encode())
+    own = [Path(os.environ[variable]) for variable in _VARIABLES if os.environ.get(variable)]
+    try:
+        for file in (*own, *files):
+            content = hashlib.blake2b(read_bytes(file), digest_size=16).hexdigest()
+            digest.update(json.dumps([str(file), content]).encode())
+    except OSError:
+        return None
+    return digest.hexdigest()
+
+
+def _unknown_words(results: Sequence[ReadResult]) -> dict[UnknownWord, str]:
+    """Return the words that no table has, each with the first file that has it."""
+    found: dict[UnknownWord, str] = {}
+    for result in results:
+        units = [one.unit for one in result.subgraph.annotations] if result.subgraph is not None else []
+        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+        for word in unknown_words(nodes, [unit.motion for unit in units]):
+            found.setdefault(word, result.path)
+    return dict(sorted(found.items(), key=lambda one: one[0]))

@@ -1,0 +1,46 @@
+"""Which files hold FOONs, and in which order they are read."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from foon_kg.model.errors import ReadError
+
+_ENDINGS = (".txt", ".json", ".lisp")
+
+
+def foon_files(paths: Iterable[Path]) -> list[Path]:
+    """Return the FOON files that ``paths`` name or, being folders, hold at any depth, by the name of the video.
+
+    Hidden files and folders are passed over. Raises ``ReadError`` for a path that does not exist or holds none.
+    """
+    return sorted({file for path in paths for file in _foon_files(path)}, key=_file_order)
+
+
+def _foon_files(path: Path) -> list[Path]:
+    if path.is_dir():
+        files = [file for file in _below(path) if file.suffix.lower() in _ENDINGS]
+        if not files:
+            raise ReadError(f"{path}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
+        return files
+    if not path.exists():
+        raise ReadError(f"{path}: no such file or folder", hint="Check the path.")
+    if path.suffix.lower() not in _ENDINGS:
+        raise ReadError(f"{path}: neither *.txt nor *.json", hint="A subgraph is a FOON text or its JSON.")
+    return [path]
+
+
+def _below(folder: Path) -> Iterator[Path]:
+    for place, folders, files in os.walk(folder, onerror=_refuse_folder):
+        folders[:] = [name for name in folders if not name.startswith(".")]
+        yield from (Path(place, name) for name in files if not name.startswith("."))
+
+
+def _refuse_folder(error: OSError) -> None:
+    raise ReadError(f"{error.filename}: cannot be opened: {error.strerror}", hint="Check its permissions.") from error
+
+
+def _file_order(path: Path) -> tuple[str, bool, str]:
+    return (path.stem, path.suffix.lower() != ".txt", str(path))
