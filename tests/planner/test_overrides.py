@@ -157,6 +157,7 @@ def test_no_tree_for_any_recipe_has_an_avoided_food(question, avoided):
     assert not any(names_avoided(node, (avoided,)) for node in nodes(result))
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(questions(), st.data())
 def test_any_choice_of_a_substitute_gives_a_sound_tree_or_a_reason(question, data):
