@@ -27,9 +27,9 @@ from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.knowledge import Neighbour
-from foon_kg.planning.batch import Cook, Question, Wishes
+from foon_kg.planning.batch import Cook, Question
 from foon_kg.planning.explanation import Explanation
-from foon_kg.planning.settings import Substitute
+from foon_kg.planning.settings import PlanSettings, Substitute
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, Substitution
 from foon_kg.store.snapshot import Snapshot
@@ -72,13 +72,13 @@ class Step:
 class Plan:
     """A task tree that makes a dish, in the order in which it is carried out. A notebook shows it as a table."""
 
-    def __init__(self, result: PlanResult, foon: Foon, wishes: Wishes, notes: Sequence[str] = ()) -> None:
+    def __init__(self, result: PlanResult, foon: Foon, settings: PlanSettings, notes: Sequence[str] = ()) -> None:
         self.result = result
         """The answer as :meth:`~foon_kg.plans.result.PlanResult.to_json` writes it."""
         self.notes = tuple(notes)
         """What had to be decided to read the question, a sentence each."""
         self._foon = foon
-        self._wishes = wishes
+        self._settings = settings
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -92,7 +92,7 @@ class Plan:
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
     def _step(self, number: int, unit: PlannedUnit) -> Step:
-        text = sentence(unit.as_unit(), self._wishes.kitchen)
+        text = sentence(unit.as_unit(), self._settings.kitchen)
         return Step(number, text, unit.motion_node, unit.input_nodes, unit.output_nodes, unit.origin, unit.seen_in)
 
     @property
@@ -123,7 +123,7 @@ class Plan:
         True
         """
         tree = TaskTree.from_json(self.result.to_json())
-        return check(tree, self._foon.known, free=self._wishes.kitchen.free_foods)
+        return check(tree, self._foon.known, free=self._settings.kitchen.free_foods)
 
     def explain(self) -> tuple[Explanation, ...]:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.
@@ -132,7 +132,7 @@ class Plan:
         ('bean_salad', 'farmhouse_omelette', 'garden_salad')
         """
         question = Question(given=self.result.recipe)
-        return self._foon.answer(question, self._wishes, explain=True)[1]
+        return self._foon.answer(question, self._settings, explain=True)[1]
 
     def to_json(self) -> JsonObject:
         """Return the plan as ``foon plan --json`` prints it.
@@ -186,7 +186,7 @@ class Plan:
         from foon_kg.model.extras import missing  # noqa: PLC0415
 
         try:
-            return tree_svg(ShownTree.of_result(self.result), self._wishes.kitchen)
+            return tree_svg(ShownTree.of_result(self.result), self._settings.kitchen)
         except ModuleNotFoundError as error:
             raise missing(error) or error from error
 
@@ -227,12 +227,12 @@ class Foon:
     It is a context manager; :meth:`close` gives connections back.
     """
 
-    def __init__(self, snapshot: Snapshot | None = None, settings: ConnectionSettings | None = None) -> None:
-        if (snapshot is None) == (settings is None):
+    def __init__(self, snapshot: Snapshot | None = None, server: ConnectionSettings | None = None) -> None:
+        if (snapshot is None) == (server is None):
             raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
         self._snapshot = snapshot
-        self._settings = settings
-        self._cooks: dict[Wishes, Cook] = {}
+        self._server = server
+        self._cooks: dict[PlanSettings, Cook] = {}
 
     @classmethod
     def from_files(cls, *paths: Paths) -> Self:
@@ -262,8 +262,8 @@ class Foon:
         from foon_kg.store.server import ConnectionSettings, connection_settings  # noqa: PLC0415
 
         if uri is None:
-            return cls(settings=connection_settings(lambda _: None))
-        return cls(settings=ConnectionSettings(uri, user, password, database))
+            return cls(server=connection_settings(lambda _: None))
+        return cls(server=ConnectionSettings(uri, user, password, database))
 
     def close(self) -> None:
         """Forget what is kept ready."""
@@ -278,7 +278,7 @@ class Foon:
     def __repr__(self) -> str:
         if self._snapshot is not None:
             return f"<Foon of {len(self._snapshot.subgraphs)} videos in memory>"
-        return f"<Foon at {self._settings.uri if self._settings else ''}>"
+        return f"<Foon at {self._server.uri if self._server else ''}>"
 
     @contextmanager
     def reading(self) -> Iterator[Snapshot | GraphView]:
@@ -293,7 +293,7 @@ class Foon:
             return
         from foon_kg.store.graph import Neo4jGraph  # noqa: PLC0415 - who reads files needs no driver
 
-        with Neo4jGraph(self._needs_settings("to read")) as graph, graph.reading() as view:
+        with Neo4jGraph(self._needs_server("to read")) as graph, graph.reading() as view:
             yield view
 
     @cached_property
@@ -303,7 +303,7 @@ class Foon:
             return KnownFoon.of(self._snapshot.units, self._snapshot.goals())
         from foon_kg.store.graph import Neo4jGraph  # noqa: PLC0415
 
-        with Neo4jGraph(self._needs_settings("to judge")) as graph:
+        with Neo4jGraph(self._needs_server("to judge")) as graph:
             whole = graph.snapshot()
         return KnownFoon.of(whole.units, whole.goals())
 
@@ -333,48 +333,48 @@ class Foon:
         6
         """
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
-        wishes = Wishes(chosen, tuple(avoid), kitchen=kitchen or Kitchen.default())
+        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid))
         asked = list(ingredients)
         pairs = [one for one in asked if not isinstance(one, str)]
         if pairs and len(pairs) < len(asked):
             raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
         if pairs or title is not None:
-            given = pairs or self._read(dish_type, [one for one in asked if isinstance(one, str)], wishes)
+            given = pairs or self._read(dish_type, [one for one in asked if isinstance(one, str)], settings)
             wanted = tuple(RequiredIngredient(food, state) for food, state in given)
             question = Question(given=Recipe(dish_type, wanted, title=title))
         else:
             question = Question(dish_type=dish_type, texts=tuple(one for one in asked if isinstance(one, str)))
-        result, _, notes = self.answer(question, wishes)
-        return Plan(result, self, wishes, notes)
+        result, _, notes = self.answer(question, settings)
+        return Plan(result, self, settings, notes)
 
-    def _read(self, dish_type: str, texts: Sequence[str], wishes: Wishes) -> list[tuple[str, str]]:
+    def _read(self, dish_type: str, texts: Sequence[str], settings: PlanSettings) -> list[tuple[str, str]]:
         question = Question(dish_type=dish_type, texts=tuple(texts))
-        with self._cook(wishes) as cook:
+        with self._cook(settings) as cook:
             read = question.read(cook.words_for(question))
         return [(wanted.object, wanted.state) for wanted in read.recipe.ingredients]
 
     def answer(
-        self, question: Question, wishes: Wishes, *, explain: bool = False
+        self, question: Question, settings: PlanSettings, *, explain: bool = False
     ) -> tuple[PlanResult, tuple[Explanation, ...], tuple[str, ...]]:
         """Return the answer to a question with its explanations and notes; raises what stands in its way."""
-        with self._cook(wishes) as cook:
+        with self._cook(settings) as cook:
             answer = cook.answer(question, explain=explain)
         if answer.error is not None or not isinstance(answer.outcome, PlanResult):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return answer.outcome, answer.explanations, answer.notes
 
     @contextmanager
-    def _cook(self, wishes: Wishes) -> Iterator[Cook]:
-        """Open what answers questions with such wishes; of files it is kept."""
+    def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
+        """Open what answers questions with such settings; of files it is kept."""
         if self._snapshot is None:
             with self.reading() as view:
-                yield Cook(view, wishes)
+                yield Cook(view, settings)
             return
-        if wishes not in self._cooks:
+        if settings not in self._cooks:
             if len(self._cooks) >= _MOST_KEPT:
                 self._cooks.clear()
-            self._cooks[wishes] = Cook(self._snapshot, wishes, self._snapshot.units)
-        yield self._cooks[wishes]
+            self._cooks[settings] = Cook(self._snapshot, settings, self._snapshot.units)
+        yield self._cooks[settings]
 
     def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
@@ -430,7 +430,7 @@ class Foon:
         from foon_kg.store.graph import Connection  # noqa: PLC0415
         from foon_kg.store.graph.free_cypher import ask_freely  # noqa: PLC0415
 
-        with Connection(self._needs_settings("to be asked in Cypher")) as connection:
+        with Connection(self._needs_server("to be asked in Cypher")) as connection:
             return ask_freely(connection, text, parameters, limit=limit)
 
     def load(self, *paths: Paths) -> LoadReport:
@@ -443,7 +443,7 @@ class Foon:
         from foon_kg.loaders.video_tables import read_videos  # noqa: PLC0415
         from foon_kg.store.graph import Connection, load  # noqa: PLC0415
 
-        settings = self._needs_settings("to load files")
+        settings = self._needs_server("to load files")
         results = list(read_videos([Path(path) for path in paths]))
         bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
         if bad:
@@ -454,11 +454,11 @@ class Foon:
         self.__dict__.pop("known", None)
         return report
 
-    def _needs_settings(self, what: str) -> ConnectionSettings:
-        if self._settings is None:
+    def _needs_server(self, what: str) -> ConnectionSettings:
+        if self._server is None:
             raise UsageError(f"a FOON in files has no Neo4j {what}", hint="Use Foon.connect().")
-        return self._settings
+        return self._server
 
 
 _MOST_KEPT = 8
-"""For so many different wishes what plans is kept ready."""
+"""For so many different settings what plans is kept ready."""
