@@ -7,10 +7,11 @@ INSTALLED_FOR_TESTS := .venv/installed-for-tests
 INSTALLED_FOR_DOCS := .venv/installed-for-docs
 TYPED := build/typed
 PIP_QUIETLY := --quiet --disable-pip-version-check
+QUICK := "not neo4j and not shared_data and not slow"
 LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --upgrade --generate-hashes --no-annotate \
 	--no-header --quiet
 
-.PHONY: demo test check docs mutants lock clean
+.PHONY: demo test test-quick check docs mutants lock clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
@@ -18,6 +19,9 @@ demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a
 
 test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 	$(BIN)/python -m pytest -n auto
+
+test-quick: $(INSTALLED_FOR_TESTS)  ## most tests in a minute: without a Neo4j, a browser or what takes long by itself
+	$(BIN)/python -m pytest -n auto -m $(QUICK)
 
 check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports and how many a command makes
 	$(BIN)/ruff check .

@@ -1,14 +1,18 @@
-"""Write docs/reference/commands.md from the commands themselves, so that it says what they say.
+"""Write what documents show of foon-kg from foon-kg itself: the page of commands, and the outputs of the notebook.
 
-python docs/generate.py          # writes the file
-python docs/generate.py --check  # exits with 1 where the file says something else
+python docs/generate.py          # writes both files
+python docs/generate.py --check  # exits with 1 where one of them says something else
 """
 
 from __future__ import annotations
 
 import argparse
+import ast
+import io
+import json
 import sys
 from collections.abc import Iterator
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +21,7 @@ import typer
 from foon_kg.cli import app
 
 TARGET = Path(__file__).parent / "reference" / "commands.md"
+NOTEBOOK = Path(__file__).parent / "how-to" / "notebook.ipynb"
 HEAD = """# Commands
 
 Every command as it describes itself; `foon COMMAND --help` says the same. Exit codes: 0 done, 1 failed, 2 wrong usage,
@@ -52,16 +57,47 @@ def document() -> str:
     return HEAD + "\n".join(described(typer.main.get_command(app), ("foon",))) + "\n"
 
 
+def notebook() -> str:
+    """Return the notebook with the outputs that its cells have today, as Jupyter writes it."""
+    value = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
+    names: dict[str, Any] = {}
+    for count, cell in enumerate((cell for cell in value["cells"] if cell["cell_type"] == "code"), start=1):
+        cell |= {"execution_count": count, "outputs": list(_outputs("".join(cell["source"]), names, count))}
+    return json.dumps(value, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+
+
+def _outputs(source: str, names: dict[str, Any], count: int) -> Iterator[dict[str, Any]]:
+    """Run a cell with ``names``; yield what it prints and, where it ends with an expression, how its value is shown."""
+    body = ast.parse(source).body
+    end = body.pop() if isinstance(body[-1], ast.Expr) else None
+    last = ast.Expression(end.value) if isinstance(end, ast.Expr) else None
+    with redirect_stdout(io.StringIO()) as printed:
+        exec(compile(ast.Module(body, []), "notebook", "exec"), names)  # noqa: S102 - the cells are our own
+        shown = None if last is None else eval(compile(last, "notebook", "eval"), names)  # noqa: S307 - the same
+    if printed.getvalue():
+        yield {"output_type": "stream", "name": "stdout", "text": printed.getvalue().splitlines(keepends=True)}
+    if shown is not None:
+        data = {"text/plain": repr(shown).splitlines(keepends=True)}
+        if hasattr(shown, "_repr_html_"):
+            data["text/html"] = shown._repr_html_().splitlines(keepends=True)
+        yield {"output_type": "execute_result", "execution_count": count, "data": data, "metadata": {}}
+
+
+WRITTEN = {TARGET: document, NOTEBOOK: notebook}
+
+
 def main() -> int:
-    """Write the page, or compare it."""
+    """Write the files, or compare them."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
-    if parser.parse_args().check:
-        same = TARGET.read_text(encoding="utf-8") == document()
-        print("docs/reference/commands.md is " + ("as it should be" if same else "old: run python docs/generate.py"))
-        return 0 if same else 1
-    TARGET.write_text(document(), encoding="utf-8")
-    return 0
+    check = parser.parse_args().check
+    old = [path for path, made in WRITTEN.items() if path.read_text(encoding="utf-8") != made()]
+    for path in old:
+        if check:
+            print(f"docs/{path.relative_to(Path(__file__).parent)} is old: run python docs/generate.py")
+        else:
+            path.write_text(WRITTEN[path](), encoding="utf-8")
+    return 1 if check and old else 0
 
 
 if __name__ == "__main__":

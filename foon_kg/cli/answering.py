@@ -15,7 +15,8 @@ from foon_kg.cli.console import Say, json_line, print_view, progress_bar, show_e
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model.knowledge import KnowledgeView
-    from foon_kg.planning.batch import Answer, Question, Wishes
+    from foon_kg.planning.batch import Answer, Question
+    from foon_kg.planning.settings import PlanSettings
 
 Show = Callable[["Answer"], None]
 
@@ -50,7 +51,7 @@ def knowledge_for(files: Sequence[Path] | None, count: int, say: Say) -> Iterato
 def answer_all(
     questions: Sequence[Question],
     view: KnowledgeView,
-    wishes: Wishes,
+    settings: PlanSettings,
     jobs: int | None,
     writing: Writing,
     *,
@@ -60,12 +61,12 @@ def answer_all(
 
     They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
     """
-    done = None if writing.output is None else _answered_before(writing.output, questions, view, wishes)
+    done = None if writing.output is None else _answered_before(writing.output, questions, view, settings)
     there = 0 if done is None else len(done.lines)
     if there:
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
     to = nullcontext(writing.show) if done is None else _writes_to(done)
-    with _answering(questions[there:], view, wishes, jobs, dask) as answers, to as write:
+    with _answering(questions[there:], view, settings, jobs, dask) as answers, to as write:
         beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
         shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
         codes = [_write(answer, write, writing.say) for answer in shown]
@@ -98,7 +99,9 @@ def show_view(answer: Answer) -> None:
             print_view(explanation_view(answer.explanations))
 
 
-def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes) -> AnswerFile:
+def _answered_before(
+    path: Path, questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings
+) -> AnswerFile:
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model.node_json import recipe_to_json
     from foon_kg.planning.recipes import IngredientWords
@@ -108,23 +111,23 @@ def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeV
     if done.lines:
         words = IngredientWords(view.vocabulary(), Kitchen.default())
         first = questions[: len(done.lines)]
-        done.check([recipe_to_json(question.as_planned(words, wishes.avoided)) for question in first])
+        done.check([recipe_to_json(question.as_planned(words, settings.avoided)) for question in first])
     return done
 
 
 def _answering(
-    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, jobs: int | None, dask: str | None
+    questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, jobs: int | None, dask: str | None
 ) -> AbstractContextManager[Iterable[Answer]]:
     from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
     from foon_kg.store.snapshot import Snapshot
 
     units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
     if dask is not None and units is not None:
-        return answering_on(dask, questions, view, wishes, units)
+        return answering_on(dask, questions, view, settings, units)
     processes = cores() if jobs is None else jobs
     if units is not None and len(questions) >= MANY and processes > 1:
-        return answering(questions, view, wishes, units, processes)
-    return nullcontext(map(Cook(view, wishes, units).answer, questions) if questions else ())
+        return answering(questions, view, settings, units, processes)
+    return nullcontext(map(Cook(view, settings, units).answer, questions) if questions else ())
 
 
 def _stdout_is_terminal() -> bool:

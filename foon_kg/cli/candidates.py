@@ -9,12 +9,13 @@ from foon_kg.cli.console import Say, print_json, print_view
 if TYPE_CHECKING:
     from foon_kg.model.json_fields import JsonObject
     from foon_kg.model.knowledge import KnowledgeView
-    from foon_kg.planning.batch import Question, Wishes
+    from foon_kg.planning.batch import Question
+    from foon_kg.planning.settings import PlanSettings
     from foon_kg.search import ReferenceTree
 
 
 def show_candidates(
-    question: Question, view: KnowledgeView, wishes: Wishes, most: int, *, as_json: bool, say: Say
+    question: Question, view: KnowledgeView, settings: PlanSettings, most: int, *, as_json: bool, say: Say
 ) -> None:
     """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
     from foon_kg.formats.views.candidates import candidates_view
@@ -23,8 +24,8 @@ def show_candidates(
     from foon_kg.planning.candidates import reference_question
     from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
 
-    cook = Cook(view, wishes)
-    read = question.read(cook.words_for(question), wishes.avoided)
+    cook = Cook(view, settings)
+    read = question.read(cook.words_for(question), settings.avoided)
     for note in read.notes:
         say(note)
     goal, problem = reference_question(cook.planner, read.recipe)

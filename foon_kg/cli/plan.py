@@ -123,7 +123,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.answering import Writing, answer_all, knowledge_for
     from foon_kg.cli.candidates import show_candidates
     from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.planning.batch import Wishes
+    from foon_kg.planning.settings import PlanSettings
     from foon_kg.plans.kitchen import Kitchen
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
@@ -136,12 +136,13 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with knowledge_for(files, len(questions), say) as view:
         at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
-        wishes = Wishes(tuple(map(_substitute, substitute or ())), tuple(avoid or ()), explain, at_hand, method=method)
+        chosen = tuple(map(_substitute, substitute or ()))
+        settings = PlanSettings(at_hand, substitutes=chosen, avoided=tuple(avoid or ()), explain=explain, method=method)
         if enumerate_all:
-            show_candidates(questions[0], view, wishes, most, as_json=as_json, say=say)
+            show_candidates(questions[0], view, settings, most, as_json=as_json, say=say)
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
-        code = answer_all(questions, view, wishes, jobs, writing)
+        code = answer_all(questions, view, settings, jobs, writing)
     if code:
         raise typer.Exit(code)
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Literal
 
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
@@ -32,9 +31,6 @@ from foon_kg.plans.result import PlanFailure, PlanResult
 
 MANY = 4
 """From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
-
-Method = Literal["frames", "paper"]
-"""How trees are made: as foon-kg makes them, or by the paper's four algorithms to the letter, for comparison."""
 
 
 @dataclass(frozen=True)
@@ -79,21 +75,6 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Wishes:
-    """How all recipes are to be planned (see :class:`~foon_kg.planning.settings.PlanSettings`), and whether to say why.
-
-    ``time_limit`` (seconds) is for the search of each reference tree. The paper's ``method`` knows nothing of all this.
-    """
-
-    substitutes: tuple[Substitute, ...] = ()
-    avoided: tuple[str, ...] = ()
-    explain: bool = False
-    kitchen: Kitchen = field(default_factory=Kitchen.default)
-    time_limit: float | None = 20.0
-    method: Method = "frames"
-
-
-@dataclass(frozen=True)
 class Answer:
     """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it."""
 
@@ -106,33 +87,30 @@ class Answer:
 class Cook:
     """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
 
-    def __init__(self, view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit] | None = None) -> None:
-        settings = PlanSettings(
-            wishes.kitchen, time_limit=wishes.time_limit, substitutes=wishes.substitutes, avoided=wishes.avoided
-        )
+    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
-        self.wishes = wishes
+        self.settings = settings
         self.asks_for_parts = units is None
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
-        """Answer one question, and why where that, or all wishes, ask it.
+        """Answer one question, and why where that, or the settings, ask it.
 
         What is raised is not about this recipe, and ends the batch.
         """
         read = ReadRecipe(question.stand_in, ())
         explanations: tuple[Explanation, ...] = ()
         try:
-            read = question.read(self.words_for(question), self.wishes.avoided)
-            if self.wishes.method == "paper":
+            read = question.read(self.words_for(question), self.settings.avoided)
+            if self.settings.method == "paper":
                 from foon_kg.planning.paper import plan_by_the_paper  # noqa: PLC0415 - only comparisons need it
 
                 result = plan_by_the_paper(self.view, read.recipe)
-            elif explain or self.wishes.explain:
+            elif explain or self.settings.explain:
                 result, explanations = self.planner.explain(read.recipe)
             else:
                 result = self.planner.plan(read.recipe)
-            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.wishes.substitutes, result))
+            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.settings.substitutes, result))
             return Answer(result, notes, explanations)
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
@@ -167,7 +145,7 @@ def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> It
 
 
 def answering(
-    questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit], jobs: int
+    questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
@@ -176,20 +154,22 @@ def answering(
     """
     from foon_kg.planning.processes import spread  # noqa: PLC0415 - only batches need it
 
-    return spread(partial(_answers_of, view, wishes, units), questions, jobs)
+    return spread(partial(_answers_of, view, settings, units), questions, jobs)
 
 
 def answering_on(
-    address: str, questions: Sequence[Question], view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]
+    address: str, questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
     from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it
 
-    return spread_over(partial(_answers_of, view, wishes, units), questions, address)
+    return spread_over(partial(_answers_of, view, settings, units), questions, address)
 
 
-def _answers_of(view: KnowledgeView, wishes: Wishes, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
-    return Cook(view, wishes, units).answer
+def _answers_of(
+    view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
+) -> Callable[[Question], Answer]:
+    return Cook(view, settings, units).answer
 
 
 def cores() -> int:

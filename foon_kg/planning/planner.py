@@ -90,7 +90,7 @@ class Teaching:
 
     def __init__(self, methods: Methods, settings: PlanSettings) -> None:
         self.methods = methods
-        self.likes = FoodLikes(settings.similarity, methods.operators.foods, settings.substitutes)
+        self.likes = FoodLikes(settings.similarity or food_similarity(), methods.operators.foods, settings.substitutes)
 
 
 class Planner:
@@ -105,7 +105,7 @@ class Planner:
         self.settings = settings
         self.known: Tables = tables()
         self.references = References(view, settings, units)
-        self.in_parts = units is None and settings.similarity is food_similarity()  # parts are found by the default
+        self.in_parts = units is None and settings.similarity is None  # parts are found by the default
         self._latest: Teaching | None = None
         if settings.substitutes:
             _ = self.teaching_for((), "").likes  # a substitute that nobody knows is refused before anything is planned

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.similarity import Similarity, food_similarity
+from foon_kg.similarity import Similarity
+
+Method = Literal["frames", "paper"]
+"""How trees are made: as foon-kg makes them, or by the paper's four algorithms to the letter, for comparison."""
 
 
 @dataclass(frozen=True)
@@ -20,12 +24,16 @@ class Substitute:
 class PlanSettings:
     """How to plan: what is at hand, how foods are compared, how long a search for a reference tree may take (seconds).
 
-    A person's own wishes come before what the similarity says: ``substitutes`` are tried first however unlike they
-    are, and no tree has a food of ``avoided`` (names of foods or of kinds of food).
+    Without a ``similarity`` it is :func:`~foon_kg.similarity.food_similarity`, which every process makes for itself. A
+    person's own wishes come before what it says: ``substitutes`` are tried first however unlike they are, and no tree
+    has a food of ``avoided`` (names of foods or of kinds of food). ``explain`` asks for the reasons with every tree.
+    The paper's ``method`` knows nothing of all this.
     """
 
     kitchen: Kitchen = field(default_factory=Kitchen.default)
-    similarity: Similarity = field(default_factory=food_similarity)
+    similarity: Similarity | None = None
     time_limit: float | None = 20.0
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
+    explain: bool = False
+    method: Method = "frames"

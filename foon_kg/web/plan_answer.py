@@ -6,7 +6,6 @@ from dataclasses import asdict
 
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
-from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
@@ -42,7 +41,9 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations) -
 
 
 def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:
-    """Answer the pictures of a plan as SVG texts."""
+    """Return the pictures of a plan as SVG texts; raises ModuleNotFoundError without what lays a tree out."""
+    from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - agents ask for none, and need no layout
+
     return {
         "tree": tree_svg(shown, Kitchen.default()),
         "progress": progress_svg(shown, width),

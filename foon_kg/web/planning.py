@@ -7,10 +7,11 @@ from functools import cached_property
 
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.batch import Cook, Wishes
+from foon_kg.planning.batch import Cook
 from foon_kg.planning.batch import Question as CookQuestion
 from foon_kg.planning.kitchen_file import Entry, ReadKitchen, kitchen_with
 from foon_kg.planning.recipes import IngredientWords
+from foon_kg.planning.settings import PlanSettings
 from foon_kg.planning.suggestion import suggest
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
@@ -27,7 +28,7 @@ class PlanningDesk:
 
     def __init__(self, snapshot: Snapshot) -> None:
         self.snapshot = snapshot
-        self._cook = Cook(snapshot, Wishes(time_limit=TIME_LIMIT), snapshot.units)
+        self._cook = Cook(snapshot, PlanSettings(time_limit=TIME_LIMIT), snapshot.units)
 
     def answer(self, question: Question) -> Reply:
         """Answer ``question``; what is wrong with it is an answer too."""
@@ -53,8 +54,8 @@ class PlanningDesk:
 
     def _cook_for(self, question: PlanQuestion, kitchen: Kitchen) -> Cook:
         if question.substitutes or question.avoided or question.kitchen:
-            wishes = Wishes(question.substitutes, question.avoided, kitchen=kitchen, time_limit=TIME_LIMIT)
-            return Cook(self.snapshot, wishes)
+            chosen, avoided = question.substitutes, question.avoided
+            return Cook(self.snapshot, PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided))
         return self._cook
 
     @cached_property

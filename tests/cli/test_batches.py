@@ -18,6 +18,8 @@ from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import FoonError
 from foon_kg.planning.processes import _told
 
+pytestmark = pytest.mark.slow
+
 FOON = [sys.executable, "-c", "from foon_kg.cli import main; main()"]
 FILES = ["--files", str(demo_folder())]
 

@@ -115,6 +115,7 @@ def test_a_dish_type_is_completed():
     assert answer.stdout.split() == ["sandwich", "sauce", "salad", "sausage"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("module", "words", "extra"),
     [("fastapi", ["serve"], "web"), ("mcp", ["mcp"], "agents"), ("uvicorn", ["serve"], "web")],
@@ -133,6 +134,7 @@ def test_the_package_is_a_program_too():
     assert told.stdout == f"foon-kg {__version__}\n"
 
 
+@pytest.mark.slow
 def test_stats_reads_no_foon_and_imports_nothing_that_plans():
     environment = {**os.environ, "NEO4J_URI": "bolt://127.0.0.1:1"}
     program = (

@@ -30,6 +30,7 @@ def kitchen(tmp_path):
     return write
 
 
+@pytest.mark.slow
 def test_a_plan_takes_what_the_kitchen_has_and_check_agrees(kitchen):
     file = kitchen(UTENSILS + FOODS)
     answer = foon("plan", *SALAD, "--kitchen", file, "--json")
@@ -43,12 +44,14 @@ def test_a_plan_takes_what_the_kitchen_has_and_check_agrees(kitchen):
     assert "it is not in the kitchen that was named" in other.stdout
 
 
+@pytest.mark.slow
 def test_the_kitchen_of_a_plan_is_a_kitchen_in_which_it_is_planned_again(kitchen):
     plain = json.loads(foon("plan", *SALAD, "--json").stdout)
     again = foon("plan", *SALAD, "--json", "--kitchen", kitchen(json.dumps(plain["kitchen"]), "kitchen.json"))
     assert json.loads(again.stdout) == plain
 
 
+@pytest.mark.slow
 def test_what_is_missing_is_told_with_exit_code_3_and_as_a_list(kitchen):
     answer = foon("plan", *SALAD, "--json", "--kitchen", kitchen(UTENSILS.replace("salad bowl\n", "")))
     assert answer.exit_code == 3
@@ -61,6 +64,7 @@ def test_what_is_missing_is_told_with_exit_code_3_and_as_a_list(kitchen):
     assert hint.startswith("hint: Get a ")
 
 
+@pytest.mark.slow
 def test_an_unknown_word_is_said_with_its_line_and_a_file_that_cannot_be_read_is_refused(kitchen):
     file = kitchen(f"{UTENSILS}{FOODS}oniom\n")
     answer = foon("plan", *SALAD, "--kitchen", file)
@@ -96,6 +100,7 @@ def test_enumerate_lists_candidates_in_order_beside_the_exact_search():
     assert len(exact["seen_in"]) == exact["units"]
 
 
+@pytest.mark.slow
 def test_enumerate_says_when_it_stopped_and_when_these_were_all():
     some = foon("plan", *SALAD, "--enumerate", "--most", "20")
     assert "Stopped after 20 combinations of producers" in some.stdout
@@ -133,6 +138,7 @@ def test_suggest_in_json_is_one_value_with_the_best_first(kitchen):
     assert (value["considered"], len(shares)) == (23, 5)
 
 
+@pytest.mark.slow
 def test_what_is_suggested_as_complete_can_be_planned_from_the_same_kitchen(kitchen):
     file = kitchen("egg\nmilk\nbutter\nsalt\ncheddar\n")
     first = json.loads(foon("suggest", "--kitchen", file, "--json").stdout)["suggestions"][0]

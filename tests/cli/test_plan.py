@@ -32,6 +32,7 @@ def asked(*foods):
     return [{"object": food, "state": state} for food, state in foods]
 
 
+@pytest.mark.slow
 def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
     answer = foon(*SALAD)
     assert answer.exit_code == 0, answer.stderr
@@ -43,6 +44,7 @@ def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
     assert not any(line.endswith(" ") for line in answer.stdout.splitlines())
 
 
+@pytest.mark.slow
 def test_json_is_one_result_on_stdout_and_quiet_keeps_stderr_empty(foon):
     answer = foon(*SALAD, "--json", "--quiet")
     assert answer.stderr == ""
@@ -59,6 +61,7 @@ def test_json_is_one_result_on_stdout_and_quiet_keeps_stderr_empty(foon):
     assert all(line.end_product == result.goal.label for line in result.progress_lines)
 
 
+@pytest.mark.slow
 def test_foon_text_is_read_back_as_the_same_steps(foon):
     text = foon(*SALAD, "--foon", "--quiet").stdout
     result = PlanResult.from_json(json.loads(foon(*SALAD, "--json").stdout))
@@ -71,10 +74,12 @@ def test_foon_text_is_read_back_as_the_same_steps(foon):
     assert [p.dish_type for p in units[-1].outputs if p.node == result.goal] == ["salad"]
 
 
+@pytest.mark.slow
 def test_the_same_question_has_the_same_answer(foon):
     assert foon(*SALAD, "--json").stdout == foon(*SALAD, "--json").stdout
 
 
+@pytest.mark.slow
 def test_many_recipes_are_lines_in_their_order_and_a_failure_is_a_line_too(foon, tmp_path):
     good = recipe_file(tmp_path, "b", type="salad", ingredients=asked(("onion", "chopped"), ("salt", "granulated")))
     unreadable = tmp_path / "a.json"
@@ -91,6 +96,7 @@ def test_many_recipes_are_lines_in_their_order_and_a_failure_is_a_line_too(foon,
     assert "error: Pie: this FOON has no pie" in answer.stderr
 
 
+@pytest.mark.slow
 def test_a_folder_of_recipes_is_planned_whole(foon, tmp_path):
     for name in ("2", "1"):
         recipe_file(tmp_path, name, type="salad", ingredients=asked(("onion", "chopped")))
@@ -99,11 +105,13 @@ def test_a_folder_of_recipes_is_planned_whole(foon, tmp_path):
     assert answer.exit_code == 0
 
 
+@pytest.mark.slow
 def test_a_recipe_has_the_same_tree_alone_and_among_others(foon):
     among = foon(*demo_recipes(), "--json").stdout.splitlines(keepends=True)
     assert [foon(recipe, "--json").stdout for recipe in demo_recipes()] == among
 
 
+@pytest.mark.slow
 def test_an_ingredient_asked_twice_stays_twice_in_the_recipe(foon, tmp_path):
     twice = asked(("onion", "chopped"), ("onion", "chopped"))
     answer = foon(recipe_file(tmp_path, "r", type="salad", ingredients=twice), "--json")
@@ -163,6 +171,7 @@ def test_files_without_a_subgraph_are_an_error_that_names_them(tmp_path, folder,
     assert str(tmp_path / folder) in answer.stderr.splitlines()[0]
 
 
+@pytest.mark.slow
 def test_every_recipe_of_the_demo_has_a_tree(foon):
     answer = foon(*demo_recipes(), "--json")
     assert answer.exit_code == 0, answer.stderr
@@ -173,6 +182,7 @@ def test_the_demo_reads_its_own_foon_without_a_remark():
     assert len(demo_subgraphs()) == len(list(demo_folder().glob("*.txt"))) >= 15
 
 
+@pytest.mark.slow
 def test_the_papers_own_method_is_there_to_compare(foon):
     asked_for = ("--dish", "salad", "chopped onion", "chopped tomato", "liquid olive oil", "--json")
     ours, theirs = (json.loads(foon(*asked_for, "--method", name).stdout) for name in ("frames", "paper"))

@@ -27,6 +27,7 @@ def show(*arguments, text=None):
     return CliRunner().invoke(app, ["show", *map(str, arguments)], input=text)
 
 
+@pytest.mark.slow
 def test_without_an_option_the_tree_is_printed(plans):
     answer = show(plans)
     assert answer.exit_code == 0, answer.stderr
@@ -63,6 +64,7 @@ def test_what_is_no_tree_is_refused(tmp_path):
     assert show(tmp_path / "absent.json").exit_code == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "begins"),
     [
@@ -94,6 +96,7 @@ def test_a_timetable_says_who_does_what_when_and_how_often_that_was_seen(plans):
     assert answer.stdout.splitlines()[1].split() == ["from", "to", "hands", "step", "seen"]
 
 
+@pytest.mark.slow
 def test_the_difference_to_the_reference_tree_is_told_step_by_step(plans):
     answer = show(plans, "--difference", "--files", demo_folder(), "--quiet")
     assert answer.exit_code == 0, answer.stderr

@@ -23,6 +23,7 @@ def result_of(answer):
     return PlanResult.from_json(json.loads(answer.stdout))
 
 
+@pytest.mark.slow
 def test_a_substitute_is_taken_and_its_low_confidence_is_told():
     result = result_of(plan(*SALAD, "--substitute", "kohlrabi = onions", "--json"))
     (chosen,) = [s for s in result.substitutions if s.kind == "object"]
@@ -40,6 +41,7 @@ def test_avoided_foods_are_left_out_one_by_one_and_said():
     assert wanted == ["kohlrabi", "tomato", "olive oil", "salt"]
 
 
+@pytest.mark.slow
 def test_explain_shows_the_plan_and_then_why_each_ingredient_is_made_so():
     answer = plan(*SALAD, "--explain", "--quiet")
     assert answer.exit_code == 0
@@ -50,6 +52,7 @@ def test_explain_shows_the_plan_and_then_why_each_ingredient_is_made_so():
     assert "like carrot" in " ".join(why.split()) or "makes carrot" in " ".join(why.split())
 
 
+@pytest.mark.slow
 def test_a_plan_shows_the_title_that_was_asked_and_the_dish_of_foon_that_it_is_like(tmp_path):
     foods = [{"object": "kohlrabi", "state": "chopped"}, {"object": "tomato", "state": "chopped"}]
     path = tmp_path / "r.json"

@@ -66,6 +66,7 @@ def food(thing):
     return not KITCHEN.is_utensil(thing.label)
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons(), nodes_asked, foods_asked)
 def test_behind_answers_the_units_that_a_search_through_everything_finds(subgraphs, asked, foods):
@@ -92,6 +93,7 @@ def units_behind(subgraphs, asked, foods):
     return found
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons())
 def test_every_unit_comes_with_every_place_where_it_was_seen(subgraphs):
@@ -109,6 +111,7 @@ def test_every_unit_comes_with_every_place_where_it_was_seen(subgraphs):
     assert places == expected
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons())
 def test_a_unit_is_written_as_its_first_sighting_has_it(subgraphs):
@@ -122,6 +125,7 @@ def test_a_unit_is_written_as_its_first_sighting_has_it(subgraphs):
     assert {known.unit.key: known.unit for known in answered} == first
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons())
 def test_goals_are_the_foods_that_a_video_marks_with_a_dish(subgraphs):
@@ -142,6 +146,7 @@ def test_goals_are_the_foods_that_a_video_marks_with_a_dish(subgraphs):
         assert all(g.ingredients == g.node.ingredients for g in goals)
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons())
 def test_the_vocabulary_counts_each_distinct_unit_once(subgraphs):
@@ -158,6 +163,7 @@ def test_the_vocabulary_counts_each_distinct_unit_once(subgraphs):
     assert words.motions == tuple(MadeBy(*pair, motions[pair]) for pair in sorted(motions))
 
 
+@pytest.mark.slow
 @for_every_foon
 @given(foons())
 def test_the_vocabulary_says_how_often_the_units_of_a_motion_take_several_foods(subgraphs):

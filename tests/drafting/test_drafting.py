@@ -149,6 +149,7 @@ told = st.builds(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(st.lists(told, max_size=6))
 def test_every_narration_gives_a_draft_that_is_read_back_whole_and_says_the_same_twice(actions):

@@ -21,6 +21,7 @@ def said(text):
     return [(action.verb, *(one.name for one in action.objects)) for action in actions(text)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

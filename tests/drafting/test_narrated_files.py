@@ -73,6 +73,7 @@ def test_a_quote_that_never_ends_rejects_the_table():
     assert notices('1,v,,,"chop') == [(2, NoticeKind.UNREADABLE_FILE)]
 
 
+@pytest.mark.slow
 @given(st.text())
 def test_any_text_under_the_header_is_read_or_told(text):
     found = read_epic_kitchens(epic(text), "epic.csv")
@@ -146,6 +147,7 @@ def test_a_video_named_like_a_path_or_like_another_is_refused(captions):
     assert [narration.name for narration in found.narrations] == ["v"]
 
 
+@pytest.mark.slow
 def test_captions_of_any_length_are_read_in_bounded_memory(captions):
     sentence = {"sentences": ["Chop the onion very finely. " * 20], "timestamps": [[0, 1]]}
     text = json.dumps({f"v{number}": sentence for number in range(2_500)})
@@ -166,6 +168,7 @@ DOCUMENTS = st.dictionaries(
 )
 
 
+@pytest.mark.slow
 @given(DOCUMENTS, st.integers(1, 40), st.sampled_from([None, 1]))
 def test_a_document_in_blocks_has_the_fields_that_it_has_as_a_whole(document, size, indent):
     text = json.dumps(document, indent=indent, ensure_ascii=False)

@@ -21,6 +21,7 @@ def kappa_by_pairs(pairs):
     return None if by_chance == 0 else 1 - seen / by_chance
 
 
+@pytest.mark.slow
 @given(pairs)
 def test_kappa_is_what_distances_say(pairs):
     found = agreement([a for a, _ in pairs], [b for _, b in pairs])

@@ -10,6 +10,8 @@ from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.model.errors import UsageError
 from foon_kg.planning.cluster import spread_over
 
+pytestmark = pytest.mark.slow
+
 distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,6 +15,7 @@ marks = st.lists(
 )
 
 
+@pytest.mark.slow
 @given(marks)
 def test_a_curve_counts_the_recipes_at_or_over_each_threshold(marks):
     counted = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kitchen_stories import unit
@@ -32,6 +33,7 @@ def least_edits(one, other):
     return least
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(graphs(most=4), graphs(most=4))
 def test_the_distance_is_the_least_of_all_ways_to_lay_one_graph_onto_the_other(one, other):

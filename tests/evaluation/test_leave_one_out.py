@@ -84,6 +84,7 @@ def evaluate(folder, *arguments):
     )
 
 
+@pytest.mark.slow
 def test_figures_are_the_means_of_the_videos_and_a_comparison_with_itself_changes_nothing(folder, tmp_path):
     answer = evaluate(folder, "--json")
     assert answer.exit_code == 0, answer.output
@@ -111,6 +112,7 @@ def test_a_dish_type_of_too_few_goals_has_nothing_to_leave_out(folder):
     assert "no video to leave out" in answer.stderr
 
 
+@pytest.mark.slow
 def test_a_run_that_was_stopped_goes_on_where_it_ended_and_answers_the_same_bytes(folder, tmp_path):
     kept = tmp_path / "videos.jsonl"
     whole = evaluate(folder, "--json").stdout_bytes

@@ -358,6 +358,7 @@ def test_agreement_of_a_case_made_by_hand():
     assert found["recorded", "cook", ("reader 2", JUDGE)].same.mean == 0
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(verdicts, verdicts), min_size=1, max_size=12))
 def test_kappa_is_what_counting_pairs_says(pairs):
     trees = [ReadingTree(str(number), "soup") for number in range(len(pairs))]
@@ -419,6 +420,7 @@ def run(folder, arguments):
     return done.returncode, done.stdout, done.stderr
 
 
+@pytest.mark.slow
 def test_the_program_draws_and_compares(tmp_path):
     written(tmp_path, "\n".join(json.dumps(tree.plan) for tree in planned(3)), "plans.jsonl")
     written(tmp_path, "> Read.\n", "words.md")

@@ -69,6 +69,7 @@ def test_what_robot_and_cook_accept_is_counted_of_all_recipes_asked(answer):
         assert count["kept"] == count["asked"] - count["fatal"] - count["minor"]
 
 
+@pytest.mark.slow
 def test_the_same_bytes_from_any_order_and_from_kept_plans(answer, salads, tmp_path):
     turned = tmp_path / "turned"
     turned.mkdir()
@@ -92,6 +93,7 @@ def test_the_tables_say_what_json_says(salads, answer):
     assert "Left out: fewer than 3 goals in the FOON\n  sausage" in shown.stdout
 
 
+@pytest.mark.slow
 def test_an_evaluation_compared_with_itself_changed_nothing(salads, answer, tmp_path):
     old = tmp_path / "old.json"
     old.write_bytes(answer.stdout_bytes)
@@ -99,6 +101,7 @@ def test_an_evaluation_compared_with_itself_changed_nothing(salads, answer, tmp_
     assert "nothing changed" in evaluate(salads, "--compare", old).stdout
 
 
+@pytest.mark.slow
 def test_people_who_score_like_the_rule_agree_fully(salads, answer, tmp_path):
     sheet = tmp_path / "sheet.csv"
     rule = {
@@ -119,6 +122,7 @@ def test_people_who_score_like_the_rule_agree_fully(salads, answer, tmp_path):
     assert "kappa" in evaluate(salads, "--scores", sheet).stdout
 
 
+@pytest.mark.slow
 def test_a_recipe_without_a_tree_counts_as_nothing_and_is_named(tmp_path):
     recipe = json.loads(min(demo_recipes()).read_text(encoding="utf-8"))
     empty = {"id": "empty", "type": recipe["type"], "ingredients": []}
@@ -149,6 +153,7 @@ def test_two_recipes_of_one_name_are_refused(salads, tmp_path):
     assert "two recipes are called “recipe 0”" in answer.stderr
 
 
+@pytest.mark.slow
 def test_the_papers_own_method_can_be_evaluated_beside_ours():
     recipe = next(path for path in demo_recipes() if path.stem == "tomato_salad")
     ours, theirs = (

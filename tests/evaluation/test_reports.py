@@ -50,6 +50,7 @@ def every(value):
     return value["dish_types"][-1]
 
 
+@pytest.mark.slow
 def test_the_report_of_recipes_says_what_json_says_and_shows_a_tree_for_each_of_the_worst(reports):
     (path, value), _ = reports.items()
     html = path.read_text(encoding="utf-8")
@@ -63,6 +64,7 @@ def test_the_report_of_recipes_says_what_json_says_and_shows_a_tree_for_each_of_
         assert f"<td>{rule}</td>" in html
 
 
+@pytest.mark.slow
 def test_the_report_of_videos_shows_both_trees_of_each_of_the_worst(reports):
     _, (path, value) = reports.items()
     html = path.read_text(encoding="utf-8")
@@ -74,6 +76,7 @@ def test_the_report_of_videos_shows_both_trees_of_each_of_the_worst(reports):
     assert html.count('<div class="tree"') == 2 * shown
 
 
+@pytest.mark.slow
 def test_a_report_is_the_same_to_the_byte(reports, tmp_path):
     (path, _), _ = reports.items()
     evaluate(tmp_path / "again.html", "recipes", *reversed(COLD))

@@ -183,6 +183,7 @@ def test_what_is_no_tree_names_its_file_and_line(export, tmp_path):
     assert f"{path}:2: " in answer.stderr
 
 
+@pytest.mark.slow
 def test_equal_trees_are_equal_files_in_every_run(story, tmp_path):
     whole = tmp_path / "whole"
     whole.mkdir()

@@ -49,6 +49,7 @@ def test_a_recorded_dish_is_solved_in_as_many_steps_and_our_order_is_accepted(ju
     assert judged(written) == (len(SALAD), True, True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["tomato_salad", "courgette_salad", "berry_smoothie"])
 def test_a_plan_of_numbered_things_is_solved_in_as_many_steps_and_our_order_is_accepted(judged, name):
     plan = demo_plan(name)

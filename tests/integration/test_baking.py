@@ -97,6 +97,7 @@ def test_tomatoes_lie_on_a_dough():
     assert names(part) == {"cherry tomato"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dish_type", ["cake", "muffin", "cookie", "bread"])
 def test_juice_joins_what_runs_and_pieces_are_folded_in_last(planner, dish_type):
     told = steps(planner, dish_type, "", CAKE)

@@ -227,6 +227,7 @@ for_many_walks = settings(max_examples=100, deadline=None, suppress_health_check
 short_walks = walks(TO_BE_MENDED, most=15)
 
 
+@pytest.mark.slow
 @for_many_walks
 @given(short_walks)
 def test_every_food_that_a_video_brings_into_the_goal_is_in_exactly_one_slot(walk):

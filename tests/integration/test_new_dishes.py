@@ -85,6 +85,7 @@ def test_the_videos_are_as_annotators_write_them(video):
     assert ASKED.keys() == MADE.keys() == NEW.keys()
 
 
+@pytest.mark.slow
 @every_new_dish
 def test_beside_the_demo_a_new_video_teaches_its_dish_and_takes_it_along(video, demo):
     with pytest.raises(NoTreeError) as before:

@@ -242,6 +242,7 @@ def expected(rows, way, food, *, act=False):
     return (Nearness.KIND, None, first_of(found)) if found else None
 
 
+@pytest.mark.slow
 @given(foons(), st.sampled_from(FOODS).map(singular), st.booleans())
 def test_what_is_attested_is_what_a_look_at_every_unit_finds(rows, food, act):
     operators = Operators(rows)
@@ -271,11 +272,13 @@ def all_told(operators):
     )
 
 
+@pytest.mark.slow
 @given(foons(), st.randoms(use_true_random=False))
 def test_the_order_of_units_does_not_matter(rows, chance: random.Random):
     assert all_told(Operators(chance.sample(rows, len(rows)))) == all_told(Operators(rows))
 
 
+@pytest.mark.slow
 @given(foons(), st.data())
 def test_a_removed_unit_attests_nothing_any_more_and_all_others_as_before(rows, data):
     gone = data.draw(st.sampled_from(rows))

@@ -62,6 +62,7 @@ def plain_lines(count):
         )
 
 
+@pytest.mark.slow
 @needs_the_parser
 def test_plain_lines_are_read_as_the_parser_reads_them():
     """The parser's own mistakes apart, of which a hundred lines have one: AGREES says so."""

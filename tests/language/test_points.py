@@ -23,6 +23,7 @@ made_up = st.lists(words, min_size=1, max_size=3).map(" ".join)
 names = st.lists(foods | made_up | st.text(max_size=12), min_size=1, max_size=12)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(names, names)
 def test_no_confidence_exceeds_what_the_cosine_allows(wanted, known):

@@ -94,6 +94,7 @@ def test_a_line_that_differs_only_in_its_number_is_read_as_if_it_came_alone(rest
     assert answer.quantity == quantity
 
 
+@pytest.mark.slow
 def test_a_reader_of_collections_reads_as_line_by_line(monkeypatch):
     """In two processes, for what is not plain; every line of the first collection comes again in the second."""
     monkeypatch.setattr(recipe_lines, "_MANY", 5)
@@ -156,6 +157,7 @@ def test_nan_is_a_bread():
     assert (answer.text, answer.object, answer.state, answer.quantity) == ("2 Nan, sliced", "naan", "sliced", "2")
 
 
+@pytest.mark.slow
 def test_nothing_is_downloaded():
     program = (
         "import urllib.request, nltk\n"

@@ -49,6 +49,7 @@ def only_expected(subgraph: Subgraph) -> set[NoticeKind]:
     return kinds
 
 
+@pytest.mark.slow
 @unhurried
 @given(subgraphs(names, motions, seconds))
 def test_text_is_read_back_as_the_same_with_nothing_to_remark_on(subgraph: Subgraph):
@@ -57,6 +58,7 @@ def test_text_is_read_back_as_the_same_with_nothing_to_remark_on(subgraph: Subgr
     assert {notice.kind for notice in result.notices} <= only_expected(subgraph)
 
 
+@pytest.mark.slow
 @unhurried
 @given(subgraphs(names, names, seconds))
 def test_json_is_read_back_as_the_same_with_nothing_to_remark_on(subgraph: Subgraph):

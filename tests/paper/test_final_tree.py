@@ -193,6 +193,7 @@ def answered(known, foods, like):
         return error.code
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(kitchens, foods, likes)
 def test_every_tree_runs_from_its_kitchen_to_its_goal_and_has_the_required_foods_and_no_others(known, foods, like):

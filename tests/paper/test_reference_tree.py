@@ -90,6 +90,7 @@ def followed(chosen, leaves, goal, made, above=()):
     return tuple(taken.values())
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(problems(max_units=7) | deep_problems())
 def test_the_tree_has_the_greatest_overlap_and_then_the_fewest_units_of_all_paths(problem):
@@ -110,6 +111,7 @@ def test_the_tree_has_the_greatest_overlap_and_then_the_fewest_units_of_all_path
         assert goal in tree.units[-1].unit.output_nodes
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(problems())
 def test_a_leaf_is_what_the_kitchen_has_what_nobody_makes_and_what_is_made_in_a_circle(problem):

@@ -47,11 +47,13 @@ def press(browser, *keys):
     return view(browser)
 
 
+@pytest.mark.slow
 def test_nothing_is_refused_or_fetched(opened):
     assert opened.get_log("browser") == []
     assert opened.execute_script("return performance.getEntriesByType('resource').length") == 0
 
 
+@pytest.mark.slow
 def test_every_box_holds_its_words(opened):
     beyond = opened.execute_script("""
         return [...document.querySelectorAll('#stage g')].filter(g => g.querySelector(':scope > rect')).filter(g => {
@@ -61,6 +63,7 @@ def test_every_box_holds_its_words(opened):
     assert beyond == []
 
 
+@pytest.mark.slow
 def test_arrow_keys_move_and_zoom_keys_zoom(opened):
     start = view(opened)
     right = press(opened, "\ue014")

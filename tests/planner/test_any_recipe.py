@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 
+import pytest
 from hypothesis import event, given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
@@ -32,6 +33,7 @@ def text(planner, recipe):
     return json.dumps(answer(planner, recipe).to_json(), ensure_ascii=False)
 
 
+@pytest.mark.slow
 @for_many_questions
 @given(questions())
 def test_the_answer_is_a_sound_tree_or_a_reason_why_there_is_none(question):
@@ -48,6 +50,7 @@ def test_the_answer_is_a_sound_tree_or_a_reason_why_there_is_none(question):
         assert PlanResult.from_json(json.loads(json.dumps(found.to_json()))) == found
 
 
+@pytest.mark.slow
 @for_some_questions
 @given(questions(), st.randoms(use_true_random=False))
 def test_the_order_in_which_a_foon_is_read_does_not_matter(question, chance: random.Random):
@@ -59,6 +62,7 @@ def test_the_order_in_which_a_foon_is_read_does_not_matter(question, chance: ran
     assert text(Planner(one, SETTINGS, one.units), recipe) == text(Planner(other, SETTINGS, units), recipe)
 
 
+@pytest.mark.slow
 @for_some_questions
 @given(questions(), st.data())
 def test_a_recipe_has_one_answer_alone_and_after_others_in_part_of_the_foon_and_in_the_whole(question, data):

@@ -95,6 +95,7 @@ print(json.dumps([planner.plan(recipe).to_json() for recipe in RECIPES]))
 """
 
 
+@pytest.mark.slow
 def test_another_hash_seed_and_another_order_of_files_give_the_same_bytes():
     tests = str(Path(__file__).resolve().parents[1])
     answers = [

@@ -146,6 +146,7 @@ def test_the_nearest_leaf_is_the_one_with_the_fewest_units_between():
 some_questions = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
+@pytest.mark.slow
 @some_questions
 @given(questions(), st.data())
 def test_a_tree_takes_only_what_was_named_and_the_judge_agrees(question, data):
@@ -172,6 +173,7 @@ def test_a_tree_takes_only_what_was_named_and_the_judge_agrees(question, data):
     assert fatal(result, snapshot, kitchen) == []
 
 
+@pytest.mark.slow
 @some_questions
 @given(questions(), st.randoms(use_true_random=False))
 def test_the_order_in_which_things_are_named_does_not_matter(question, random):

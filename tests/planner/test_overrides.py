@@ -14,9 +14,9 @@ from planner.test_demo_dishes import SNAPSHOT
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
-from foon_kg.planning.batch import Cook, Question, Wishes
+from foon_kg.planning.batch import Cook, Question
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.settings import Substitute
+from foon_kg.planning.settings import PlanSettings, Substitute
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -52,7 +52,7 @@ def test_a_substitute_is_taken_however_unlike_it_is_and_its_true_likeness_is_tol
 
 @pytest.mark.parametrize(("food", "told"), [("kohlrabi", False), ("salt", False), ("leek", False)])
 def test_a_choice_of_which_the_tree_shows_nothing_is_told(food, told):
-    cook = Cook(SNAPSHOT, Wishes(substitutes=(Substitute(food, "onion"),)), SNAPSHOT.units)
+    cook = Cook(SNAPSHOT, PlanSettings(substitutes=(Substitute(food, "onion"),)), SNAPSHOT.units)
     notes = cook.answer(Question(given=SALAD)).notes
     assert notes == ((f"no step of this tree handles “{food}” like onion, as was chosen",) if told else ())
 
@@ -157,6 +157,7 @@ def test_no_tree_for_any_recipe_has_an_avoided_food(question, avoided):
     assert not any(names_avoided(node, (avoided,)) for node in nodes(result))
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(questions(), st.data())
 def test_any_choice_of_a_substitute_gives_a_sound_tree_or_a_reason(question, data):

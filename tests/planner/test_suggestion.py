@@ -75,6 +75,7 @@ OWN = (*FRESH, *SOLD_IN, *UNKNOWN)
 some = settings(max_examples=60, deadline=None)
 
 
+@pytest.mark.slow
 @some
 @given(foons(), st.lists(st.sampled_from(OWN), min_size=1, max_size=5, unique=True))
 def test_nothing_is_missing_exactly_where_the_dish_can_be_made_of_these_foods(subgraphs, own):
@@ -117,6 +118,7 @@ def is_there(name, own, mixed):
     return name in own or (name not in mixed and SIMILARITY.matrix([name], sorted(own)).max() >= FAIR)
 
 
+@pytest.mark.slow
 @some
 @given(foons(), st.lists(st.sampled_from(OWN), min_size=1, max_size=4, unique=True), st.integers(0, 99))
 def test_a_shuffle_of_files_and_foods_changes_nothing(subgraphs, own, seed):

@@ -113,6 +113,7 @@ few = settings(max_examples=12, deadline=None, suppress_health_check=list(Health
 any_recipe = st.one_of(recipes(), st.sampled_from(SURE))
 
 
+@pytest.mark.slow
 @settings(some, max_examples=150)
 @given(recipes())
 def test_the_answer_is_a_tree_without_a_fatal_finding_or_a_reason(recipe):
@@ -141,6 +142,7 @@ def test_the_demo_makes_a_soup_by_itself():
     assert Planner(Snapshot.of(DEMO, KITCHEN), SETTINGS).plan(SURE[2]).units
 
 
+@pytest.mark.slow
 @some
 @given(any_recipe)
 def test_no_asked_food_is_lost(recipe):
@@ -149,6 +151,7 @@ def test_no_asked_food_is_lost(recipe):
     assert [line.ingredient for line in result.progress_lines] == [one.object for one in recipe.ingredients]
 
 
+@pytest.mark.slow
 @some
 @given(any_recipe)
 def test_nothing_is_on_at_the_end_and_what_is_on_was_turned_on(recipe):
@@ -164,6 +167,7 @@ def test_nothing_is_on_at_the_end_and_what_is_on_was_turned_on(recipe):
     assert turned.count("turn on") == turned.count("turn off")
 
 
+@pytest.mark.slow
 @some
 @given(any_recipe)
 def test_only_asked_and_free_foods_are_leaves_and_every_leaf_is_in_a_plain_state(recipe):
@@ -174,6 +178,7 @@ def test_only_asked_and_free_foods_are_leaves_and_every_leaf_is_in_a_plain_state
     assert all(not node.ingredients for node in foods if node not in assumed)
 
 
+@pytest.mark.slow
 @few
 @given(any_recipe, st.randoms(use_true_random=False))
 def test_the_order_of_videos_and_units_does_not_matter(recipe, chance: random.Random):
@@ -182,6 +187,7 @@ def test_the_order_of_videos_and_units_does_not_matter(recipe, chance: random.Ra
     assert text(recipe, Planner(shuffled, SETTINGS, units)) == text(recipe)
 
 
+@pytest.mark.slow
 @few
 @given(any_recipe, any_recipe)
 def test_what_was_asked_before_does_not_matter(recipe, other):
@@ -198,6 +204,7 @@ print(json.dumps([text(recipe) for recipe in SURE]))
 """
 
 
+@pytest.mark.slow
 def test_the_seed_of_hashes_does_not_matter():
     def told(seed):
         paths = os.pathsep.join([str(Path(__file__).parents[1]), *filter(None, [os.environ.get("PYTHONPATH")])])

@@ -28,6 +28,7 @@ def answer(snapshot, asked, kitchen, weights):
         return None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("by", Criterion)
 @pytest.mark.parametrize("level", Level)
 @settings(max_examples=40, deadline=None)

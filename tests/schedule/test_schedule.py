@@ -99,6 +99,7 @@ def at(plan, moment):
     return [done for done in plan.steps if done.start <= moment < done.end]
 
 
+@pytest.mark.slow
 @given(trees(), st.integers(1, 3))
 def test_every_schedule_can_be_carried_out(tree, hands):
     plan = planned(tree, hands)

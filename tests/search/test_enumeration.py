@@ -11,6 +11,7 @@ from search.test_exactness import NODES, PATHS, answer, deep_problems, problems,
 from foon_kg.search import SearchProblem, UnitIndex, enumerate_paths, with_gaps_of
 
 
+@pytest.mark.slow
 @settings(max_examples=100, deadline=None)
 @given(problems() | deep_problems())
 def test_with_no_other_gaps_than_the_best_trees_the_best_is_the_same(problem):

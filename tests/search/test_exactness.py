@@ -23,6 +23,7 @@ def answer(problem: SearchProblem, explored: Explored | None = None) -> Referenc
         return None
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(problems() | deep_problems())
 def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
@@ -33,6 +34,7 @@ def test_the_search_gives_the_tree_that_enumerating_every_path_gives(problem):
     assert found == (enumeration.trees[0] if enumeration.trees else None)
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(problems() | deep_problems())
 def test_out_of_time_the_answer_is_a_tree_and_what_is_said_to_be_proven_holds(problem):
@@ -125,6 +127,7 @@ def subsets(items):
     return itertools.chain.from_iterable(itertools.combinations(items, n) for n in range(len(items) + 1))
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(problems(max_units=14, max_nodes=10) | deep_problems())
 def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
@@ -147,6 +150,7 @@ def test_every_tree_is_executable_connected_and_ends_with_its_goal(problem):
     assert apart == []
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @given(problems(), st.randoms(use_true_random=False))
 def test_the_order_of_the_units_does_not_matter(problem, random):

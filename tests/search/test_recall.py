@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from search_problems import NODES, deep_problems, problems, unit
@@ -49,6 +50,7 @@ def problem_of(problem, units=None, costs=None, there=None):
     return SearchProblem(changed, problem.targets, problem.wanted)
 
 
+@pytest.mark.slow
 @often
 @given(problems() | deep_problems())
 def test_asked_again_the_tree_is_the_same_and_nothing_is_searched(problem):
@@ -74,6 +76,7 @@ changes = st.fixed_dictionaries(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None)
 @given(problems() | deep_problems(), changes)
 def test_whatever_changes_in_between_the_answer_is_that_of_a_search(problem, change):
@@ -84,6 +87,7 @@ def test_whatever_changes_in_between_the_answer_is_that_of_a_search(problem, cha
     assert found(changed, memory) == found(changed)
 
 
+@pytest.mark.slow
 @often
 @given(problems())
 def test_other_wishes_are_another_question(problem):

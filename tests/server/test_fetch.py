@@ -34,6 +34,7 @@ def expected(repository, jars):
     return {jar.name: repository.contents[f"/{jar.path}"] for jar in jars}
 
 
+@pytest.mark.slow
 def test_every_jar_arrives_whole_and_nothing_else_stays(repository, tmp_path, capfd):
     jar_set = repository.jar_set(20)
     fetch(jar_set, tmp_path / "jars")
@@ -80,6 +81,7 @@ def test_a_repository_without_ranges_is_read_from_the_start(repository, tmp_path
     assert contents(tmp_path) == expected(repository, jar_set.jars)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("left", [b"", b"wrong from the start", b"z" * 5_000, b"z" * 9_000])
 def test_a_wrong_remainder_of_an_earlier_fetch_does_no_harm(repository, tmp_path, left):
     jar_set = repository.jar_set(1)
@@ -111,6 +113,7 @@ def test_a_jar_that_no_repository_has_is_named(repository, tmp_path):
     assert "kept" in caught.value.hint
 
 
+@pytest.mark.slow
 def test_no_network_is_said_and_what_came_is_kept(repository, tmp_path, monkeypatch):
     jar_set = repository.jar_set(2)
     fetch(JarSet("1.0", jar_set.jars[:1]), tmp_path)
@@ -161,6 +164,7 @@ def test_a_fetch_that_is_killed_goes_on_where_it_was(repository, tmp_path):
     assert contents(tmp_path) == expected(repository, jar_set.jars)
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_said_and_the_next_fetch_works(repository, tmp_path):
     jar_set = repository.jar_set(2, size=300_000)
     limit = 100_000

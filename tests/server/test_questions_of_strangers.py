@@ -15,6 +15,8 @@ from foon_kg.model.kept import write_private
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.free_cypher import ask_freely
 
+pytestmark = pytest.mark.slow
+
 VERSIONS = ("CYPHER 5 ", "CYPHER 25 ")
 SECRET = "what nobody should read"
 CLAUSES = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from foons import foons, subgraphs_named
 from hypothesis import given
 from hypothesis import strategies as st
@@ -23,6 +24,7 @@ def keys(listed):
     return {unit.key for unit in listed}
 
 
+@pytest.mark.slow
 @given(foons(), st.sampled_from(NAMES).flatmap(subgraphs_named))
 def test_added_and_dropped_units_are_what_the_foon_gains_and_loses(foon, video):
     (told,) = differences([video], foon)
@@ -33,6 +35,7 @@ def test_added_and_dropped_units_are_what_the_foon_gains_and_loses(foon, video):
     assert set(told.new_labels) == labels([video]) - labels(foon)
 
 
+@pytest.mark.slow
 @given(foons(), st.sampled_from(NAMES).flatmap(subgraphs_named))
 def test_every_distinct_unit_stands_in_one_list(foon, video):
     (told,) = differences([video], foon)
@@ -45,6 +48,7 @@ def test_every_distinct_unit_stands_in_one_list(foon, video):
     assert len(came) == len(told.added) + len(told.shared)
 
 
+@pytest.mark.slow
 @given(foons(), st.sampled_from(NAMES).flatmap(subgraphs_named))
 def test_the_videos_named_beside_a_unit_are_the_others_that_show_it(foon, video):
     (told,) = differences([video], foon)
@@ -53,6 +57,7 @@ def test_the_videos_named_beside_a_unit_are_the_others_that_show_it(foon, video)
         assert one.videos == tuple(sorted(others)) != ()
 
 
+@pytest.mark.slow
 @given(foons())
 def test_what_is_there_already_changes_nothing(foon):
     for told in differences(foon, foon):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import json
 import re
 import shlex
 from pathlib import Path
@@ -11,11 +12,13 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from foon_kg import Foon
 from foon_kg.cli import app
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "SECURITY.md", *(ROOT / "docs").rglob("*.md")])
 MOST_LINES = 120
+FOON = typer.main.get_command(app)
 
 
 def blocks(page, language):
@@ -39,7 +42,7 @@ def parsed(line):
         if word[0] in "<>|":
             break
         words.append(word)
-    command, names = typer.main.get_command(app), words[:1]
+    command, names = FOON, words[:1]
     rest = words[1:]
     while getattr(command, "commands", None) is not None and rest and rest[0] in command.commands:
         names.append(rest[0])
@@ -48,7 +51,7 @@ def parsed(line):
     return command.make_parser(context).parse_args(args=list(rest))[1], command
 
 
-@pytest.mark.parametrize("line", commands())
+@pytest.mark.parametrize("line", list(commands()))
 def test_a_command_in_the_documents_is_one(line):
     left, command = parsed(line)
     assert getattr(command, "commands", None) is None or line.split()[1:2] == ["--help"], (
@@ -71,11 +74,31 @@ def test_the_python_of_a_page_runs(page, capsys):
     assert capsys.readouterr().out
 
 
-def test_the_page_of_commands_says_what_they_say():
+@pytest.fixture(scope="module")
+def generate():
     spec = importlib.util.spec_from_file_location("generate", ROOT / "docs" / "generate.py")
     generate = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(generate)
+    return generate
+
+
+def test_the_page_of_commands_says_what_they_say(generate):
     assert generate.TARGET.read_text(encoding="utf-8") == generate.document(), "run python docs/generate.py"
+
+
+@pytest.mark.slow
+def test_the_notebook_runs_and_shows_what_its_cells_answer(generate):
+    assert generate.NOTEBOOK.read_text(encoding="utf-8") == generate.notebook(), "run python docs/generate.py"
+
+
+def test_the_cells_of_the_notebook_use_the_front_door_and_link_to_pages(generate):
+    cells = json.loads(generate.NOTEBOOK.read_text(encoding="utf-8"))["cells"]
+    code = "".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+    methods = {name for name in dir(Foon) if not name.startswith("_") and callable(getattr(Foon, name))}
+    assert {"plan", "similar", "retrieve", "suggest"} <= {name for name in methods if f"foon.{name}(" in code}
+    links = re.findall(r"\]\(([^)]+)\)", "".join("".join(cell["source"]) for cell in cells))
+    assert links
+    assert [link for link in links if not (generate.NOTEBOOK.parent / link).exists()] == []
 
 
 def test_every_command_is_on_the_page_of_commands():

@@ -14,6 +14,7 @@ import pytest
 import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder
+from foon_kg.foon import plan
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.planning.kitchen_file import read_kitchen
 from foon_kg.planning.recipes import IngredientWords
@@ -34,9 +35,9 @@ def salad(door):
 
 def test_the_examples_of_the_docstrings_are_true(door, salad):
     names = {"foon": door, "plan": salad, "demo_folder": demo_folder}
-    done = doctest.testmod(foon, extraglobs=names)
-    assert done.failed == 0
-    assert done.attempted > 20
+    done = [doctest.testmod(module, extraglobs=names) for module in (foon, plan)]
+    assert [one.failed for one in done] == [0, 0]
+    assert sum(one.attempted for one in done) > 20
 
 
 def test_the_example_of_readme_runs(capsys):
@@ -131,6 +132,9 @@ def test_a_graph_is_asked_and_loaded_through_the_same_door(empty_graph):
         report = door.load(demo_folder())
         assert report.inserted
         assert door.cypher("MATCH (v:Video) RETURN count(v) AS n").rows == ((len(report.inserted),),)
+        assert door.cypher("RETURN $limit AS n", {"limit": 3}).rows == ((3,),)
         in_memory = Foon.from_files(demo_folder()).plan("salad", ASKED)
         assert door.plan("salad", ASKED).to_json() == in_memory.to_json()
         assert door.plan("salad", ASKED).check().accepted
+        door.close()
+        assert door.cypher("RETURN 1 AS n").rows == ((1,),)

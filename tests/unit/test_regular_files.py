@@ -52,6 +52,7 @@ def test_a_file_is_read_whole_up_to_a_size(tmp_path):
         read_bytes(path, most=10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)
 def test_a_command_that_is_given_a_pipe_says_so_and_ends(tmp_path, words):
     pipe = tmp_path / "pipe.json"

@@ -89,6 +89,7 @@ def small_result() -> PlanResult:
     )
 
 
+@pytest.mark.slow
 @given(results)
 def test_what_was_written_as_json_is_read_back_the_same(result):
     value = json.loads(json.dumps(result.to_json()))

@@ -90,6 +90,7 @@ def test_fatal_findings_come_before_minor_ones_and_each_once(check):
     assert len(told) == len(json.loads(check(json.dumps(tree), "--json").stdout)["findings"])
 
 
+@pytest.mark.slow
 def test_a_minor_finding_alone_is_no_failure(check):
     result = check(json.dumps(soup(UNPEELED)))
     assert result.exit_code == 0, result.stdout

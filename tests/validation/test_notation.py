@@ -71,11 +71,13 @@ trees = st.builds(
 )
 
 
+@pytest.mark.slow
 @given(trees)
 def test_a_tree_that_is_written_is_read_back_as_the_same_tree(tree):
     assert read_tree(write_tree(tree), "elsewhere") == tree
 
 
+@pytest.mark.slow
 @given(st.lists(trees, min_size=1, max_size=3))
 def test_several_trees_are_kept_apart(several):
     assert read_trees("---\n".join(map(write_tree, several))) == tuple(several)

@@ -120,6 +120,7 @@ def test_files_have_no_cypher():
     assert "without --files" in refusal(answer)
 
 
+@pytest.mark.slow
 def test_foon_mcp_speaks_over_its_standard_input_and_output():
     program = "import sys; from foon_kg.cli import main; sys.exit(main())"
     arguments = ["-c", program, "mcp", "--files", str(demo_folder()), "--quiet"]

@@ -13,7 +13,8 @@ from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
-from foon_kg.planning.batch import Cook, Question, Wishes
+from foon_kg.planning.batch import Cook, Question
+from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import schedule as schedule_of
@@ -39,7 +40,7 @@ def test_a_plan_is_what_foon_plan_prints(client):
     told = answer.json()
     with demo_foon().reading() as view:
         asked = Question(dish_type=SALAD["dish_type"], texts=tuple(SALAD["ingredients"]))
-        printed = Cook(view, Wishes()).answer(asked).outcome.to_json()
+        printed = Cook(view, PlanSettings()).answer(asked).outcome.to_json()
     assert {name: told[name] for name in printed} == json.loads(json.dumps(printed))
     assert len(told["videos"]) == len(told["units"])
     assert told.keys().isdisjoint({"explanations", "schedules", "pictures"})
@@ -62,7 +63,7 @@ def test_a_schedule_of_the_api_is_that_of_the_command(client):
     assert {step["hands"] for step in schedule["steps"]} <= {0, 1, None}
     assert schedule["length"] == max(step["end"] for step in schedule["steps"]) <= schedule["alone"]
     with demo_foon().reading() as view:
-        plan = Cook(view, Wishes()).answer(Question(dish_type="salad", texts=tuple(SALAD["ingredients"]))).outcome
+        plan = Cook(view, PlanSettings()).answer(Question(dish_type="salad", texts=tuple(SALAD["ingredients"]))).outcome
     expected = schedule_of(plan.units, plan.kitchen, Durations.of_units(demo_foon().units), Kitchen.default(), 2)
     assert schedule == json.loads(json.dumps(expected.to_json()))
 

@@ -29,11 +29,13 @@ def document():
         yield schemathesis.openapi.from_url(f"{address}/api/openapi.json", config=CONFIG)
 
 
+@pytest.mark.slow
 def test_every_operation_is_tried_here(document):
     found = {(result.ok().path, result.ok().method.upper()) for result in document.get_all_operations()}
     assert found == set(OPERATIONS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", list(GenerationMode), ids=lambda mode: mode.value)
 @pytest.mark.parametrize(("path", "method"), OPERATIONS)
 def test_answers_are_as_the_document_says(document, path, method, mode):

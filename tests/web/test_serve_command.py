@@ -8,6 +8,7 @@ import sys
 
 import httpx
 import psutil
+import pytest
 from web.serving import SALAD
 
 from foon_kg.demo import demo_folder
@@ -15,6 +16,7 @@ from foon_kg.demo import demo_folder
 PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"
 
 
+@pytest.mark.slow
 def test_it_says_where_it_is_answers_and_ends_with_all_its_processes(tmp_path):
     token_file = tmp_path / "token"
     arguments = ["serve", "--files", str(demo_folder()), "--port", "0", "--jobs", "1", "--token-file", str(token_file)]
@@ -38,6 +40,7 @@ def test_it_says_where_it_is_answers_and_ends_with_all_its_processes(tmp_path):
         serving.stderr.close()
 
 
+@pytest.mark.slow
 def test_a_port_that_is_taken_is_said_in_one_line(tmp_path):
     import socket
 

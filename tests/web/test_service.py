@@ -165,6 +165,7 @@ def desk_of(service):
     return desk
 
 
+@pytest.mark.slow
 def test_a_process_answers_as_a_thread_does_and_is_begun_anew_when_ended(outside):
     with FoonService(FixedFoon(demo_foon())) as inside:
         assert outside.answer(SALAD).body == inside.answer(SALAD).body
@@ -173,6 +174,7 @@ def test_a_process_answers_as_a_thread_does_and_is_begun_anew_when_ended(outside
         assert answers[-1].body == inside.answer(ONIONS).body
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="it stops a process as only POSIX can")
 def test_a_process_that_never_answers_is_replaced(outside, monkeypatch):
     outside.answer(SALAD)
@@ -194,6 +196,7 @@ def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(ou
     assert outside.answer(PlanQuestion("salad", ("sliced onion",))).status == 200
 
 
+@pytest.mark.slow
 def test_the_process_of_an_edition_ends_when_what_it_was_asked_is_answered():
     foon = GrowingFoon(2)
     with FoonService(foon, processes=1, patience=60) as service:

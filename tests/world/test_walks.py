@@ -72,6 +72,7 @@ def counted(report, fault):
     return Counter(finding.rule for finding in report.of(fault.rules) if fault.mild or not finding.minor)
 
 
+@pytest.mark.slow
 @numbered_or_not
 @given(walk=possible)
 def test_what_is_possible_is_never_refused(walk, numbered):
@@ -80,6 +81,7 @@ def test_what_is_possible_is_never_refused(walk, numbered):
     assert not refused, write_tree(tree(walk.lines, numbered=numbered))
 
 
+@pytest.mark.slow
 @numbered_or_not
 @pytest.mark.parametrize("corrupt", [dropped, doubled, swapped, unlit, renamed, poured_twice, left_whole])
 @settings(max_examples=25)  # of each of fourteen kinds
@@ -94,6 +96,7 @@ def test_every_single_fault_is_told(walk, corrupt, numbered, data):
     assert found - before, f"{fault.kind}: {fault.line}\n{write_tree(tree(fault.lines, numbered=numbered))}"
 
 
+@pytest.mark.slow
 @numbered_or_not
 @given(walk=possible, chance=st.integers(0, 2**32).map(random.Random))
 def test_the_order_of_inputs_and_outputs_does_not_matter(walk, numbered, chance):
@@ -136,6 +139,7 @@ sides = st.lists(st.builds(Mention, nodes, numbers, numbers), max_size=5).map(tu
 units = st.builds(TreeUnit, st.builds(Step, sides, motions, sides))
 
 
+@pytest.mark.slow
 @given(st.lists(units, max_size=8).map(tuple), st.none() | nodes)
 def test_steps_that_mean_nothing_are_judged_as_well_and_twice_alike(steps, goal):
     one = TaskTree("noise", steps, goal)
@@ -144,6 +148,7 @@ def test_steps_that_mean_nothing_are_judged_as_well_and_twice_alike(steps, goal)
     assert check(one) == report == check(TaskTree("noise", steps, goal))
 
 
+@pytest.mark.slow
 @given(walk=possible)
 def test_a_walk_is_accepted_where_robot_and_cook_both_accept_it(walk):
     report = judged(walk, walk.lines, numbered=True)
@@ -152,6 +157,7 @@ def test_a_walk_is_accepted_where_robot_and_cook_both_accept_it(walk):
     assert report == judged(walk, walk.lines, numbered=True)
 
 
+@pytest.mark.slow
 @settings(max_examples=50)
 @given(st.lists(units, min_size=1, max_size=6))
 def test_the_work_for_sixty_steps_is_bounded(steps):

@@ -1,0 +1,346 @@
+"""The front door: a FOON to ask, from Python.
+
+>>> from foon_kg import Foon
+>>> from foon_kg.demo import demo_folder
+>>> foon = Foon.from_files(demo_folder())
+>>> plan = foon.plan("salad", ["chopped onion", "diced tomato", "olive oil"])
+>>> print(plan.steps[1].text)
+Peel the onion with the knife.
+>>> plan.check().accepted
+True
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cached_property
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from foon_kg.model.errors import ReadError, UsageError
+
+if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
+    from foon_kg.foon.plan import Plan, Step
+    from foon_kg.model import Subgraph
+    from foon_kg.model.knowledge import Neighbour
+    from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.planning.suggestion import Suggestion
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.search.classic import RetrievalResult
+    from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
+    from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
+    from foon_kg.store.graph.loading import LoadReport
+    from foon_kg.store.server import ConnectionSettings
+    from foon_kg.store.snapshot import Snapshot
+    from foon_kg.validation import KnownFoon
+
+__all__ = ["Foon", "Plan", "Step"]
+
+Paths = str | os.PathLike[str]
+Say = Callable[[str], None]
+"""Takes one line for a person."""
+
+
+def __getattr__(name: str) -> object:
+    """Return what is beside the door; raises AttributeError for anything else."""
+    if name in {"Plan", "Step"}:
+        return getattr(import_module("foon_kg.foon.plan"), name)
+    raise AttributeError(f"module foon_kg.foon has no attribute {name}")
+
+
+def _silent(_: object) -> None:
+    """Say nothing."""
+
+
+class Foon:
+    """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
+
+    It is a context manager; :meth:`close` gives connections back.
+    """
+
+    def __init__(self, snapshot: Snapshot | None = None, server: ConnectionSettings | None = None) -> None:
+        if (snapshot is None) == (server is None):
+            raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
+        self._snapshot = snapshot
+        self._server = server
+        self._cooks: dict[PlanSettings, Cook] = {}
+
+    @classmethod
+    def from_files(cls, *paths: Paths) -> Self:
+        """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
+
+        Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
+
+        >>> Foon.from_files(demo_folder())
+        <Foon of 23 videos in memory>
+        """
+        from foon_kg.loaders.video_tables import read_videos
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.store.snapshot import Snapshot
+
+        found = [result.subgraph for result in read_videos([Path(path) for path in paths])]
+        subgraphs = [subgraph for subgraph in found if subgraph is not None]
+        if not subgraphs:
+            names = ", ".join(map(str, paths)) or "no path"
+            raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
+        return cls(snapshot=Snapshot.of(subgraphs, Kitchen.default()))
+
+    @classmethod
+    def connect(
+        cls,
+        uri: str | None = None,
+        user: str = "neo4j",
+        password: str = "",
+        database: str = "neo4j",
+        *,
+        say: Say = _silent,
+    ) -> Self:
+        """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
+
+        What is done to start it, line by line, goes to ``say`` (``print``, say). Raises
+        :class:`~foon_kg.model.errors.ServerError` where it cannot be started; whether a Neo4j answers shows the first
+        question (:class:`~foon_kg.model.errors.GraphError`).
+        """
+        from foon_kg.store.server import ConnectionSettings, connection_settings
+
+        return cls(
+            server=connection_settings(say) if uri is None else ConnectionSettings(uri, user, password, database)
+        )
+
+    def close(self) -> None:
+        """Forget what is kept ready, and give connections back. Another question opens them again."""
+        self._cooks.clear()
+        for name in ("_graph", "_connection"):
+            if name in self.__dict__:
+                self.__dict__.pop(name).close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        if self._snapshot is not None:
+            return f"<Foon of {len(self._snapshot.subgraphs)} videos in memory>"
+        return f"<Foon at {self._server.uri if self._server else ''}>"
+
+    @contextmanager
+    def reading(self) -> Iterator[Snapshot | GraphView]:
+        """Open the FOON for reading, for what this class has no method for.
+
+        >>> with foon.reading() as view:
+        ...     len(view.goals())
+        23
+        """
+        if self._snapshot is not None:
+            yield self._snapshot
+            return
+        with self._graph.reading() as view:
+            yield view
+
+    def snapshot(self) -> Snapshot:
+        """Return the whole FOON in memory, as it stands now."""
+        return self._snapshot or self._graph.snapshot()
+
+    @cached_property
+    def known(self) -> KnownFoon:
+        """What the judge compares a tree's evidence with."""
+        from foon_kg.validation import KnownFoon
+
+        whole = self.snapshot()
+        return KnownFoon.of(whole.units, whole.goals())
+
+    @cached_property
+    def _graph(self) -> Neo4jGraph:
+        from foon_kg.store.graph import Neo4jGraph
+
+        return Neo4jGraph(self._needs_server("to read"))
+
+    @cached_property
+    def _connection(self) -> Connection:
+        from foon_kg.store.graph.connection import Connection
+
+        return Connection(self._needs_server("to ask"))
+
+    # --- questions ---
+
+    def plan(
+        self,
+        dish_type: str,
+        ingredients: Iterable[str | tuple[str, str]],
+        *,
+        title: str | None = None,
+        avoid: Sequence[str] = (),
+        substitute: Mapping[str, str] | None = None,
+        kitchen: Kitchen | None = None,
+    ) -> Plan:
+        """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
+
+        ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
+        is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
+        asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
+
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
+        :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
+
+        >>> plan = foon.plan("salad", [("onion", "chopped"), ("olive oil", "")], avoid=["nuts"])
+        >>> len(plan)
+        6
+        """
+        from foon_kg.foon.plan import Plan
+        from foon_kg.model import Recipe, RequiredIngredient
+        from foon_kg.planning.batch import Question
+        from foon_kg.planning.settings import PlanSettings, Substitute
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.result import PlanResult
+
+        chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
+        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid))
+        asked = list(ingredients)
+        words = [one for one in asked if isinstance(one, str)]
+        pairs = [one for one in asked if not isinstance(one, str)]
+        if words and pairs:
+            raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
+        question = Question(dish_type=dish_type, texts=tuple(words))
+        if pairs or title is not None:
+            given = pairs or self._read(question, settings)
+            wanted = tuple(RequiredIngredient(food, state) for food, state in given)
+            question = Question(given=Recipe(dish_type, wanted, title=title))
+        answer = self.answer(question, settings)
+        if answer.error is not None or not isinstance(answer.outcome, PlanResult):
+            raise answer.error or UsageError("there is no answer", hint="Ask something.")
+        return Plan(answer.outcome, self, settings, answer.notes)
+
+    def _read(self, question: Question, settings: PlanSettings) -> list[tuple[str, str]]:
+        with self._cook(settings) as cook:
+            read = question.read(cook.words_for(question))
+        return [(wanted.object, wanted.state) for wanted in read.recipe.ingredients]
+
+    def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
+        """Return the answer to a question, with its notes; ``error`` is what stands in its way."""
+        with self._cook(settings) as cook:
+            return cook.answer(question, explain=explain)
+
+    @contextmanager
+    def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
+        """Open what answers questions with such settings; of files it is kept."""
+        from foon_kg.planning.batch import Cook
+
+        if self._snapshot is None:
+            with self.reading() as view:
+                yield Cook(view, settings)
+            return
+        if settings not in self._cooks:
+            if len(self._cooks) >= _MOST_KEPT:
+                self._cooks.clear()
+            self._cooks[settings] = Cook(self._snapshot, settings, self._snapshot.units)
+        yield self._cooks[settings]
+
+    def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
+        """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
+
+        >>> foon.similar("caper", limit=1)[0].name
+        'black olive'
+        """
+        with self.reading() as view:
+            return view.equivalents([food], limit=limit)[0]
+
+    def retrieve(
+        self, goal: str, states: Iterable[str] = (), ingredients: Iterable[str] = (), *, kitchen: Kitchen | None = None
+    ) -> RetrievalResult:
+        """Return the shortest tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
+
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
+
+        >>> len(foon.retrieve("omelette").units)
+        10
+        """
+        from foon_kg.model.levels import Level
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
+
+        sought = GoalSought(goal, tuple(states), tuple(ingredients), None, Level(2), Criterion("units"))
+        with self.reading() as view:
+            return retrieve_tree(view, sought, kitchen or Kitchen.default(), view.motion_costs())
+
+    def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
+        """Return what can be made of ``foods``, the best first; utensils among them are then the only ones.
+
+        >>> foon.suggest(["egg", "butter", "salt"], most=1)[0].goal.node.label
+        'omelette'
+        """
+        from foon_kg.planning.kitchen_file import Entry, ThingReader
+        from foon_kg.planning.recipes import IngredientWords
+        from foon_kg.planning.suggestion import suggest
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.stock import StockedKitchen
+
+        with self.reading() as view:
+            reader = ThingReader(IngredientWords(view.vocabulary(), Kitchen.default()))
+            things = [reader.read(Entry(f"“{text}”", text))[0] for text in foods]
+            stocked = StockedKitchen.of(Kitchen.default(), ()).with_things(things)
+            return tuple(suggest(view, stocked, most=most).found)
+
+    # --- Neo4j alone ---
+
+    def cypher(
+        self,
+        text: str,
+        parameters: Mapping[str, Any] | None = None,
+        *,
+        write: bool = False,
+        limit: int = 1_000,
+        timeout: float = 30,
+    ) -> CypherAnswer:
+        """Return the rows of a question in Cypher with its ``parameters``: at most ``limit``, in ``timeout`` seconds.
+
+        What is more than a look at the graph is refused (:class:`~foon_kg.model.errors.WriteRefused`) unless it shall
+        ``write``. Raises :class:`~foon_kg.model.errors.GraphError`, and :class:`~foon_kg.model.errors.UsageError` for a
+        FOON in files.
+        """
+        self._needs_server("to be asked in Cypher")
+        from foon_kg.store.graph.free_cypher import ask_freely
+
+        return ask_freely(self._connection, text, parameters, write=write, limit=limit, timeout=timeout)
+
+    def load(self, *paths: Paths) -> LoadReport:
+        """Bring files and tables into the graph, all or none, and return which were new, replaced and unchanged.
+
+        Raises :class:`~foon_kg.model.errors.ReadError` where one of them cannot be read whole, and
+        :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
+        """
+        self._needs_server("to load files")
+        from foon_kg.loaders import Severity
+        from foon_kg.loaders.video_tables import read_videos
+
+        results = list(read_videos([Path(path) for path in paths]))
+        bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
+        if bad:
+            raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")
+        return self.store([result.subgraph for result in results if result.subgraph is not None])
+
+    def store(self, subgraphs: Sequence[Subgraph], stored: Callable[[LoadReport], None] = _silent) -> LoadReport:
+        """Bring subgraphs that were read already into the graph, as :meth:`load` does.
+
+        ``stored`` is told of each part of them that is in the graph.
+        """
+        self._needs_server("to load files")
+        from foon_kg.store.graph import load
+
+        report = load(self._connection, subgraphs, stored=stored)
+        self.__dict__.pop("known", None)
+        return report
+
+    def _needs_server(self, what: str) -> ConnectionSettings:
+        if self._server is None:
+            raise UsageError(f"a FOON in files has no Neo4j {what}", hint="Use Foon.connect().")
+        return self._server
+
+
+_MOST_KEPT = 8
+"""For so many different settings what plans is kept ready."""

@@ -1,0 +1,209 @@
+"""A plan as Python has it: its steps as sentences, what it says of itself, and its other forms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Protocol
+
+from foon_kg.formats.exports.formats import export_tree
+from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.errors import UsageError
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.planning.batch import Answer, Question
+from foon_kg.planning.explanation import Explanation
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, Substitution
+from foon_kg.validation import KnownFoon, Report, TaskTree, check
+
+if TYPE_CHECKING:  # what only some callers have installed
+    import networkx as nx
+    import pandas as pd
+
+
+class AskedAgain(Protocol):
+    """What a plan asks of the FOON that it comes from."""
+
+    @property
+    def known(self) -> KnownFoon:
+        """What the judge compares evidence with."""
+        ...
+
+    def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
+        """Return the answer to a question, with its explanations."""
+        ...
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a plan: ``text`` is a sentence for a cook, ``motion`` the FOON's own word for what is done.
+
+    ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
+    ``origin`` says how near they are (``exact``, ``food``, ``like``, ``kind``, ``motion``).
+    """
+
+    number: int
+    text: str
+    motion: str
+    inputs: tuple[ObjectNode, ...]
+    outputs: tuple[ObjectNode, ...]
+    origin: str
+    seen_in: tuple[Sighting, ...]
+
+    def __str__(self) -> str:
+        return f"{self.number}. {self.text}"
+
+
+class Plan:
+    """A task tree that makes a dish, in the order in which it is carried out. A notebook shows it as a table."""
+
+    def __init__(self, result: PlanResult, foon: AskedAgain, settings: PlanSettings, notes: Sequence[str] = ()) -> None:
+        self.result = result
+        """The answer as :meth:`~foon_kg.plans.result.PlanResult.to_json` writes it."""
+        self.notes = tuple(notes)
+        """What had to be decided to read the question, a sentence each."""
+        self._foon = foon
+        self._settings = settings
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps, numbered from 1.
+
+        >>> print(plan.steps[1])
+        2. Peel the onion with the knife.
+        >>> plan.steps[1].motion
+        'peel'
+        """
+        return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
+
+    def _step(self, number: int, unit: PlannedUnit) -> Step:
+        text = sentence(unit.as_unit(), self._settings.kitchen)
+        return Step(number, text, unit.motion_node, unit.input_nodes, unit.output_nodes, unit.origin, unit.seen_in)
+
+    @property
+    def goal(self) -> ObjectNode:
+        """The dish.
+
+        >>> print(plan.goal)
+        salad (mixed; {olive oil, onion, tomato}; in salad bowl)
+        """
+        return self.result.goal
+
+    @property
+    def substitutions(self) -> tuple[Substitution, ...]:
+        """What is handled like another food or read as another state, with a confidence from 0 to 1 each."""
+        return self.result.substitutions
+
+    @property
+    def assumptions(self) -> tuple[Assumption, ...]:
+        """What no step makes so and is taken to be so, and why."""
+        return self.result.assumptions
+
+    def check(self) -> Report:
+        """Return what the judge says: whether a robot could carry it out and a cook would serve it, and every finding.
+
+        The judge knows nothing of the planner (docs/contract.md).
+
+        >>> plan.check().accepted
+        True
+        """
+        tree = TaskTree.from_json(self.result.to_json())
+        return check(tree, self._foon.known, free=self._settings.kitchen.free_foods)
+
+    def explain(self) -> tuple[Explanation, ...]:
+        """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.
+
+        >>> plan.explain()[0].videos
+        ('bean_salad', 'farmhouse_omelette', 'garden_salad')
+        """
+        question = Question(given=self.result.recipe)
+        return self._foon.answer(question, self._settings, explain=True).explanations
+
+    def to_json(self) -> JsonObject:
+        """Return the plan as ``foon plan --json`` prints it.
+
+        >>> plan.to_json()["reference"]["videos"]
+        ['greek_salad']
+        """
+        return self.result.to_json()
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return the steps as a table, a row each, with motion, inputs, outputs, video, start and end (seconds).
+
+        Raises :class:`~foon_kg.model.errors.UsageError` where pandas is not installed.
+
+        >>> plan.to_frame()["motion"][2]
+        'peel'
+        """
+        return self.result.to_frame()
+
+    def to_networkx(self) -> nx.DiGraph[str]:
+        """Return the tree as a graph of networkx: objects and motions are nodes, what goes in and comes out edges.
+
+        A node has ``kind`` (``object`` or ``motion``), ``label`` and, of a motion, ``step`` (from 1). Raises
+        :class:`~foon_kg.model.errors.UsageError` where networkx is not installed.
+
+        >>> plan.to_networkx().nodes["2 peel"]["kind"]
+        'motion'
+        """
+        try:
+            import networkx as nx  # noqa: PLC0415 - only this needs it, and it is not always there
+        except ModuleNotFoundError as error:
+            raise UsageError("to_networkx() needs networkx", hint="Install it with: pip install networkx") from error
+        graph = nx.DiGraph()
+        for step in self.steps:
+            motion = f"{step.number} {step.motion}"
+            graph.add_node(motion, kind="motion", label=step.motion, step=step.number)
+            for node in (*step.inputs, *step.outputs):
+                graph.add_node(str(node), kind="object", label=node.label)
+            graph.add_edges_from((str(node), motion) for node in step.inputs)
+            graph.add_edges_from((motion, str(node)) for node in step.outputs)
+        return graph
+
+    def to_svg(self) -> str:
+        """Return a picture of the tree. Raises ``UsageError`` without the extra ``pictures``.
+
+        >>> plan.to_svg()[:4]
+        '<svg'
+        """
+        from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
+        from foon_kg.formats.views.shown_tree import ShownTree  # noqa: PLC0415
+        from foon_kg.model.extras import missing  # noqa: PLC0415
+
+        try:
+            return tree_svg(ShownTree.of_result(self.result), self._settings.kitchen)
+        except ModuleNotFoundError as error:
+            raise missing(error) or error from error
+
+    def export(self, form: str) -> str:
+        """Return the plan in another program's form; where that is several files, one after the other with their names.
+
+        ``form``: ``foon``, ``json``, ``dot``, ``mermaid``, ``graphml``, ``markdown``, ``behaviour-tree`` or ``pddl``.
+        Raises :class:`~foon_kg.model.errors.UsageError` for another one.
+
+        >>> print(plan.export("markdown").splitlines()[0])
+        # Salad
+        """
+        files = export_tree(ExportedTree.of_plan(self.result), form)
+        if len(files) == 1:
+            return files[0].text
+        return "\n".join(f"; {file.name}\n{file.text}" for file in files)
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.steps))
+
+    def __len__(self) -> int:
+        return len(self.result.units)
+
+    def __iter__(self) -> Iterator[Step]:
+        return iter(self.steps)
+
+    def __repr__(self) -> str:
+        recipe = self.result.recipe
+        return f"<Plan of {recipe.title or recipe.dish_type or self.goal.label}: {len(self)} steps>"
+
+    def _repr_html_(self) -> str:
+        return self.result._repr_html_()
