@@ -21,9 +21,7 @@ export const staged = (text, name) => {
   const act = stage(box);
   const buttons = BUTTONS.map(([does, label, sign]) =>
     element("button", { type: "button", class: "small", "aria-label": label, onclick: act[does] }, sign));
-  return [
-    element("div", { class: "bar" }, ...buttons, element("span", { class: "aside fine" }, `Drag to move, Ctrl and the wheel zoom. ${KEYS}`),
-      element("span", { class: "aside coarse" }, "Two fingers move and zoom; after a tap one finger moves.")),
-    box,
-  ];
+  const hint = element("p", { class: "aside" }, element("span", { class: "fine" }, `Drag to move, Ctrl and the wheel zoom. ${KEYS}`),
+    element("span", { class: "coarse" }, "Two fingers move and zoom; after a tap one finger moves."));
+  return { parts: [element("div", { class: "bar" }, ...buttons), box, hint], box, centre: act.centre };
 };
