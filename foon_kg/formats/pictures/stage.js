@@ -2,6 +2,7 @@
 // fingers; whoever only scrolls past is not held up.
 
 const SMALLEST = 120; // pixels of the picture across the stage
+const CLICK = 4; // pixels that a hand moves while it clicks
 
 // Where a box of a task tree stands.
 const middle = (group) => {
@@ -101,13 +102,16 @@ export const stage = (box) => {
   }
   box.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
-    if (event.pointerType === "mouse") box.setPointerCapture(event.pointerId);
-    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const { clientX: x, clientY: y } = event;
+    fingers.set(event.pointerId, { x, y, from: { x, y } });
   });
   box.addEventListener("pointermove", (event) => {
+    if (!event.buttons) fingers.delete(event.pointerId); // let go of outside
     if (!fingers.has(event.pointerId)) return;
-    const before = spread();
-    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const [before, { from }, { clientX: x, clientY: y }] = [spread(), fingers.get(event.pointerId), event];
+    fingers.set(event.pointerId, { x, y, from });
+    // Only now: a click that moves nothing is one on the box of a step.
+    if (event.pointerType === "mouse" && Math.hypot(x - from.x, y - from.y) > CLICK) box.setPointerCapture(event.pointerId);
     if (event.pointerType !== "touch" || mine()) done(drag)(before, spread());
   });
   for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => fingers.delete(event.pointerId));

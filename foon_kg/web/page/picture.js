@@ -4,7 +4,7 @@ import { element } from "./element.js";
 import { stage } from "./stage.js";
 
 const KEYS = "Arrow keys move the picture, + and - zoom, 0 shows all of it.";
-const BUTTONS = [["larger", "Larger", "+"], ["smaller", "Smaller", "−"], ["all", "Show all of it", "All"], ["own", "Show it at its own size", "1:1"]];
+const BUTTONS = [["larger", "Larger", "+"], ["smaller", "Smaller", "−"], ["all", "Show all of it", "All"], ["own", "1:1, its own size", "1:1"]];
 
 // An SVG text as elements, without its style sheet: the page has the same one as a file of its own (picture.css), and
 // its policy allows no other.
