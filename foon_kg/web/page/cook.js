@@ -1,7 +1,7 @@
 // To cook by: one step at a time. Where one is, what is done and what is bought are kept in this browser, so that a
 // screen that locks or a page that is closed costs nothing; while it is in sight the screen stays on, where it can.
 
-import { meanwhile, needs, underWay } from "./cook_needs.js";
+import { meanwhile, needs } from "./cook_needs.js";
 import { keeper } from "./cook_place.js";
 import { timers } from "./cook_timers.js";
 import { element, heading, list } from "./element.js";
@@ -9,7 +9,6 @@ import { seenWords, thingWords } from "./nodes.js";
 import { besides, buying, marked } from "./steps.js";
 import { awake } from "./wake.js";
 
-const WORTH = 20; // seconds of somebody's own work for which a timer is of use
 const PHASES = { prepare: "making ready", heat: "cooking", finish: "serving" };
 const SWIPE = 50; // pixels
 
@@ -42,19 +41,18 @@ export const cookView = (plan, { key, unseen, to }) => {
   const row = (title, items) => (items.length ? [heading(2, title), list(items, { class: "things" })] : []);
   const jump = (i) => element("a", { href: to("cook", i + 1) }, `${i + 1}. ${plan.sentences[i]}`);
 
+  // A video shows how long somebody's own work takes; of what goes on by itself it shows the beginning and the end.
   const timer = (i) => {
     const { duration, hands } = timing.get(i);
-    const alone = hands === null;
-    const told = duration ? `Videos show this for ${about(duration)}` : "No video says how long this takes";
-    const why = alone ? (duration ? ", but they cut the waiting short: set the time you know." : ": set the time you know.") : ".";
-    if (!alone && !duration) return [];
-    const set = alone || duration.median >= WORTH ? clock.setter(i + 1, alone ? 0 : Math.round(duration.median)) : "";
-    return [element("p", { class: "aside" }, told + why), set];
+    if (hands !== null) return duration ? [element("p", { class: "aside" }, `Takes ${about(duration)} in videos.`)] : [];
+    const others = meanwhile(plan.units, i).map((j) => element("li", {}, jump(j)));
+    return [heading(2, "It goes on by itself"), clock.setter(i + 1),
+      element("p", { class: "aside" }, duration ? `Videos show ${about(duration)} of it and cut the rest: set the time that you know.` : "No video says how long: set the time that you know."),
+      ...(others.length ? [heading(2, "Meanwhile"), list(others, { class: "plain" })] : [])];
   };
 
   const stepShown = (i) => {
     const [fresh, there] = needs(plan.units, i);
-    const beside = [...underWay(plan.units, timing, i).map((j) => ["Going on by itself: ", jump(j)]), ...meanwhile(plan.units, timing, i).map((j) => ["Meanwhile: ", jump(j)])];
     const after = i + 1 < plan.units.length ? plan.sentences[i + 1] : "That was the last step.";
     const seen = seenWords(plan.units[i].seen_in, plan.videos[i]);
     said.replaceChildren(
@@ -62,7 +60,7 @@ export const cookView = (plan, { key, unseen, to }) => {
       element("p", { class: "big" }, ...marked(plan.sentences[i], unseen)));
     rest.replaceChildren(
       ...row("Take", fresh.map(words)), ...row("At hand", there.map(words)),
-      ...timer(i), beside.length ? list(beside, { class: "plain" }) : "",
+      ...timer(i),
       element("p", { class: "aside" }, seen ? "Seen in " : "", seen ?? "", seen ? " · " : "", element("a", { href: to("tree", i + 1) }, "in the tree")),
       element("p", { class: "next" }, element("strong", {}, "Next: "), after));
   };
@@ -111,7 +109,7 @@ export const cookView = (plan, { key, unseen, to }) => {
   const shown = (step) => {
     document.addEventListener("keydown", pressed);
     light.on();
-    go(step ?? kept.place);
+    go(step ?? (kept.place === last ? 0 : kept.place));
   };
   const left = () => {
     document.removeEventListener("keydown", pressed);

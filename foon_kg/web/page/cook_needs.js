@@ -1,5 +1,5 @@
-// What a step needs now, and what goes on or may be done while something stands in the heat by itself. Things are told
-// apart by the numbers that a plan gives them.
+// What a step needs now, and what may be done while it goes on by itself. Things are told apart by the numbers that a plan
+// gives them.
 
 const numbers = (nodes) => nodes.map((node) => node.thing);
 const touched = (unit) => [...numbers(unit.input_nodes), ...numbers(unit.output_nodes)];
@@ -15,22 +15,13 @@ export const needs = (units, i) => {
   return [fresh.filter((node) => !packed.has(node.thing)), there.filter((node) => !holds(node))];
 };
 
-const alone = (timing, i) => timing.get(i).hands === null;
-
-// The steps after `i` that have nothing to do with what it is about.
-const free = (units, i) => {
+// What may be done while step `i` goes on by itself: the next three steps that have nothing to do with what it is about.
+export const meanwhile = (units, i) => {
   const taken = new Set(touched(units[i]));
   return units.map((_, j) => j).filter((j) => {
     if (j <= i) return false;
     const waits = numbers(units[j].input_nodes).some((thing) => taken.has(thing));
     if (waits) touched(units[j]).forEach((thing) => taken.add(thing));
     return !waits;
-  });
+  }).slice(0, 3);
 };
-
-// What may be done while step `i` goes on by itself: the steps that do not wait for it, the next three of them.
-export const meanwhile = (units, timing, i) => (alone(timing, i) ? free(units, i).slice(0, 3) : []);
-
-// The steps before `i` that still go on by themselves: whatever came since has nothing to do with them.
-export const underWay = (units, timing, i) =>
-  units.map((_, j) => j).filter((j) => j < i && alone(timing, j) && free(units, j).filter((k) => k <= i).length === i - j);

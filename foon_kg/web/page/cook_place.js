@@ -11,6 +11,12 @@ const all = () => {
   }
 };
 
+// The step (from 1) that somebody is at in the plan with this address, or 0.
+export const placeIn = (key) => {
+  const { place = 0, size = 0 } = new Map(all()).get(key) ?? {};
+  return place > size ? 0 : place;
+};
+
 // `size` is how many steps the plan has: what was kept of another plan of this question is forgotten.
 export const keeper = (key, size) => {
   const begun = () => ({ size, place: 0, done: [], bought: [], timers: [] });

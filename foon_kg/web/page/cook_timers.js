@@ -4,6 +4,7 @@ import { element } from "./element.js";
 import { minutes } from "./nodes.js";
 
 const ring = () => {
+  if (!navigator.userActivation?.hasBeenActive) return; // a page that nobody touched since it came back may not
   navigator.vibrate?.([300, 150, 300, 150, 300]);
   const sound = new AudioContext();
   [0, 0.5, 1].forEach((start) => {
@@ -40,8 +41,8 @@ export const timers = (kept, named, go) => {
     clearInterval(going);
     if (kept.timers.length) going = setInterval(tell, 250);
   };
-  const setter = (step, seconds) => {
-    let set = seconds;
+  const setter = (step) => {
+    let set = 0;
     const start = element("button", { type: "button", onclick: () => { kept.timers = [...kept.timers, { step, until: Date.now() + set * 1000 }]; show(); } });
     const add = (more) => {
       set += more;

@@ -1,6 +1,7 @@
 // The opening: what this FOON knows, dishes of its own to click, and what was planned in this browser lately.
 
 import { toAddress } from "./address.js";
+import { placeIn } from "./cook_place.js";
 import { counted, element, heading, list } from "./element.js";
 
 const KEPT = "foon-recent";
@@ -37,7 +38,10 @@ export const recentView = (forgotten) => {
   const forget = () => { localStorage.removeItem(KEPT); forgotten(); };
   return [
     heading(2, "Planned here lately"),
-    cards(found.map((one) => card(one.address, one.name, "", one.words))),
+    cards(found.map((one) => {
+      const step = placeIn(one.address);
+      return step ? card(`${one.address}&view=cook`, one.name, `go on at step ${step}`, one.words) : card(one.address, one.name, "", one.words);
+    })),
     element("p", { class: "aside" }, "Kept in this browser alone. ", element("button", { type: "button", class: "small quiet", onclick: forget }, "Forget them")),
   ];
 };

@@ -12,10 +12,12 @@ const VIEWS = [["steps", "Steps", stepsView], ["cook", "Cook", cookView], ["tree
 
 // `asked` is the question, `key` its address; `choose` plans again with a food handled like another one. A view is
 // its element, and what it does when it is shown (with the step that the address names) and when it is left.
-export const planPage = (plan, { asked, ...rest }) => {
-  const unseen = new Map(plan.substitutions.filter((one) => one.kind === "object").map((one) => [one.object, one]));
+export const planPage = (plan, { asked, chosen, ...rest }) => {
+  const foods = plan.substitutions.filter((one) => one.kind === "object");
+  const sure = (one) => (chosen.get(one.object) === one.equivalent ? 2 : one.confidence); // what was chosen is told first
+  const unseen = new Map(foods.sort((a, b) => sure(a) - sure(b)).map((one) => [one.object, one]));
   const to = (view, step = null) => toAddress(asked, view, step);
-  const views = VIEWS.map(([name, title, make]) => ({ name, title, ...make(plan, { ...rest, unseen, to }) }));
+  const views = VIEWS.map(([name, title, make]) => ({ name, title, ...make(plan, { ...rest, chosen, unseen, to }) }));
   const links = views.map(({ name, title }) => element("a", { href: to(name) }, title));
   views.forEach(({ part, name, title }) => {
     part.id = `view-${name}`;

@@ -10,7 +10,7 @@ const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
 
 export const whyView = (plan, { unseen, to, chosen, choose }) => ({ part: element("section", {}, ...[
   heading(2, "The dish it was made after"), ...after(plan),
-  ...substitutions(plan, chosen, choose),
+  ...substitutions(plan, unseen, chosen, choose),
   heading(2, "Why each food is made so"), reasons(plan, to),
   ...titled("Taken to be there", plan.assumptions.map((one) => [...nodeWords(one.node, unseen), `: ${one.why}`])),
   ...titled("Nearer by their foods, and passed over", plan.passed_over.map((one) => [element("strong", {}, one.goal.label), " ", sure(one.similarity), `: ${one.why}`])),
@@ -27,17 +27,19 @@ const after = ({ recipe, reference }) => [
     reference.core.length ? ` (${inWords(reference.core)})` : "", reference.exact ? ": it is proven that no way to make it takes more." : "; it is the best that was found in time."),
 ];
 
-const substitutions = (plan, chosen, choose) => {
-  const items = plan.substitutions.map((one) => (one.kind === "object" ? food(one, chosen, choose) : word(one)));
+const substitutions = (plan, unseen, chosen, choose) => {
+  const items = [...[...unseen.values()].map((one) => food(one, plan.substitutions, chosen, choose)), ...plan.substitutions.filter((one) => one.kind !== "object").map(word)];
   return items.length ? [heading(2, "What stands for what"), list(items, { class: "plain" }),
-    element("p", { class: "aside" }, "The number says how sure it is, from 0 to 1, that a cook would accept it. ~ marks a food that no video of this FOON has.")] : [];
+    element("p", { class: "aside" }, "The number says how sure it is, from 0 to 1, that a cook would accept it. ~ marks a food for which another one stands.")] : [];
 };
 
-const food = (one, chosen, choose) => {
+const food = (one, all, chosen, choose) => {
+  const also = all.filter((other) => other.kind === "object" && other.object === one.object && other !== one);
   const own = chosen.get(one.object) === one.equivalent;
   const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " is handled like ",
-    element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "");
-  const others = one.alternatives.map((other) =>
+    element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "",
+    also.length ? element("span", { class: "aside" }, `, in single steps like ${inWords(also.map((other) => `${other.equivalent} ${other.confidence.toFixed(2)}`))}`) : "");
+  const others = one.alternatives.filter((other) => other.name !== one.equivalent).map((other) =>
     element("button", { type: "button", class: "small", "data-like": other.name, onclick: () => choose(one.object, other.name),
       "aria-label": `${other.name} ${other.confidence.toFixed(2)}: handle ${one.object} like it instead` }, other.name, " ", sure(other.confidence)));
   const back = chosen.has(one.object) ? [element("button", { type: "button", class: "small quiet", onclick: () => choose(one.object, null) }, "undo my choice")] : [];
