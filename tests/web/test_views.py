@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import httpx
 import pytest
 from chromium import as_wide_as_the_screen, on_screen
 from web.driving import ENTER, PLANNED, VIEWS, complaints, plan, text_of, until, view
@@ -126,6 +127,20 @@ def test_why_tells_the_dish_the_likenesses_and_the_judge(page, address):
     assert "made like the greek salad" in told
     assert "~kohlrabi is handled like" in told
     assert "A robot could carry it out, a cook would serve it; it found nothing to object to." in told
+
+
+def test_why_names_nearer_dishes_that_were_passed_over(page, address):
+    asked = {
+        "dish_type": "drinks",
+        "ingredients": ["syrup", "sugar", "raisin", "potato", "mayonnaise"],
+        "explain": True,
+    }
+    nearer = httpx.post(f"{address}/api/plan", json=asked).json()["passed_over"]
+    assert nearer, "this question has some"
+    go(page, address, "dish=drinks&" + "&".join(f"with={one}" for one in asked["ingredients"]) + "&view=why")
+    told = text_of(page, "#view-why")
+    for one in nearer:
+        assert f"{one['goal']['label']} {one['similarity']:.2f}: {one['why']}" in told
 
 
 def test_what_the_judge_finds_leads_to_its_step(page, address, monkeypatch):

@@ -1,7 +1,7 @@
 // A plan to read: what it is made after, what to buy, and its steps as sentences; the FOON's own words on demand.
 
 import { element, heading, list, sentence } from "./element.js";
-import { nodeWords, seenWords, unitWords } from "./nodes.js";
+import { nodeWords, seenAt, seenWords, unitWords } from "./nodes.js";
 
 export const notes = (told) => (told.length ? element("div", { class: "notice" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
 
@@ -14,6 +14,12 @@ export const marked = (text, unseen) => {
   const around = new RegExp(`(?<!\\w)(${names.join("|")})(?!\\w)`, "i"); // every second part is such a food
   return text.split(around).map((part, i) => (i % 2 ? element("span", { class: "unseen", title: `like ${unseen.get(part.toLowerCase())?.equivalent}` }, `~${part}`) : part));
 };
+
+// The videos that a plan is made after, each a link where one of its steps has an address in it.
+export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
+  const i = plan.units.findIndex((unit, at) => plan.videos[at] && seenAt(unit.seen_in).video === name);
+  return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
+});
 
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
@@ -45,7 +51,7 @@ export const stepsView = (plan, { unseen, to }) => {
   const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of video ${plan.reference.videos.join(", ")}`, like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of video `, ...videos(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},

@@ -3,7 +3,7 @@
 
 import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords } from "./nodes.js";
-import { foodAndState } from "./steps.js";
+import { foodAndState, videos } from "./steps.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
@@ -20,9 +20,9 @@ export const whyView = (plan, { unseen, to, chosen, choose }) => ({ part: elemen
 
 const titled = (title, items) => (items.length ? [heading(2, title), list(items)] : []);
 
-const after = ({ recipe, reference }) => [
+const after = (plan, { recipe, reference } = plan) => [
   element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map(foodAndState))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
-    ` of ${counted(reference.units, "step")} in video ${inWords(reference.videos)}.`),
+    ` of ${counted(reference.units, "step")} in video `, ...videos(plan), "."),
   element("p", {}, `That dish takes ${reference.overlap} of the ${recipe.ingredients.length} foods asked, or their like`,
     reference.core.length ? ` (${inWords(reference.core)})` : "", reference.exact ? ": it is proven that no way to make it takes more." : "; it is the best that was found in time."),
 ];
