@@ -173,7 +173,7 @@ def test_what_could_be_made_leads_to_a_plan(page):
     page.find_element("id", "ingredient").send_keys("egg", ENTER, "chopped onion", ENTER)
     page.find_element("id", "suggest").send_keys(ENTER)
     asked(page)
-    assert text_of(page, "#result h1") == "What these foods could make"
+    assert text_of(page, "#result h2") == "What these foods could make"
     page.find_element("css selector", "#result li button").send_keys(ENTER)
     until(page, PLANNED)
     assert page.execute_script("return dish.value") == "omelette"
@@ -270,6 +270,10 @@ def test_on_paper_there_is_the_whole_plan_and_no_form(page):
         forms = "return [...document.querySelectorAll('form, nav, .cook')].map(e => e.checkVisibility())"
         assert not any(page.execute_script(forms))
         assert page.find_element("css selector", ".steps").is_displayed(), "whatever view was on the screen"
+        uncut = """
+            const { bottom } = document.querySelector('.stage svg').getBoundingClientRect();
+            return document.querySelector('.stage').getBoundingClientRect().bottom >= bottom"""
+        assert page.execute_script(uncut), "the whole tree"
     finally:
         page.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     until(page, f"return {shown} === '{moved}'")

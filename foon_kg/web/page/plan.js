@@ -45,7 +45,7 @@ export const planPage = (plan, { asked, chosen, ...rest }) => {
 };
 
 export const suggestionsView = (answer, take) => [
-  heading(1, "What these foods could make"),
+  heading(2, "What these foods could make"),
   notes(answer.notes),
   list(answer.suggestions.map((one) => element("li", {},
     element("p", {}, element("strong", {}, one.goal.label), ` (${one.dish_type}), ${counted(one.units, "step")}, ${Math.round(one.share * 100)} % is there`),

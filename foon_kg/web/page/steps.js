@@ -37,9 +37,10 @@ const NEAR = { like: "there with a like food", kind: "there with a food of its k
 const step = (plan, i, { unseen, to }) => {
   const unit = plan.units[i];
   const seen = seenWords(unit.seen_in, plan.videos[i]);
-  const where = [seen, unit.origin === "adapted" ? NEAR[unit.grounding] : null, element("a", { href: to("cook", i + 1), "aria-label": `Cook from step ${i + 1}` }, "cook"),
-    element("a", { href: to("tree", i + 1), "aria-label": `Step ${i + 1} in the tree` }, "tree")].filter(Boolean).flatMap((one, place) => (place ? [" · ", one] : [one]));
-  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...where),
+  const near = unit.origin === "adapted" && NEAR[unit.grounding];
+  const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
+  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, seen, near ? ` · ${near}` : "",
+      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
     element("div", { class: "formula" }, ...unitWords(unit, unseen)));
 };
 
