@@ -74,6 +74,15 @@ def test_a_step_is_a_sentence_with_what_it_takes_and_what_comes_next(kitchen):
     assert "At hand\nknife" in text_of(kitchen, ".cook .card"), "the knife is out already"
 
 
+def test_a_food_is_taken_and_not_its_packet_a_vessel_and_not_all_that_is_in_it(kitchen):
+    def things():
+        return kitchen.execute_script("return [...document.querySelectorAll('.things li')].map(li => li.innerText)")
+
+    while "packet" not in text_of(kitchen, ".cook .big"):
+        press(kitchen, RIGHT)
+    assert things() == ["bouillon cube; in packet", "jug with water"]
+
+
 def test_keys_and_buttons_go_from_step_to_step_and_not_beyond_the_ends(kitchen):
     press(kitchen, LEFT)
     assert said(kitchen) == "Before you begin"
@@ -169,15 +178,15 @@ def test_what_goes_on_by_itself_has_a_timer_that_outlives_a_reload_and_says_when
 
 
 def test_meanwhile_is_what_has_nothing_to_do_with_what_goes_on(kitchen):
-    """Drain the egg (1) waits for boil the egg (0), the onion (2, 3) does not, and the salad (4) waits for both."""
+    """The egg (1) boils in the pot (2) on the stove (8): what takes these waits, the onion (4) does not."""
     found = kitchen.execute_async_script("""
         const done = arguments[0];
         const nodes = things => things.map(thing => ({ thing }));
         const unit = (taken, made) => ({ input_nodes: nodes(taken), output_nodes: nodes(made) });
-        const [boil, drain] = [unit([1, 2], [1, 2]), unit([1, 2, 3], [1, 3])];
-        const units = [boil, drain, unit([4, 5], [4]), unit([4, 6], [4]), unit([3, 4], [7])];
-        import('/cook_needs.js').then(({ meanwhile }) => done(meanwhile(units, 0)))""")
-    assert found == [2, 3]
+        const [boil, off, drain] = [unit([1, 2, 8], [1, 2]), unit([8], [8]), unit([1, 2, 3], [1, 3])];
+        const [peel, chop, mix] = [unit([4, 5], [4]), unit([4, 6], [4]), unit([3, 4], [7])];
+        import('/cook_needs.js').then(({ meanwhile }) => done(meanwhile([boil, off, drain, peel, chop, mix], 0)))""")
+    assert found == [3, 4]
 
 
 def test_the_screen_stays_on_while_it_is_cooked_by_and_no_longer(page, address):
@@ -204,4 +213,5 @@ def test_the_buttons_are_in_sight_on_a_phone(kitchen, height):
     press(kitchen, RIGHT, RIGHT)
     inside = "return document.querySelector('.cook .controls').getBoundingClientRect().bottom <= innerHeight"
     assert kitchen.execute_script(inside)
+    assert kitchen.execute_script("return document.documentElement.scrollHeight") <= height, "and nothing is to scroll"
     assert as_wide_as_the_screen(kitchen, 375)

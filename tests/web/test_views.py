@@ -79,7 +79,7 @@ def test_the_tree_fits_its_window_and_opens_at_its_beginning(page, address, widt
     inside = """
         const one = document.querySelector('.stage [data-step="1"]').getBoundingClientRect();
         const stage = document.querySelector('.stage').getBoundingClientRect();
-        return one.width > 0 && one.left >= stage.left && one.right <= stage.right && one.top >= stage.top
+        return one.height > 20 && one.left >= stage.left && one.right <= stage.right && one.top >= stage.top
             && one.bottom <= Math.min(stage.bottom, innerHeight) && stage.height <= innerHeight"""
     until(page, inside)
     assert as_wide_as_the_screen(page, width)
@@ -93,6 +93,9 @@ def test_a_click_on_a_step_of_the_list_shows_it_in_the_tree_and_the_other_way_ro
     until(page, "return !!document.querySelector('.stage .now')")
     assert page.execute_script("return document.querySelector('.stage .now').dataset.step") == "3"
     assert now(page, ".tree [aria-current=step]")[0].startswith("3. ")
+    evidence = [one for one in page.find_elements("css selector", ".tree .where") if one.is_displayed()]
+    assert len(evidence) == 1, "of the step that is looked at"
+    assert evidence[0].text == text_of(page, ".tree li:nth-child(3) .where")
     ActionChains(page).move_to_element(
         page.find_element("css selector", ".stage [data-step='2'] rect")
     ).click().perform()

@@ -34,14 +34,18 @@ export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(pla
 // How near what a video shows is to what this step does.
 const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
 
-const step = (plan, i, { unseen, to }) => {
+// The evidence of a step: where it is seen, and how near that is.
+export const evidence = (plan, i) => {
   const unit = plan.units[i];
-  const seen = seenWords(unit.seen_in, plan.videos[i]);
   const near = unit.origin === "adapted" && NEAR[unit.grounding];
+  return [seenWords(unit.seen_in, plan.videos[i]), near ? ` · ${near}` : ""];
+};
+
+const step = (plan, i, { unseen, to }) => {
   const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
-  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, seen, near ? ` · ${near}` : "",
+  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...evidence(plan, i),
       element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
-    element("div", { class: "formula" }, ...unitWords(unit, unseen)));
+    element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
 };
 
 export const stepsView = (plan, { unseen, to }) => {

@@ -1,12 +1,13 @@
-// The tree beside its steps: a click on a step in one shows it in the other; below, the life of each ingredient.
+// The tree beside its steps: a click on a step in one shows it in the other, and its evidence; below, the life of each ingredient.
 
 import { element, heading, list } from "./element.js";
 import { picture, staged } from "./picture.js";
+import { evidence } from "./steps.js";
 
 export const treeView = (plan, { to }) => {
   const { parts, box, centre } = staged(plan.pictures.tree, "The task tree, from the kitchen down to the dish");
   const links = plan.sentences.map((text, i) => element("a", { href: to("tree", i + 1) }, `${i + 1}. ${text}`));
-  const steps = list(links.map((link) => element("li", {}, link)), { class: "plain list", tabindex: "-1" }, "ol");
+  const steps = list(links.map((link, i) => element("li", {}, link, element("div", { class: "where" }, ...evidence(plan, i)))), { class: "plain list", tabindex: "-1" }, "ol");
   const motion = (number) => box.querySelector(`[data-step="${number}"]`);
   const shown = (number) => {
     box.querySelectorAll(".now").forEach((one) => one.classList.remove("now"));
