@@ -83,7 +83,7 @@ class IngredientWords:
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
     ) -> tuple[RequiredIngredient, tuple[str, ...]]:
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
-        state = (processed or list(states) or [" ".join(rest)])[-1]
+        state = (processed or list(states) or [_without_amount(rest)])[-1]
         wanted, notes = self.with_state(RequiredIngredient(food, state))
         left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
         if left_out:
@@ -155,6 +155,15 @@ class IngredientWords:
         rows = [row for row in self.vocabulary.foods if row.state and self.kitchen.is_start_state(row.label, row.state)]
         rows.sort(key=lambda row: (row.used, row.state))
         return {canonical(row.label): row.state for row in rows}
+
+
+def _without_amount(words: Sequence[str]) -> str:
+    """Return ``words`` without a number and what it counts: “500 g” is no state of a potato."""
+    if not any(word[0].isdigit() for word in words):
+        return " ".join(words)
+    from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
+
+    return " ".join(word for word in words if not (word[0].isdigit() or is_measure(word.lower())))
 
 
 @cache

@@ -24,7 +24,16 @@ from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.asked_before import AskedBefore, edition_told, told
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
-from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
+from foon_kg.web.questions import (
+    BusyError,
+    ExamplesQuestion,
+    InternalError,
+    PlanQuestion,
+    Question,
+    Reply,
+    SuggestQuestion,
+    TooLongError,
+)
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
 from foon_kg.web.words import FoonWords, Kind
@@ -113,6 +122,12 @@ def web_app(
 def summary(request: Request, response: Response) -> telling.Summary:
     """Answer how large the FOON is, and its dish types."""
     return telling.Summary.model_validate(_words(request, response).summary())
+
+
+@router.get("/examples", response_model=telling.Examples)
+async def examples(request: Request) -> Response:
+    """Answer up to six dishes to begin with: what videos of this FOON make, each of which can be planned."""
+    return await _answered(request, ExamplesQuestion())
 
 
 @router.get("/complete")

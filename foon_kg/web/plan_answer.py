@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
+from foon_kg.language.plain_lines import amount_in_front
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
 from foon_kg.planning.batch import Answer
 from foon_kg.planning.explanation import Explanation
 from foon_kg.plans.durations import Durations
-from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
+from foon_kg.validation import KnownFoon, TaskTree, check
 from foon_kg.web.questions import PlanQuestion
 from foon_kg.web.words import seen_at
 
 
-def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations) -> JsonObject:
-    """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked."""
+def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, foon: KnownFoon) -> JsonObject:
+    """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
+
+    Why has what the judge says of the plan, who compares it with ``foon``.
+    """
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
@@ -29,15 +36,24 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations) -
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
         "videos": [seen_at(unit.seen_in) for unit in plan.units],
+        "sentences": [sentence(unit.as_unit(), kitchen) for unit in plan.units],
+        "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:
         told["explanations"] = list(map(explanation_to_json, answer.explanations))
+        told["judged"] = check(TaskTree.from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]
     if schedules:
         told["schedules"] = [one.to_json() for one in schedules]
     if question.picture_width is not None:
         told["pictures"] = pictures_to_json(ShownTree.of_result(plan), schedules, question.picture_width)
     return told
+
+
+def _amount_of(food: str, texts: Sequence[str]) -> str:
+    """Return how much of a food the ``texts`` ask, or ``""``."""
+    text = next((text for text in texts if singular(text).endswith(singular(food))), "")
+    return " ".join(filter(None, amount_in_front(text)))
 
 
 def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:

@@ -16,8 +16,10 @@ from foon_kg.planning.suggestion import suggest
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
+from foon_kg.validation import KnownFoon
+from foon_kg.web.examples import example_dishes
 from foon_kg.web.plan_answer import plan_to_json
-from foon_kg.web.questions import PlanQuestion, Question, Reply, SuggestQuestion
+from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
 
 TIME_LIMIT = 3.0
 """Seconds for the search of one reference tree."""
@@ -35,6 +37,8 @@ class PlanningDesk:
         try:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
+            if isinstance(question, ExamplesQuestion):
+                return Reply.of({"examples": example_dishes(self.snapshot, self._cook, question.most)})
             return Reply.of(self._suggest(question))
         except FoonError as error:
             return Reply.of_error(error)
@@ -50,7 +54,7 @@ class PlanningDesk:
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
-        return Reply.of(plan_to_json(answer, question, self._durations) | {"notes": notes})
+        return Reply.of(plan_to_json(answer, question, self._durations, self._known) | {"notes": notes})
 
     def _cook_for(self, question: PlanQuestion, kitchen: Kitchen) -> Cook:
         if question.substitutes or question.avoided or question.kitchen:
@@ -61,6 +65,10 @@ class PlanningDesk:
     @cached_property
     def _durations(self) -> Durations:
         return Durations.of_units(self.snapshot.units)
+
+    @cached_property
+    def _known(self) -> KnownFoon:
+        return KnownFoon.of(self.snapshot.units, self.snapshot.goals())
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         read = self._at_hand((*question.foods, *question.kitchen))

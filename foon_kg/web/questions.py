@@ -41,7 +41,14 @@ class SuggestQuestion:
     kitchen: tuple[str, ...] = ()
 
 
-Question = PlanQuestion | SuggestQuestion
+@dataclass(frozen=True)
+class ExamplesQuestion:
+    """Name at most ``most`` dishes of this FOON to begin with."""
+
+    most: int = 6
+
+
+Question = PlanQuestion | SuggestQuestion | ExamplesQuestion
 
 
 class UnknownError(FoonError):

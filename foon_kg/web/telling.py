@@ -111,6 +111,23 @@ class Summary(BaseModel):
     foods: int
 
 
+class Example(BaseModel):
+    """A dish that a ``video`` of the FOON makes, its ``ingredients`` as a cook asks for them, and its plan's steps."""
+
+    name: str
+    dish_type: str
+    ingredients: list[str]
+    foods: list[str]
+    video: str
+    units: int
+
+
+class Examples(BaseModel):
+    """Dishes to begin with."""
+
+    examples: list[Example]
+
+
 class UnitsTold(BaseModel):
     """Some units with the web addresses (or null) of where they are seen, and how many there are."""
 

@@ -175,11 +175,43 @@ class Pictures(BaseModel):
     schedules: list[str]
 
 
+class FindingTold(BaseModel):
+    """What the judge objects to: a ``rule`` of docs/contract.md, and the ``unit`` (from 0; null: the whole)."""
+
+    rule: str
+    level: Literal["minor", "fatal"]
+    unit: int | None
+    nodes: list[Node]
+    reason: str
+
+
+class NotAsked(BaseModel):
+    """A rule that could not be asked in full."""
+
+    rule: str
+    why: str
+
+
+class JudgedTold(BaseModel):
+    """Whether a ``robot`` could carry the plan out and a ``cook`` would serve it, and what the judge found."""
+
+    name: str
+    accepted: bool
+    robot: bool
+    cook: bool
+    form: bool
+    findings: list[FindingTold]
+    not_asked: list[NotAsked]
+    notes: list[str]
+
+
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
     ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null. Explanations, schedules and pictures are there where they are asked.
+    second in which it is seen, or null, and ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
+    the recipe was asked, or "". Explanations with the judge's findings, schedules and pictures are there where they
+    are asked.
     """
 
     recipe: RecipeTold
@@ -193,7 +225,10 @@ class PlanTold(BaseModel):
     passed_over: list[GoalPassedOver]
     notes: list[str]
     explanations: list[ExplanationTold] | None = None
+    judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
     shopping: list[Node]
     videos: list[str | None]
+    sentences: list[str]
+    amounts: list[str]
     pictures: Pictures | None = None

@@ -30,6 +30,15 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
 
 
 @pytest.mark.parametrize(
+    ("text", "state"), [("500 g onion", "whole"), ("2 onions", "whole"), ("2 large onions", "large")]
+)
+def test_an_amount_is_no_state(text, state):
+    wanted, notes = WORDS.read(text)
+    assert wanted == RequiredIngredient("onion", state)
+    assert notes[-1].endswith(" is left out"), "and it is said"
+
+
+@pytest.mark.parametrize(
     ("text", "food", "state"),
     [
         ("chopped onion", "onion", "chopped"),

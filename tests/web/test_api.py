@@ -13,6 +13,7 @@ from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
+from foon_kg import Foon
 from foon_kg.planning.batch import Cook, Question
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
@@ -43,7 +44,33 @@ def test_a_plan_is_what_foon_plan_prints(client):
         printed = Cook(view, PlanSettings()).answer(asked).outcome.to_json()
     assert {name: told[name] for name in printed} == json.loads(json.dumps(printed))
     assert len(told["videos"]) == len(told["units"])
-    assert told.keys().isdisjoint({"explanations", "schedules", "pictures"})
+    assert told.keys().isdisjoint({"explanations", "judged", "schedules", "pictures"})
+
+
+def test_a_step_is_a_sentence_and_an_ingredient_has_the_amount_that_was_asked(client):
+    asked = ["2 cups sliced kohlrabi", "chopped onion", "3 tablespoons olive oil"]
+    told = client.post("/api/plan", json=SALAD | {"ingredients": asked}).json()
+    plan = Foon(snapshot=demo_foon()).plan(SALAD["dish_type"], asked)
+    assert told["sentences"] == [step.text for step in plan.steps]
+    assert told["amounts"] == ["2 cups", "", "3 tablespoons"]
+
+
+def test_the_judge_says_what_he_says_of_the_plan_from_python(client):
+    told = client.post("/api/plan", json=SALAD | {"explain": True}).json()
+    plan = Foon(snapshot=demo_foon()).plan(SALAD["dish_type"], SALAD["ingredients"])
+    assert told["judged"] == json.loads(json.dumps(plan.check().to_json()))
+    assert told["judged"]["accepted"]
+
+
+def test_examples_are_what_videos_make_and_each_is_planned_in_so_many_steps(client):
+    examples = client.get("/api/examples").json()["examples"]
+    assert len({one["name"] for one in examples}) == 6
+    assert {one["dish_type"] for one in examples} == set(demo_foon().vocabulary().dish_types)
+    made = {(goal.node.label, video) for goal in demo_foon().goals() for video in goal.videos}
+    assert made.issuperset((one["name"], one["video"]) for one in examples)
+    for one in examples:
+        asked = {"dish_type": one["dish_type"], "ingredients": one["ingredients"]}
+        assert len(client.post("/api/plan", json=asked).json()["units"]) == one["units"]
 
 
 def test_reasons_schedules_and_pictures_come_where_they_are_asked(client):

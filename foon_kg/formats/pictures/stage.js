@@ -2,10 +2,10 @@
 // fingers; whoever only scrolls past is not held up.
 
 const SMALLEST = 120; // pixels of the picture across the stage
+const CLICK = 4; // pixels that a hand moves while it clicks
 
-// Where the first step of a task tree stands.
-const stepOne = (svg) => {
-  const group = [...svg.querySelectorAll("g")].find((g) => /^(\+ )?1 /.test(g.querySelector(":scope > text")?.textContent ?? ""));
+// Where a box of a task tree stands.
+const middle = (group) => {
   if (!group) return null;
   const { x, y, width, height } = group.getBBox();
   const { e, f } = group.parentNode.transform.baseVal.consolidate()?.matrix ?? { e: 0, f: 0 };
@@ -36,7 +36,7 @@ export const stage = (box) => {
   const legible = () => { // one pixel a pixel, with the first step in sight
     const w = box.clientWidth || width;
     const h = w * shape();
-    const first = stepOne(svg);
+    const first = middle(svg.querySelector('[data-step="1"]'));
     const x = within((first?.x ?? width / 2) - w / 2, Math.min(0, (width - w) / 2), Math.max(0, width - w));
     Object.assign(view, { w, h, x, y: first && first.y > h - 60 ? first.y - h / 2 : 0 });
   };
@@ -46,7 +46,19 @@ export const stage = (box) => {
     Object.assign(view, { x: view.x + (view.w - w) * fx, y: view.y + (view.h - h) * fy, w, h });
   };
   const move = (dx, dy) => Object.assign(view, { x: view.x + dx * view.w, y: view.y + dy * view.h });
-  const done = (act) => (...how) => { act(...how); show(); };
+  let begun = false;
+  const begin = () => { // as soon as it can be seen
+    if (begun || !box.clientHeight) return;
+    begun = true;
+    if (height > 1.5 * box.clientHeight || width > 1.5 * box.clientWidth) legible();
+    else fit();
+    show();
+  };
+  const done = (act) => (...how) => { begin(); act(...how); show(); };
+  const centre = (group) => {
+    const { x, y } = middle(group);
+    Object.assign(view, { x: x - view.w / 2, y: y - view.h / 2 });
+  };
 
   const keys = {
     ArrowLeft: () => move(-0.15, 0), ArrowRight: () => move(0.15, 0), ArrowUp: () => move(0, -0.15), ArrowDown: () => move(0, 0.15),
@@ -90,27 +102,25 @@ export const stage = (box) => {
   }
   box.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
-    if (event.pointerType === "mouse") box.setPointerCapture(event.pointerId);
-    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const { clientX: x, clientY: y } = event;
+    fingers.set(event.pointerId, { x, y, from: { x, y } });
   });
   box.addEventListener("pointermove", (event) => {
+    if (!event.buttons) fingers.delete(event.pointerId); // let go of outside
     if (!fingers.has(event.pointerId)) return;
-    const before = spread();
-    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const [before, { from }, { clientX: x, clientY: y }] = [spread(), fingers.get(event.pointerId), event];
+    fingers.set(event.pointerId, { x, y, from });
+    // Only now: a click that moves nothing is one on the box of a step.
+    if (event.pointerType === "mouse" && Math.hypot(x - from.x, y - from.y) > CLICK) box.setPointerCapture(event.pointerId);
     if (event.pointerType !== "touch" || mine()) done(drag)(before, spread());
   });
   for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => fingers.delete(event.pointerId));
 
-  const turned = new ResizeObserver(() => { // a phone on its side
-    if (!paper.matches) view.h = view.w * shape();
+  new ResizeObserver(() => { // a phone on its side
+    begin();
+    if (begun && box.clientHeight && !paper.matches) view.h = view.w * shape();
     draw();
-  });
-  requestAnimationFrame(() => {
-    if (height > 1.5 * box.clientHeight || width > 1.5 * box.clientWidth) legible();
-    else fit();
-    show();
-    turned.observe(box);
-    paper.addEventListener("change", draw);
-  });
-  return { larger: done(keys["+"]), smaller: done(keys["-"]), all: done(fit), own: done(legible) };
+  }).observe(box);
+  paper.addEventListener("change", draw);
+  return { larger: done(keys["+"]), smaller: done(keys["-"]), all: done(fit), own: done(legible), centre: done(centre) };
 };

@@ -86,6 +86,8 @@ class _Picture:
     def _draw_box(self, stage: ET.Element, place: int) -> None:
         box, (x, y), (width, height) = self.scene.boxes[place], self.layout.middles[place], self.sizes[place]
         group = ET.SubElement(stage, "g")
+        if isinstance(box, MotionBox):
+            group.set("data-step", str(box.number))
         ET.SubElement(group, "title").text = writable(self._told(box))
         attributes: dict[str, object] = {"x": x - width / 2, "y": y - height / 2, "width": width, "height": height}
         element(group, "rect", attributes | _manner(box, self.tree.unseen), *_paint(box, self.tree.unseen))

@@ -54,8 +54,9 @@ class ShownTree:
 
     @property
     def unseen(self) -> Mapping[str, Substitution]:
-        """The foods that this FOON has not seen so, each with its equivalent."""
-        return {one.object: one for one in self.substitutions if one.kind == "object"}
+        """The foods that this FOON has not seen so, each with its surest equivalent: single steps may have others."""
+        found = (one for one in self.substitutions if one.kind == "object")
+        return {one.object: one for one in sorted(found, key=lambda one: one.confidence)}
 
 
 def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:

@@ -1,26 +1,29 @@
 // A question as the part of an address after #, which is never sent to a server: to go back to, to keep, to pass on.
+// `view` is how its plan is shown, and `step` (from 1) the step that is looked at.
 
-export const toAddress = ({ dish_type, ingredients, substitutes, avoid, kitchen }) => {
+export const toAddress = ({ dish_type, ingredients, substitutes = [], avoid = [], kitchen = [] }, view = "", step = null) => {
   const fields = new URLSearchParams();
   if (dish_type) fields.append("dish", dish_type);
   ingredients.forEach((one) => fields.append("with", one));
   avoid.forEach((one) => fields.append("without", one));
   kitchen.forEach((one) => fields.append("have", one));
   substitutes.forEach(({ food, like }) => { fields.append("for", food); fields.append("like", like); });
+  if (view) fields.append("view", view);
+  if (step) fields.append("step", step);
   return `#${fields}`;
 };
 
 export const fromAddress = () => {
   const fields = new URLSearchParams(location.hash.slice(1));
   const likes = fields.getAll("like");
+  const substitutes = fields.getAll("for").map((food, i) => ({ food, like: likes[i] })).filter(({ like }) => like);
+  const [ingredients, avoid, kitchen] = ["with", "without", "have"].map((name) => fields.getAll(name));
   return {
     look: fields.get("look"),
-    dish: fields.get("dish") ?? "",
-    ingredients: fields.getAll("with"),
-    wishes: {
-      foods: fields.getAll("without"),
-      things: fields.getAll("have"),
-      choices: fields.getAll("for").map((food, i) => [food, likes[i]]).filter(([, like]) => like),
-    },
+    view: fields.get("view") ?? "",
+    step: Number.parseInt(fields.get("step"), 10) || null,
+    ingredients,
+    question: { dish_type: fields.get("dish") ?? "", ingredients, avoid, kitchen, substitutes },
+    wishes: { foods: avoid, things: kitchen, choices: substitutes.map(({ food, like }) => [food, like]) },
   };
 };

@@ -1,12 +1,14 @@
-// The page: what is wanted, and what comes of it.
+// The page: what its address asks is shown (the opening, a plan in one of its views, what could be made, an object), and
+// whatever is asked by hand becomes an address first.
 
 import { fromAddress, toAddress } from "./address.js";
 import * as api from "./api.js";
 import { aroundView } from "./around.js";
 import { chipField } from "./chips.js";
 import { combobox } from "./combobox.js";
-import { counted, element, errorNotice } from "./element.js";
-import { planView, suggestionsView } from "./plan.js";
+import { element, errorNotice } from "./element.js";
+import { examplesView, knows, recentView, remember } from "./opening.js";
+import { planPage, suggestionsView } from "./plan.js";
 import { wishes } from "./wishes.js";
 
 const at = (id) => document.getElementById(id);
@@ -14,31 +16,38 @@ const [dish, ingredient, result, status] = ["dish", "ingredient", "result", "sta
 const say = (text) => { status.textContent = text; };
 const foods = chipField(ingredient, at("wanted"), { most: 60, say });
 const wished = wishes(say);
-const looked = combobox(at("object"), (text) => { location.hash = `look=${encodeURIComponent(text)}`; });
+const goTo = (address) => { if (location.hash === address) follow(true); else location.hash = address; };
+const looked = combobox(at("object"), (text) => goTo(`#look=${encodeURIComponent(text)}`));
 let turn = 0;
+let [examples, empty] = [null, false];
+let shown = { key: "", show: () => {}, leave: () => {} }; // the answer that is there, by what was asked
 
 // Only the answer to the last question is shown, whatever comes late.
-const answer = async (words, question, view) => {
+const answer = async (words, key, question, view) => {
   const mine = ++turn;
   say(words);
   result.setAttribute("aria-busy", "true");
-  let shown;
+  let made;
   try {
     const told = await question();
     if (mine !== turn) return;
-    shown = view(told);
+    made = { key, ...view(told) };
     say("Done.");
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
     if (mine !== turn) return;
     say("");
-    shown = [errorNotice(error, ...remedies(error.missing))];
+    made = { key: "", parts: [errorNotice(error, ...remedies(error.missing))] };
     if (error.status === 401) askToken();
   }
-  result.replaceChildren(...shown.filter(Boolean));
+  shown.leave?.();
+  shown = made;
+  at("asking").open = !made.show;
+  result.replaceChildren(...made.parts.filter(Boolean));
   result.setAttribute("aria-busy", "false");
+  made.show?.(fromAddress());
   result.focus({ preventScroll: true });
-  result.scrollIntoView({ block: "start" });
+  scrollTo({ top: 0 });
 };
 
 // What a named kitchen lacks is there after all: a button for each.
@@ -49,38 +58,41 @@ const remedies = (missing) => {
   return buttons.length ? [element("div", { class: "choices" }, ...buttons)] : [];
 };
 
-const ready = () => {
+const question = () => ({ dish_type: dish.value, ingredients: foods.words(), ...wished.question() });
+
+// What is typed and not yet entered is asked too.
+const ask = (view) => {
   foods.add();
   wished.gather();
-  if (foods.words().length) return true;
+  if (foods.words().length) return goTo(toAddress(question(), view));
+  result.hidden = false;
   result.replaceChildren(errorNotice({ message: "Name an ingredient first", hint: "For example: chopped onion." }));
   ingredient.focus();
-  return false;
 };
-
-const plan = () => {
-  if (!ready()) return;
-  const question = { dish_type: dish.value, ingredients: foods.words(), ...wished.question() };
-  const address = toAddress(question);
-  if (location.hash !== address) history.pushState(null, "", address);
-  answer("Planning …", () => api.plan(question), (told) => planView(told, wished.chosen(), choose));
-};
-
+const plan = () => ask("");
 const choose = (food, like) => {
   wished.choose(food, like);
-  plan();
+  ask(fromAddress().view);
 };
 
-const suggest = () => {
-  if (!ready()) return;
-  const take = (dishType) => { dish.value = dishType; plan(); };
-  answer("Looking at every dish …", () => api.suggest(foods.words(), wished.question().kitchen), (told) => suggestionsView(told, take));
-};
+const makePlan = (key) => answer("Planning …", key, () => api.plan(question()), (told) => {
+  const words = foods.words().join(", ");
+  at("asked").textContent = `${told.recipe.dish_type} with ${words}`;
+  remember(key, told.goal.label, words);
+  return planPage(told, { key, asked: question(), chosen: wished.chosen(), choose });
+});
+
+const suggest = (key) => answer("Looking at every dish …", key, () => api.suggest(foods.words(), wished.question().kitchen), (told) => {
+  document.title = "What these foods could make · foon";
+  return { parts: suggestionsView(told, (dishType) => { dish.value = dishType; plan(); }) };
+});
 
 const look = async (label) => {
   at("object").value = label;
   looked.close();
   const around = at("around");
+  document.title = `${label || "Look around"} · foon`;
+  if (!label) return at("object").focus();
   around.replaceChildren(element("p", { class: "aside" }, "Looking …"));
   try {
     around.replaceChildren(...aroundView(await api.around(label)));
@@ -89,19 +101,43 @@ const look = async (label) => {
     around.replaceChildren(errorNotice(error));
     if (error.status === 401) askToken();
   }
-  at("look").scrollIntoView({ block: "start" });
+  scrollTo({ top: 0 });
   around.focus({ preventScroll: true });
 };
 
-// What the address asks: an object to look at, or a plan.
-const follow = () => {
+const openingShown = async () => {
+  result.replaceChildren();
+  document.title = "foon: task trees for cooking";
+  at("asking").open = true;
+  at("recent").replaceChildren(...recentView(openingShown));
+  if (examples || empty) return;
+  examples = api.examples(); // asked once, and only by who sees them
+  const shownAs = await examples.then((told) => examplesView(told.examples), (error) => [errorNotice(error)]);
+  at("examples").replaceChildren(...shownAs);
+  at("examples").setAttribute("aria-busy", "false");
+};
+
+// Show what the address asks; `again`: ask it again, though its answer is there.
+const follow = (again = false) => {
   const asked = fromAddress();
-  if (asked.look) look(asked.look);
-  if (!asked.ingredients.length) return;
-  dish.value = [...dish.options].some((option) => option.value === asked.dish) ? asked.dish : "";
+  const page = asked.look !== null ? "look" : asked.ingredients.length ? "plan" : "home";
+  document.body.dataset.page = page;
+  at("opening").hidden = page !== "home";
+  at("plan").hidden = at("look").hidden = false;
+  at(page === "look" ? "plan" : "look").hidden = true;
+  result.hidden = page !== "plan";
+  if (page !== "plan") {
+    turn += 1; // what still comes is for a page that is no longer there
+    shown.leave?.();
+    shown = { key: "" };
+    return page === "look" ? look(asked.look) : openingShown();
+  }
+  const key = toAddress(asked.question, asked.view === "make" ? "make" : "");
+  if (!again && key === shown.key) return shown.show?.(asked);
+  dish.value = [...dish.options].some((option) => option.value === asked.question.dish_type) ? asked.question.dish_type : "";
   foods.set(asked.ingredients);
   wished.set(asked.wishes);
-  plan();
+  return asked.view === "make" ? suggest(key) : makePlan(key);
 };
 
 const askToken = () => {
@@ -113,14 +149,15 @@ const begin = async () => {
   try {
     const told = await api.summary();
     at("token").hidden = true;
-    at("summary").textContent = `${counted(told.units, "step")} of ${counted(told.videos, "video")}, ${counted(told.foods, "food")}`;
+    at("knows").textContent = knows(told);
     dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)));
-    if (!told.units) result.replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
-    follow();
+    empty = !told.units;
+    if (empty) at("examples").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
+    follow(true);
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
     if (error.status === 401) askToken();
-    else result.replaceChildren(errorNotice(error));
+    else at("examples").replaceChildren(errorNotice(error));
   }
 };
 
@@ -132,7 +169,7 @@ at("ask").addEventListener("keydown", (event) => {
   } else if (event.target.matches("input")) event.preventDefault(); // an empty field asks nothing
 });
 at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan(); });
-at("suggest").addEventListener("click", suggest);
+at("suggest").addEventListener("click", () => ask("make"));
 at("clear").addEventListener("click", () => {
   foods.set([]);
   wished.question().substitutes.forEach(({ food }) => wished.choose(food, null));
@@ -142,16 +179,17 @@ at("clear").addEventListener("click", () => {
 at("find").addEventListener("submit", (event) => {
   event.preventDefault();
   const label = at("object").value.trim();
-  if (!label) return;
-  const hash = `#look=${encodeURIComponent(label)}`;
-  if (location.hash === hash) look(label);
-  else location.hash = hash;
+  if (label) goTo(`#look=${encodeURIComponent(label)}`);
 });
 at("token-form").addEventListener("submit", (event) => {
   event.preventDefault();
   api.keepToken(at("token-text").value.trim());
   begin();
 });
-addEventListener("hashchange", follow);
+at("skip").addEventListener("click", (event) => { // an address of its own would lead away from the plan
+  event.preventDefault();
+  at(document.body.dataset.page === "look" ? "around" : result.hidden ? "opening" : "result").focus();
+});
+addEventListener("hashchange", () => follow());
 api.tokenFromAddress();
 begin();

@@ -17,13 +17,22 @@ export const nodeWords = (node, unseen = new Map()) => {
   return [...words, ")"];
 };
 
+// The same for who stands beside it: nothing to click, and what a vessel holds instead of that it is empty.
+export const thingWords = (node, unseen = new Map()) => {
+  const about = [...node.states.filter((state) => state !== "empty"), node.ingredients.length && `with ${node.ingredients.join(", ")}`,
+    node.container && `${node.relation ?? "at"} ${node.container}`].filter(Boolean).join("; ");
+  const like = unseen.get(node.label);
+  return [like ? element("span", { class: "unseen", title: `like ${like.equivalent}` }, `~${node.label}`) : node.label, about ? element("span", { class: "aside" }, ` ${about}`) : ""];
+};
+
 const joined = (nodes, unseen) => nodes.flatMap((node, i) => (i ? [" + ", ...nodeWords(node, unseen)] : nodeWords(node, unseen)));
 
 export const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
 // Where a unit is seen: of several places the first with a time, as the address has it.
+export const seenAt = (places) => places.find((one) => one.start !== null) ?? places[0];
 export const seenWords = (places, address) => {
-  const seen = places.find((one) => one.start !== null) ?? places[0];
+  const seen = seenAt(places);
   if (!seen) return null;
   const when = seen.start === null ? "" : ` at ${minutes(seen.start)}`;
   if (!address) return element("span", { class: "seen aside" }, seen.video + when);

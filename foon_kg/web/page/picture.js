@@ -4,7 +4,7 @@ import { element } from "./element.js";
 import { stage } from "./stage.js";
 
 const KEYS = "Arrow keys move the picture, + and - zoom, 0 shows all of it.";
-const BUTTONS = [["larger", "Larger", "+"], ["smaller", "Smaller", "−"], ["all", "Show all of it", "All"], ["own", "Show it at its own size", "1:1"]];
+const BUTTONS = [["larger", "Larger", "+"], ["smaller", "Smaller", "−"], ["all", "Show all of it", "All"], ["own", "1:1, its own size", "1:1"]];
 
 // An SVG text as elements, without its style sheet: the page has the same one as a file of its own (picture.css), and
 // its policy allows no other.
@@ -21,9 +21,7 @@ export const staged = (text, name) => {
   const act = stage(box);
   const buttons = BUTTONS.map(([does, label, sign]) =>
     element("button", { type: "button", class: "small", "aria-label": label, onclick: act[does] }, sign));
-  return [
-    element("div", { class: "bar" }, ...buttons, element("span", { class: "aside fine" }, `Drag to move, Ctrl and the wheel zoom. ${KEYS}`),
-      element("span", { class: "aside coarse" }, "Two fingers move and zoom; after a tap one finger moves.")),
-    box,
-  ];
+  const hint = element("p", { class: "aside" }, element("span", { class: "fine" }, `Drag to move, Ctrl and the wheel zoom. ${KEYS}`),
+    element("span", { class: "coarse" }, "Two fingers move and zoom; after a tap one finger moves."));
+  return { parts: [element("div", { class: "bar" }, ...buttons), box, hint], box, centre: act.centre };
 };

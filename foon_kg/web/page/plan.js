@@ -1,106 +1,47 @@
-// A plan: the tree, its steps with their videos, what stands for what (and what could), progress lines, reasons.
+// A plan in its views, one at a time, each with an address: steps to read, to cook, the tree, who does what when, and why.
 
-import { counted, element, heading, list, sentence } from "./element.js";
-import { nodeWords, seenWords, unitWords } from "./nodes.js";
-import { picture, staged } from "./picture.js";
+import { toAddress } from "./address.js";
+import { cookView } from "./cook.js";
+import { counted, element, heading, list } from "./element.js";
 import { scheduleView } from "./schedule.js";
+import { notes, stepsView } from "./steps.js";
+import { treeView } from "./tree.js";
+import { whyView } from "./why.js";
 
-const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
+const VIEWS = [["steps", "Steps", stepsView], ["cook", "Cook", cookView], ["tree", "Tree", treeView], ["when", "When", scheduleView], ["why", "Why", whyView]];
 
-export const planView = (plan, chosen, choose) => {
-  const unseen = new Map(plan.substitutions.filter((one) => one.kind === "object").map((one) => [one.object, one]));
-  const wanted = plan.recipe.ingredients.map((one) => `${one.state} ${one.object}`.trim()).join(", ");
-  return [
-    heading(2, `${plan.goal.label}: ${counted(plan.units.length, "step")}`),
-    element("p", {}, `${sentence(`${plan.recipe.dish_type} with ${wanted}`).slice(0, -1)}, made like the ${plan.reference.goal.label} of `
-      + `${counted(plan.reference.units, "step")}, which takes ${plan.reference.overlap} of these foods or their like`
-      + (plan.reference.exact ? "." : " (the best that was found in time).")),
-    notes(plan.notes),
-    ...substitutions(plan, chosen, choose),
-    heading(3, "Task tree"),
-    ...staged(plan.pictures.tree, "The task tree, from the kitchen down to the dish"),
-    heading(3, "Steps"),
-    list(plan.units.map((unit, i) => step(unit, plan.videos[i], unseen)), { class: "steps" }, "ol"),
-    heading(3, "What to buy"),
-    list(plan.shopping.map((node) => nodeWords(node, unseen)), { class: "columns" }),
-    heading(3, "Utensils, and what is always there"),
-    list(besides(plan).map((node) => nodeWords(node, unseen)), { class: "columns" }),
-    assumptions(plan, unseen),
-    passedOver(plan),
-    ...scheduleView(plan),
-    heading(3, "Progress of each ingredient"),
-    element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)),
-    reasons(plan),
-  ];
-};
-
-const notes = (told) => (told.length ? element("div", { class: "notice" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
-
-const besides = (plan) => {
-  const bought = new Set(plan.shopping.map((node) => node.label));
-  return plan.kitchen.filter((node) => !bought.has(node.label));
-};
-
-const step = (unit, address, unseen) => {
-  const seen = seenWords(unit.seen_in, address);
-  const origin = { adapted: "as the FOON does it to a like food" }[unit.origin];
-  const where = [seen, origin].filter(Boolean).flatMap((one, i) => (i ? [" · ", one] : [one]));
-  return element("li", {}, ...unitWords(unit, unseen), element("div", { class: "where" }, ...where));
-};
-
-const substitutions = (plan, chosen, choose) => {
-  if (!plan.substitutions.length && !chosen.size) return [];
-  const items = plan.substitutions.map((one) => (one.kind === "object" ? food(one, chosen, choose) : word(one)));
-  return [heading(3, "What stands for what"), list(items, { class: "plain" })];
-};
-
-const food = (one, chosen, choose) => {
-  const own = chosen.get(one.object);
-  const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " is handled like ",
-    element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "");
-  const others = one.alternatives.map((other) =>
-    element("button", { type: "button", class: "small", "data-like": other.name, onclick: () => choose(one.object, other.name),
-      "aria-label": `${other.name} ${other.confidence.toFixed(2)}: handle ${one.object} like it instead` }, other.name, " ", sure(other.confidence)));
-  const back = own ? [element("button", { type: "button", class: "small quiet", onclick: () => choose(one.object, null) }, "undo my choice")] : [];
-  if (!others.length && !back.length) return said;
-  return [said, element("div", { class: "choices", role: "group", "aria-label": `Instead of ${one.equivalent} for ${one.object}` },
-    others.length ? element("span", { class: "aside" }, "or like") : null, ...others, ...back)];
-};
-
-const word = (one) =>
-  element("p", {}, `${one.object}: `, element("span", { class: one.kind === "motion" ? "motion" : "state" }, one.required),
-    ` where the FOON has ${one.equivalent} `, sure(one.confidence),
-    one.alternatives.length ? ` (or ${one.alternatives.map((other) => other.name).join(", ")})` : "");
-
-const assumptions = (plan, unseen) => {
-  if (!plan.assumptions.length) return null;
-  const told = plan.assumptions.map((one) => [...nodeWords(one.node, unseen), `: ${one.why}`]);
-  return element("div", {}, heading(3, "Taken to be there"), list(told));
-};
-
-const passedOver = (plan) => {
-  if (!plan.passed_over.length) return null;
-  const told = plan.passed_over.map((one) => [element("strong", {}, one.goal.label), ` ${one.similarity.toFixed(2)}: ${one.why}`]);
-  return element("div", {}, heading(3, "Nearer by their foods, and passed over"), list(told));
-};
-
-const HOW = {
-  played: (one) => `has a place in the recorded dish, and is handled as the FOON handles ${one.label === one.want.object ? "it" : one.label}`,
-  made: (one) => `is made ready as the FOON makes ${one.label === one.want.object ? "it" : one.label}`,
-  sold: () => "joins as it is sold",
-  assumed: () => "is assumed to be there: nothing in this FOON makes it so",
-  missing: () => "does not get into this dish",
-};
-
-const reasons = (plan) => {
-  const told = plan.explanations.map((one) => {
-    const where = one.videos.length ? ` (${one.videos.join(", ")})` : "";
-    const joins = one.joins?.step ? `; it joins the others in step ${one.joins.step} (${one.joins.motion})` : "";
-    const other = one.passed_over.map((o) => `${o.state} ${o.label}`.trim() + ` ${o.confidence.toFixed(2)}: ${o.why}`);
-    return [element("strong", {}, `${one.want.state} ${one.want.object}`.trim()), ` ${HOW[one.how](one)}${where}${joins}.`,
-      other.length ? element("span", { class: "aside" }, ` Not like ${other.join("; ")}.`) : null].filter(Boolean);
+// `asked` is the question, `key` its address; `choose` plans again with a food handled like another one. A view is
+// its element, and what it does when it is shown (with the step that the address names) and when it is left.
+export const planPage = (plan, { asked, chosen, ...rest }) => {
+  const foods = plan.substitutions.filter((one) => one.kind === "object");
+  const sure = (one) => (chosen.get(one.object) === one.equivalent ? 2 : one.confidence); // what was chosen is told first
+  const unseen = new Map(foods.sort((a, b) => sure(a) - sure(b)).map((one) => [one.object, one]));
+  const to = (view, step = null) => toAddress(asked, view, step);
+  const views = VIEWS.map(([name, title, make]) => ({ name, title, ...make(plan, { ...rest, chosen, unseen, to }) }));
+  const links = views.map(({ name, title }) => element("a", { href: to(name) }, title));
+  views.forEach(({ part, name, title }) => {
+    part.id = `view-${name}`;
+    part.classList.add("view");
+    part.setAttribute("aria-label", title);
   });
-  return element("details", {}, element("summary", {}, "Why each ingredient is made so"), list(told));
+  let open = null;
+  const leave = () => { open?.left?.(); open = null; delete document.body.dataset.view; };
+  const show = ({ view, step }) => {
+    const now = views.find(({ name }) => name === view) ?? views[0];
+    if (open !== now) leave();
+    open = now;
+    document.body.dataset.view = now.name;
+    document.title = `${now.title}: ${plan.goal.label} · foon`;
+    views.forEach((one, i) => {
+      one.part.hidden = one !== now;
+      if (one === now) links[i].setAttribute("aria-current", "page");
+      else links[i].removeAttribute("aria-current");
+    });
+    now.shown?.(step);
+  };
+  const parts = [heading(1, `${plan.goal.label}: ${counted(plan.units.length, "step")}`),
+    element("nav", { class: "tabs", "aria-label": "Views of this plan" }, ...links), ...views.map(({ part }) => part)];
+  return { parts, show, leave };
 };
 
 export const suggestionsView = (answer, take) => [

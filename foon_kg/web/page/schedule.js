@@ -10,12 +10,12 @@ export const scheduleView = (plan) => {
   const parts = plan.schedules.map((one, i) => element("div", { hidden: i > 0 }, chart(plan.pictures.schedules[i], one), table(plan, one)));
   const buttons = plan.schedules.map((one, i) =>
     element("button", { type: "button", class: "small", "aria-pressed": String(i === 0), onclick: () => show(i) },
-      `${pairs(one.hands)}, ${minutes(one.length)}`));
+      pairs(one.hands) + (one.steps.some((step) => step.duration) ? `, ${minutes(one.length)}` : "")));
   const show = (chosen) => {
     parts.forEach((part, i) => { part.hidden = i !== chosen; });
     buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === chosen)));
   };
-  return [heading(3, "Who does what when"), element("div", { class: "bar", role: "group", "aria-label": "How many cook" }, ...buttons), ...parts];
+  return { part: element("section", {}, heading(2, "Who does what when"), element("div", { class: "bar", role: "group", "aria-label": "How many cook" }, ...buttons), ...parts) };
 };
 
 const chart = (text, one) =>

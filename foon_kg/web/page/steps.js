@@ -1,0 +1,72 @@
+// A plan to read: what it is made after, what to buy, and its steps as sentences; the FOON's own words on demand.
+
+import { element, heading, list, sentence } from "./element.js";
+import { nodeWords, seenAt, seenWords, unitWords } from "./nodes.js";
+
+export const notes = (told) => (told.length ? element("div", { class: "notice" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
+
+export const foodAndState = (one) => `${one.state} ${one.object}`.trim();
+
+// A sentence in which foods that no video has carry their sign.
+export const marked = (text, unseen) => {
+  const names = [...unseen.keys()].sort((a, b) => b.length - a.length).map((name) => name.replace(/[^\w\s]/g, "\\$&"));
+  if (!names.length) return [text];
+  const around = new RegExp(`(?<!\\w)(${names.join("|")})(?!\\w)`, "i"); // every second part is such a food
+  return text.split(around).map((part, i) => (i % 2 ? element("span", { class: "unseen", title: `like ${unseen.get(part.toLowerCase())?.equivalent}` }, `~${part}`) : part));
+};
+
+// The videos that a plan is made after, each a link where one of its steps has an address in it.
+export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
+  const i = plan.units.findIndex((unit, at) => plan.videos[at] && seenAt(unit.seen_in).video === name);
+  return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
+});
+
+export const besides = (plan) => {
+  const bought = new Set(plan.shopping.map((node) => node.label));
+  return plan.kitchen.filter((node) => !bought.has(node.label));
+};
+
+// How much of a food was asked, in front of its name.
+export const amountOf = (plan, label) => plan.amounts[plan.recipe.ingredients.findIndex((one) => one.object === label)] ?? "";
+
+export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(plan, node.label), " ", ...words(node)]);
+
+// How near what a video shows is to what this step does.
+const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
+
+// The evidence of a step: where it is seen, and how near that is.
+export const evidence = (plan, i) => {
+  const unit = plan.units[i];
+  const near = unit.origin === "adapted" && NEAR[unit.grounding];
+  return [seenWords(unit.seen_in, plan.videos[i]), near ? ` · ${near}` : ""];
+};
+
+const step = (plan, i, { unseen, to }) => {
+  const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
+  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...evidence(plan, i),
+      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
+    element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
+};
+
+export const stepsView = (plan, { unseen, to }) => {
+  const steps = list(plan.units.map((_, i) => step(plan, i, { unseen, to })), { class: "steps" }, "ol");
+  const own = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
+    own.setAttribute("aria-pressed", String(steps.classList.toggle("formulas")));
+  } }, "In the FOON's own words");
+  const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
+  const part = element("section", {},
+    notes(plan.notes),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of video `, ...videos(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("div", { class: "beside" },
+      element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
+      element("div", {},
+        heading(2, "What to buy"), list(buying(plan, (node) => nodeWords(node, unseen))),
+        heading(2, "Utensils, and what is always there"), list(besides(plan).map((node) => nodeWords(node, unseen))))));
+  const shown = (number) => {
+    steps.querySelectorAll(".now").forEach((one) => one.classList.remove("now"));
+    const now = number && steps.children[number - 1];
+    now?.classList.add("now");
+    now?.scrollIntoView({ block: "center" });
+  };
+  return { part, shown };
+};
