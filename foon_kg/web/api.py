@@ -22,6 +22,7 @@ from foon_kg.model.errors import FoonError
 from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
+from foon_kg.web.explore.routes import router as explore_router
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
@@ -87,6 +88,7 @@ def web_app(
     )
     app.state.service, app.state.limits = service, limits
     app.include_router(router)
+    app.include_router(explore_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
     app.mount("/", StaticFiles(directory=_page_folder(), html=True))

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.foon import Served
 from foon_kg.web.questions import BusyError, Question, Reply, TooLongError
 from foon_kg.web.words import FoonWords, Kind
@@ -39,6 +40,7 @@ class _Edition:
 
     number: int
     words: FoonWords
+    explorer: Explorer
     workers: Workers
 
 
@@ -91,6 +93,10 @@ class FoonService:
         """Answer what the FOON has around an object; raises UnknownError."""
         return self._current().words.around(label)
 
+    def explorer(self) -> Explorer:
+        """Answer what the FOON answers to who wanders through it."""
+        return self._current().explorer
+
     def close(self) -> None:
         """End the processes, and give the sockets back."""
         with self._turn:
@@ -117,7 +123,7 @@ class FoonService:
             self._edition.workers.close()
         self._kept.clear()
         workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
-        return _Edition(served.edition, FoonWords(served.snapshot), workers)
+        return _Edition(served.edition, FoonWords(served.snapshot), Explorer(served.snapshot), workers)
 
     def _taken(self, edition: _Edition, question: Question) -> Future[Reply]:
         with self._turn:

@@ -1,0 +1,95 @@
+"""The API of the explorer: search, what is around a thing, the shortest way of a food."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Request
+
+from foon_kg.formats.exports.sentences import sentence
+from foon_kg.web.asking import MOST_LETTERS
+from foon_kg.web.explore.about import places_of
+from foon_kg.web.explore.asking import AroundAsked, WayAsked
+from foon_kg.web.explore.explorer import Explorer
+from foon_kg.web.explore.network import ThingKind
+from foon_kg.web.explore.telling import (
+    AboutTold,
+    EdgeTold,
+    FilterNames,
+    NeighbourhoodTold,
+    PlaceTold,
+    StepTold,
+    StopTold,
+    ThingTold,
+    WayTold,
+)
+
+_TEXT = Query(max_length=MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
+_KINDS = Query(alias="kind", max_length=7, description="Only things of these kinds.")
+_LIMIT = Query(ge=1, le=50)
+
+router = APIRouter(prefix="/explore")
+
+
+@router.get("/search")
+def search(
+    request: Request,
+    text: Annotated[str, _TEXT],
+    kinds: Annotated[list[ThingKind] | None, _KINDS] = None,
+    limit: Annotated[int, _LIMIT] = 12,
+) -> list[ThingTold]:
+    """Answer the foods, utensils, motions, videos, dish types and objects that ``text`` may become, best first."""
+    return [ThingTold.model_validate(thing) for thing in _explorer(request).search.find(text, kinds or (), limit)]
+
+
+@router.get("/filters")
+def filters(request: Request) -> FilterNames:
+    """Answer the videos, motions and dish types to filter by."""
+    network = _explorer(request).network
+    return FilterNames(
+        videos=list(network.names("video")),
+        motions=list(network.names("motion")),
+        dish_types=list(network.names("dish")),
+    )
+
+
+@router.post("/around")
+def around(request: Request, asked: AroundAsked) -> NeighbourhoodTold:
+    """Answer what is around a thing, never more than asked, and what the thing is."""
+    explorer = _explorer(request)
+    found = explorer.neighbours.around(asked.id, asked.filters(), depth=asked.depth, most=asked.most, shown=asked.shown)
+    return NeighbourhoodTold(
+        things=[ThingTold.model_validate(thing) for thing in found.things],
+        edges=[EdgeTold.model_validate(edge) for edge in found.edges],
+        more=found.more,
+        about=AboutTold.model_validate(explorer.telling.about(found.things[0])),
+    )
+
+
+@router.post("/way")
+def way(request: Request, asked: WayAsked) -> WayTold:
+    """Answer the shortest way of a food from one state to another: over the food, not over knives and bowls."""
+    explorer = _explorer(request)
+    network, found = explorer.network, explorer.ways.shortest(asked.start, asked.end, asked.filters())
+    stops = [network.thing(f"object:{stop.node.key}") for stop in found.stops]
+    steps = [network.thing(f"step:{known.unit.key}") for known in found.steps]
+    return WayTold(
+        stops=[
+            StopTold(thing=ThingTold.model_validate(thing), name=stop.name)
+            for thing, stop in zip(stops, found.stops, strict=True)
+        ],
+        steps=[
+            StepTold(
+                thing=ThingTold.model_validate(thing),
+                text=sentence(known.unit, network.kitchen),
+                places=[PlaceTold.model_validate(place) for place in places_of(known.seen_in)],
+            )
+            for thing, known in zip(steps, found.steps, strict=True)
+        ],
+        edges=[EdgeTold.model_validate(e) for e in explorer.neighbours.edges({t.id for t in (*stops, *steps)})],
+    )
+
+
+def _explorer(request: Request) -> Explorer:
+    explorer: Explorer = request.app.state.service.explorer()
+    return explorer
