@@ -91,7 +91,9 @@ def web_app(
     app.include_router(explore_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
-    app.mount("/", StaticFiles(directory=_page_folder(), html=True))
+    app.add_api_route("/explore", _explore_page, include_in_schema=False)
+    app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
+    app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
@@ -206,8 +208,14 @@ def _stage() -> Response:
     return Response(program, media_type="text/javascript")
 
 
-def _page_folder() -> Path:
-    return Path(str(resources.files("foon_kg.web").joinpath("page")))
+def _explore_page() -> Response:
+    """Answer the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
+    page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
+    return Response(page, media_type="text/html")
+
+
+def _folder(package: str) -> Path:
+    return Path(str(resources.files(package).joinpath("page")))
 
 
 def _closing(service: FoonService) -> Callable[[FastAPI], Any]:

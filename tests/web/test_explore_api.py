@@ -160,7 +160,7 @@ def test_the_shortest_way_follows_the_food_and_not_the_knife(client):
     for unit, (before, after) in zip(steps, pairwise(stops), strict=True):
         assert before["id"] in nodes_of(unit.input_nodes)
         assert after["id"] in nodes_of(unit.output_nodes)
-    assert told["steps"][0]["text"].startswith("Peel the potato")
+    assert told["steps"][0]["thing"]["note"].startswith("Peel the potato")
 
 
 def test_raw_is_what_no_step_has_changed_whatever_the_foon_calls_it(client):
@@ -206,11 +206,12 @@ def test_an_unknown_thing_is_404(client):
     assert (answer.status_code, answer.json()["error"]["code"]) == (404, "unknown")
 
 
-def test_the_filters_are_those_of_the_foon(client):
-    told = client.get("/api/explore/filters").json()
+def test_the_filters_and_beginnings_are_those_of_the_foon(client):
+    told = client.get("/api/explore/begin").json()
     assert told["videos"] == sorted(SUBGRAPHS)
     assert told["motions"] == sorted({known.unit.motion for known in UNITS.values()})
     assert told["dish_types"] == sorted({goal.dish_type for goal in demo_foon().goals()})
+    assert {"food:onion", "utensil:knife", "motion:pick-and-place"} <= {thing["id"] for thing in told["begin"]}
 
 
 @pytest.mark.neo4j

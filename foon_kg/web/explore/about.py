@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, islice
 
 from foon_kg.formats.exports.sentences import listed, sentence
@@ -64,6 +64,12 @@ class Telling:
         """Return what ``thing`` is."""
         return self._tell[thing.kind](thing)
 
+    def in_words(self, thing: Thing) -> Thing:
+        """Return ``thing`` as it is told: a step has its sentence as its note, which takes too long for all at once."""
+        if thing.kind != "step":
+            return thing
+        return replace(thing, note=sentence(self.network.step_of(thing).unit, self.network.kitchen))
+
     def _name(self, thing: Thing) -> About:
         nodes, dishes = self.network.called.get(thing.name, ()), self.network.goals_with.get(thing.name, ())
         states = Counter[str]()
@@ -80,27 +86,21 @@ class Telling:
         network, node = self.network, self.network.object_of(thing)
         makers, takers = network.makers.get(node, []), network.takers.get(node, [])
         goals = network.goals.get(node, [])
-        facts = [
-            Fact("Is", node.states),
-            Fact("Holds" if thing.vessel else "Is made of", node.ingredients),
-            Fact("Lies", (f"{node.relation or 'at'} {node.container}",) if node.container else ()),
-            Fact("Is made by", _few(sentence(known.unit, network.kitchen) for known in makers)),
-            Fact("Is taken by", _few(sentence(known.unit, network.kitchen) for known in takers)),
-        ]
+        facts = (Fact("Holds" if thing.vessel else "Is made of", node.ingredients),)
         called = network.thing(f"{'utensil' if thing.vessel else 'food'}:{node.label}")
         types = [network.thing(f"dish:{goal.dish_type}") for goal in goals]
         places = places_of(chain.from_iterable(known.seen_in for known in (*makers, *takers)))
-        return About(
-            self._said_of(node, bool(goals), bool(makers)), _with_words(facts), (called, *types), tuple(places)
-        )
+        said = "A dish: the end of a video." if goals else self._said_of(node, len(makers))
+        text = f"{said} {_count(len(takers), 'step')} {'takes' if len(takers) == 1 else 'take'} it."
+        return About(text, _with_words(facts), (called, *types), tuple(places))
 
-    def _said_of(self, node: ObjectNode, is_goal: bool, is_made: bool) -> str:  # noqa: FBT001 - two facts of one node
-        if is_goal:
-            return "A dish: the end of a video."
+    def _said_of(self, node: ObjectNode, makers: int) -> str:
         what = "A utensil" if self.network.kitchen.is_utensil(node.label) else "A food"
         if self.network.kitchen.has(node):
             return f"{what} as it is at hand in a kitchen."
-        return f"{what} as steps make it." if is_made else f"{what} that no step makes, and no kitchen has so."
+        if not makers:
+            return f"{what} as no kitchen has it and no step makes it."
+        return f"{what} as {_count(makers, 'step')} {'makes' if makers == 1 else 'make'} it."
 
     def _step(self, thing: Thing) -> About:
         known = self.network.step_of(thing)

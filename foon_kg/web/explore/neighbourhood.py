@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain, zip_longest
@@ -11,6 +12,9 @@ from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.web.explore.network import NO_FILTERS, Edge, Filters, Network, Thing, ThingKind
 
 T = TypeVar("T")
+
+_NEAR = 0.6
+"""So much of the room is for what is next to the thing itself, where more than that is asked for."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +55,35 @@ class Neighbours:
         centre = self.network.thing(name)
         there = {id_: self.network.thing(id_) for id_ in shown if self.network.has(id_)} | {name: centre}
         found, level = {name: centre}, [centre]
-        for _ in range(depth):
-            beyond = {thing.id: thing for thing in _in_turns([self.next_to(thing, filters) for thing in level])}
-            level = []
-            for thing in beyond.values():
-                if thing.id in found or (thing.id not in there and most <= 0):
-                    continue
-                most -= thing.id not in there
-                found[thing.id] = there[thing.id] = thing
-                level.append(thing)
+        for left in range(depth, 0, -1):
+            room = most if left == 1 else round(most * _NEAR)
+            level = self._beyond(level, filters, found, there, room)
+            most -= sum(thing.id not in there for thing in level)
+            found |= {thing.id: thing for thing in level}
+            there |= {thing.id: thing for thing in level}
         return Neighbourhood(tuple(found.values()), self.edges(there), self._more(there, filters))
+
+    def _beyond(
+        self,
+        level: Sequence[Thing],
+        filters: Filters,
+        found: Collection[str],
+        there: Collection[str],
+        room: int,
+    ) -> list[Thing]:
+        """Return what is next to those of a ``level`` and not yet ``found``; of what is not ``there`` so many at most.
+
+        What joins most of them comes first, then the first of each, the second of each, and so on.
+        """
+        beside = list(_in_turns([self.next_to(thing, filters) for thing in level]))
+        if len(found) > 1:  # what is far away is of the same videos and types, which say nothing there
+            beside = [thing for thing in beside if thing.kind not in {"video", "dish"}]
+        joined = Counter(thing.id for thing in beside)
+        distinct = [thing for thing in {thing.id: thing for thing in beside}.values() if thing.id not in found]
+        distinct.sort(key=lambda thing: -joined[thing.id])
+        new = [thing.id for thing in distinct if thing.id not in there]
+        dropped = set(new[max(room, 0) :])
+        return [thing for thing in distinct if thing.id not in dropped]
 
     def next_to(self, thing: Thing, filters: Filters = NO_FILTERS) -> list[Thing]:
         """Return the neighbours of one thing that ``filters`` let through, what matters most first."""

@@ -24,7 +24,8 @@ EdgeKind = Literal["takes", "makes", "called", "contains", "motion", "seen in", 
 class Thing:
     """Something in the picture: ``name`` is written on it, ``states`` below; ``steps`` is in how many it takes part.
 
-    The ``note`` of an object says what is in it and where it is. The ``steps`` of a step are its places in videos.
+    The ``note`` of an object says what is in it and where it is, that of a step is a sentence. The ``steps`` of a step
+    are its places in videos.
     A ``vessel`` is an object that is a utensil, and ``empty`` where it holds no food: nothing is followed through it.
     """
 
@@ -94,6 +95,11 @@ class Network:
     def names(self, kind: ThingKind) -> Collection[str]:
         """Return what follows the colon in the ids of a ``kind``."""
         return self._things[kind].keys()
+
+    def largest(self, counts: Mapping[ThingKind, int]) -> list[Thing]:
+        """Return so many things of each kind: those that take part in the most steps."""
+        order = {kind: sorted(self._things[kind].values(), key=lambda one: (-one.steps, one.id)) for kind in counts}
+        return [thing for kind, count in counts.items() for thing in order[kind][:count]]
 
     def object_of(self, thing: Thing) -> ObjectNode:
         """Return the object node that a thing of the kind ``object`` stands for."""

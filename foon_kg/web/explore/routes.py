@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 
-from foon_kg.formats.exports.sentences import sentence
 from foon_kg.web.asking import MOST_LETTERS
 from foon_kg.web.explore.about import places_of
 from foon_kg.web.explore.asking import AroundAsked, WayAsked
 from foon_kg.web.explore.explorer import Explorer
-from foon_kg.web.explore.network import ThingKind
+from foon_kg.web.explore.network import Thing, ThingKind
 from foon_kg.web.explore.telling import (
     AboutTold,
+    BeginTold,
     EdgeTold,
-    FilterNames,
     NeighbourhoodTold,
     PlaceTold,
     StepTold,
@@ -27,6 +27,8 @@ from foon_kg.web.explore.telling import (
 _TEXT = Query(max_length=MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _KINDS = Query(alias="kind", max_length=7, description="Only things of these kinds.")
 _LIMIT = Query(ge=1, le=50)
+_BEGIN: dict[ThingKind, int] = {"food": 4, "utensil": 1, "motion": 2, "dish": 2, "video": 1}
+"""Of which kinds how many things are told to begin with."""
 
 router = APIRouter(prefix="/explore")
 
@@ -39,17 +41,19 @@ def search(
     limit: Annotated[int, _LIMIT] = 12,
 ) -> list[ThingTold]:
     """Answer the foods, utensils, motions, videos, dish types and objects that ``text`` may become, best first."""
-    return [ThingTold.model_validate(thing) for thing in _explorer(request).search.find(text, kinds or (), limit)]
+    explorer = _explorer(request)
+    return _told(explorer, explorer.search.find(text, kinds or (), limit))
 
 
-@router.get("/filters")
-def filters(request: Request) -> FilterNames:
-    """Answer the videos, motions and dish types to filter by."""
+@router.get("/begin")
+def begin(request: Request) -> BeginTold:
+    """Answer the videos, motions and dish types to filter by, and some things that take part in much to begin with."""
     network = _explorer(request).network
-    return FilterNames(
+    return BeginTold(
         videos=list(network.names("video")),
         motions=list(network.names("motion")),
         dish_types=list(network.names("dish")),
+        begin=_told(_explorer(request), network.largest(_BEGIN)),
     )
 
 
@@ -59,7 +63,7 @@ def around(request: Request, asked: AroundAsked) -> NeighbourhoodTold:
     explorer = _explorer(request)
     found = explorer.neighbours.around(asked.id, asked.filters(), depth=asked.depth, most=asked.most, shown=asked.shown)
     return NeighbourhoodTold(
-        things=[ThingTold.model_validate(thing) for thing in found.things],
+        things=_told(explorer, found.things),
         edges=[EdgeTold.model_validate(edge) for edge in found.edges],
         more=found.more,
         about=AboutTold.model_validate(explorer.telling.about(found.things[0])),
@@ -75,19 +79,19 @@ def way(request: Request, asked: WayAsked) -> WayTold:
     steps = [network.thing(f"step:{known.unit.key}") for known in found.steps]
     return WayTold(
         stops=[
-            StopTold(thing=ThingTold.model_validate(thing), name=stop.name)
-            for thing, stop in zip(stops, found.stops, strict=True)
+            StopTold(thing=thing, name=stop.name)
+            for thing, stop in zip(_told(explorer, stops), found.stops, strict=True)
         ],
         steps=[
-            StepTold(
-                thing=ThingTold.model_validate(thing),
-                text=sentence(known.unit, network.kitchen),
-                places=[PlaceTold.model_validate(place) for place in places_of(known.seen_in)],
-            )
-            for thing, known in zip(steps, found.steps, strict=True)
+            StepTold(thing=thing, places=[PlaceTold.model_validate(place) for place in places_of(known.seen_in)])
+            for thing, known in zip(_told(explorer, steps), found.steps, strict=True)
         ],
         edges=[EdgeTold.model_validate(e) for e in explorer.neighbours.edges({t.id for t in (*stops, *steps)})],
     )
+
+
+def _told(explorer: Explorer, things: Iterable[Thing]) -> list[ThingTold]:
+    return [ThingTold.model_validate(explorer.telling.in_words(thing)) for thing in things]
 
 
 def _explorer(request: Request) -> Explorer:

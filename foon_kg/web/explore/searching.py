@@ -25,8 +25,9 @@ class Search:
     def find(self, text: str, kinds: Collection[ThingKind] = (), limit: int = 12) -> list[Thing]:
         """Return at most ``limit`` things each word of ``text`` begins a word of, best first; of ``kinds``, if named.
 
-        Objects come last. A name that is ``text`` comes first, then those that begin so, then by kind and by how much
-        they take part in. Not sought are steps, which are called like their motions, and vessels with what is in them.
+        A name that is ``text`` to the letter comes first, objects come last. Else those that begin so come first, then
+        it goes by kind and by how much they take part in. Not sought are steps, which are called like their motions,
+        and vessels with what is in them.
         """
         words = _words(text)
         if not words:
@@ -34,7 +35,7 @@ class Search:
         places = set.intersection(*(self._beginning(word) for word in words))
         found = [thing for thing in map(self._things.__getitem__, places) if not kinds or thing.kind in kinds]
         said = " ".join(words)
-        return sorted(found, key=lambda thing: _rank(thing, said))[:limit]
+        return sorted(found, key=lambda thing: (thing.name != text.strip(), *_rank(thing, said)))[:limit]
 
     def _beginning(self, word: str) -> set[int]:
         names = self._names

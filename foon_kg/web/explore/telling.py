@@ -14,7 +14,7 @@ class Told(BaseModel):
 
 
 class ThingTold(Told):
-    """Something in the picture, by its id; ``steps``: in how many it takes part."""
+    """Something in the picture, by its id; ``steps``: in how many it takes part. The note of a step is a sentence."""
 
     id: str
     kind: ThingKind
@@ -76,10 +76,9 @@ class StopTold(Told):
 
 
 class StepTold(Told):
-    """What is done on the way, as a sentence, and where that is seen."""
+    """What is done on the way, and where that is seen."""
 
     thing: ThingTold
-    text: str
     places: list[PlaceTold]
 
 
@@ -91,9 +90,10 @@ class WayTold(Told):
     edges: list[EdgeTold]
 
 
-class FilterNames(Told):
-    """What can be filtered by."""
+class BeginTold(Told):
+    """What can be filtered by, and what to begin with."""
 
     videos: list[str]
     motions: list[str]
     dish_types: list[str]
+    begin: list[ThingTold]
