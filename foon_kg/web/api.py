@@ -22,6 +22,7 @@ from foon_kg.model.errors import FoonError
 from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.callers import Callers
+from foon_kg.web.explore.cypher import CypherDesk
 from foon_kg.web.explore.routes import router as explore_router
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import BusyError, InternalError, PlanQuestion, Question, Reply, SuggestQuestion, TooLongError
@@ -61,11 +62,12 @@ def web_app(
     token: str | None = None,
     limits: Limits | None = None,
     callers: Callers | None = None,
+    cypher: CypherDesk | None = None,
 ) -> FastAPI:
     """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
     Under the ``public`` names a proxy serves it; ``callers`` knows which proxies are believed to say who asks. With a
-    ``token`` everything below ``/api`` asks for it.
+    ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk the explorer takes questions in Cypher.
     """
     limits = limits or Limits()
     middleware = [
@@ -86,7 +88,7 @@ def web_app(
         middleware=middleware,
         lifespan=_closing(service),
     )
-    app.state.service, app.state.limits = service, limits
+    app.state.service, app.state.limits, app.state.cypher = service, limits, cypher
     app.include_router(router)
     app.include_router(explore_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)

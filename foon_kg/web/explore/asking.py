@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, JsonValue
 
 from foon_kg.model import DISH_TYPES
 from foon_kg.web.asking import MOST_LETTERS, Asked, DishType
@@ -13,6 +13,8 @@ from foon_kg.web.explore.network import Filters
 MOST_SHOWN = 500
 LONGEST_ID = 400
 """An id is a kind and a name: files may have long ones."""
+
+LONGEST_QUESTION = 5_000
 
 Id = Annotated[str, Field(min_length=1, max_length=LONGEST_ID, pattern=r"^[^\x00-\x1f\x7f]+$")]
 Names = Annotated[list[Id], Field(max_length=50)]
@@ -49,3 +51,13 @@ class WayAsked(FiltersAsked):
 
     start: Id = Field(examples=["whole potato"], max_length=MOST_LETTERS)
     end: Id = Field(examples=["boiled potato"], max_length=MOST_LETTERS)
+
+
+class CypherAsked(Asked):
+    """A question in Cypher that only looks at the graph, with values for its ``$parameters``."""
+
+    text: str = Field(
+        min_length=1, max_length=LONGEST_QUESTION, examples=["MATCH (v:Video) RETURN v.name ORDER BY v.name"]
+    )
+    parameters: dict[str, JsonValue] = Field({}, max_length=50, examples=[{}])
+    limit: int = Field(200, ge=1, le=1000, description="How many rows at most.")

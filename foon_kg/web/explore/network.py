@@ -16,7 +16,9 @@ from foon_kg.model import Goal, KnownUnit, ObjectNode
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
-ThingKind = Literal["food", "utensil", "object", "step", "motion", "video", "dish"]
+ThingKind = Literal["food", "utensil", "object", "step", "motion", "video", "dish", "other"]
+"""``other`` is what an answer in Cypher has beside these: a node of the graph that has no neighbours here."""
+
 EdgeKind = Literal["takes", "makes", "called", "contains", "motion", "seen in", "type", "shows"]
 
 

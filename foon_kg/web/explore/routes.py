@@ -1,4 +1,4 @@
-"""The API of the explorer: search, what is around a thing, the shortest way of a food."""
+"""The API of the explorer: search, what is around a thing, the shortest way of a food, questions in Cypher."""
 
 from __future__ import annotations
 
@@ -7,17 +7,23 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 
+from foon_kg.cypher import explore_queries
 from foon_kg.web.asking import MOST_LETTERS
 from foon_kg.web.explore.about import places_of
-from foon_kg.web.explore.asking import AroundAsked, WayAsked
+from foon_kg.web.explore.answers import drawn, table
+from foon_kg.web.explore.asking import AroundAsked, CypherAsked, WayAsked
+from foon_kg.web.explore.cypher import CypherDesk, NoCypherError
 from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.explore.network import Thing, ThingKind
 from foon_kg.web.explore.telling import (
     AboutTold,
+    AnswerTold,
     BeginTold,
     EdgeTold,
     NeighbourhoodTold,
     PlaceTold,
+    QuestionsTold,
+    QuestionTold,
     StepTold,
     StopTold,
     ThingTold,
@@ -87,6 +93,43 @@ def way(request: Request, asked: WayAsked) -> WayTold:
             for thing, known in zip(_told(explorer, steps), found.steps, strict=True)
         ],
         edges=[EdgeTold.model_validate(e) for e in explorer.neighbours.edges({t.id for t in (*stops, *steps)})],
+    )
+
+
+@router.get("/questions")
+def questions(request: Request) -> QuestionsTold:
+    """Answer the questions in Cypher that come with foon-kg, and whether this service takes any."""
+    ours = (
+        QuestionTold(
+            name=query.name,
+            answers=query.answers,
+            text=query.statement,
+            parameters=query.parameters,
+            examples=query.defaults | query.examples,
+        )
+        for query in explore_queries()
+    )
+    return QuestionsTold(allowed=request.app.state.cypher is not None, questions=list(ours))
+
+
+@router.post("/cypher")
+def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
+    """Answer a question in Cypher, as a table and with what of it can be drawn; refused is all but a look."""
+    desk: CypherDesk | None = request.app.state.cypher
+    if desk is None:
+        raise NoCypherError
+    answer = desk.ask(asked.text, asked.parameters, asked.limit)
+    explorer = _explorer(request)
+    found = drawn(answer, explorer.network)
+    known = explorer.neighbours.edges({thing.id for thing in found.things if thing.kind != "other"})
+    told = [EdgeTold.model_validate(edge) for edge in (*found.edges, *known)]
+    edges = {(edge.source, edge.target, edge.kind): edge for edge in told}
+    return AnswerTold(
+        columns=list(answer.columns),
+        rows=table(answer),
+        cut=answer.cut,
+        things=_told(explorer, found.things),
+        edges=list(edges.values()),
     )
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, JsonValue
 
-from foon_kg.web.explore.network import EdgeKind, ThingKind
+from foon_kg.web.explore.network import ThingKind
 
 
 class Told(BaseModel):
@@ -31,7 +31,7 @@ class EdgeTold(Told):
 
     source: str
     target: str
-    kind: EdgeKind
+    kind: str
 
 
 class FactTold(Told):
@@ -97,3 +97,30 @@ class BeginTold(Told):
     motions: list[str]
     dish_types: list[str]
     begin: list[ThingTold]
+
+
+class QuestionTold(Told):
+    """A question that comes with foon-kg: its parameters with their types, and values to begin with."""
+
+    name: str
+    answers: str
+    text: str
+    parameters: dict[str, str]
+    examples: dict[str, str]
+
+
+class QuestionsTold(Told):
+    """Whether questions in Cypher are allowed here, and those that come with foon-kg."""
+
+    allowed: bool
+    questions: list[QuestionTold]
+
+
+class AnswerTold(Told):
+    """An answer as a table (``cut``: there were more rows), and what of it can be drawn."""
+
+    columns: list[str]
+    rows: list[list[JsonValue]]
+    cut: bool
+    things: list[ThingTold]
+    edges: list[EdgeTold]

@@ -9,3 +9,5 @@ export const begin = () => ask("explore/begin");
 export const search = (text, signal) => ask(`explore/search?${new URLSearchParams({ text, limit: 14 })}`, { signal });
 export const around = (id, how) => post("around", { id, ...how });
 export const way = (start, end, filters) => post("way", { start, end, ...filters });
+export const questions = () => ask("explore/questions");
+export const cypher = (text, parameters) => post("cypher", { text, parameters });

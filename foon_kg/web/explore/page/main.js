@@ -4,6 +4,7 @@ import { Refusal, keepToken, tokenFromAddress } from "../api.js";
 import { combobox } from "../combobox.js";
 import { counted, element, errorNotice } from "../element.js";
 import * as asking from "./asking.js";
+import { cypherBox } from "./cypher.js";
 import { beginView, thingView, wayView } from "./panel.js";
 import { picture } from "./picture.js";
 import { searchBox } from "./search.js";
@@ -58,6 +59,11 @@ const tell = (thing, about) => {
 };
 const words = (thing) => (thing.kind === "step" ? fullName(thing) : `${fullName(thing)}: ${kindOf(thing)}.`);
 
+// What is known of a thing: a node of the graph that has no place in the explorer is only what the answer said of it.
+const known = async (thing) => (thing.kind === "other"
+  ? { things: [thing], about: { text: thing.note, facts: [], links: [], places: [] } }
+  : asking.around(thing.id, { ...filters(), depth: 1, most: 1, shown: drawing.ids().filter((id) => !id.startsWith("node:")) }));
+
 const act = {
   // A new picture around a thing.
   show: (thing) => {
@@ -67,7 +73,8 @@ const act = {
   },
   // More around a thing in the picture, or a thing that was not there, with what is around it.
   grow: (thing) => {
-    const shown = drawing.ids();
+    if (thing.kind === "other") return act.choose(thing);
+    const shown = drawing.ids().filter((id) => !id.startsWith("node:"));
     if (shown.length >= MOST) return say(`The picture is full with ${MOST} things: take some out, or begin anew.`);
     return answer(() => asking.around(thing.id, { ...GROWTH, ...filters(), shown }), (told) => {
       const count = drawing.grow(told, thing.id);
@@ -76,7 +83,7 @@ const act = {
     });
   },
   // What a thing in the picture is, and nothing more.
-  choose: (thing) => answer(() => asking.around(thing.id, { ...filters(), depth: 1, most: 1, shown: drawing.ids() }), (told) => {
+  choose: (thing) => answer(() => known(thing), (told) => {
     drawing.look(thing.id);
     tell(told.things[0], told.about);
     say(words(thing));
@@ -133,9 +140,17 @@ const follow = () => {
   return beginning();
 };
 
+const asked = cypherBox((told) => {
+  ++turn; // whatever comes later is of another question
+  drawing.show(told);
+  act.choose(told.things[0]);
+  at("shown").scrollIntoView({ block: "nearest" });
+});
+
 const begin = async () => {
   try {
     const told = await asking.begin();
+    await asked.begin();
     at("token").hidden = true;
     for (const [id, name] of FILTERS) at(id).replaceChildren(at(id).options[0], ...told[name].map((one) => element("option", { value: one }, one)));
     begun = told.begin;

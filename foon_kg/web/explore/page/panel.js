@@ -30,11 +30,11 @@ const neighbours = (next, choose) => {
 
 export const thingView = (thing, about, { next, more, act }) => [
   heading(2, thing.name),
-  element("p", { class: "kind" }, mark(thing), " ", kindOf(thing), thing.kind !== "step" && (thing.states.length || thing.note) ? `: ${[thing.states.join(", "), thing.note].filter(Boolean).join("; ")}` : ""),
+  element("p", { class: "kind" }, mark(thing), " ", kindOf(thing), !["step", "other"].includes(thing.kind) && (thing.states.length || thing.note) ? `: ${[thing.states.join(", "), thing.note].filter(Boolean).join("; ")}` : ""),
   element("p", {}, about.text),
   element("div", { class: "actions" },
     more ? element("button", { type: "button", class: "small", onclick: () => act.grow(thing) }, `${counted(more, "more thing")} around it`) : null,
-    element("button", { type: "button", class: "small", onclick: () => act.show(thing) }, "Begin anew here"),
+    thing.kind === "other" ? null : element("button", { type: "button", class: "small", onclick: () => act.show(thing) }, "Begin anew here"),
     thing.kind === "object" || thing.kind === "food" ? element("button", { type: "button", class: "small", onclick: () => act.end("start", thing) }, "Way from here") : null,
     thing.kind === "object" || thing.kind === "food" ? element("button", { type: "button", class: "small", onclick: () => act.end("end", thing) }, "Way to here") : null,
     element("button", { type: "button", class: "small", onclick: () => act.remove(thing) }, "Take it out")),
