@@ -41,6 +41,12 @@ class NamedQuery:
     examples: dict[str, str] = field(default_factory=dict)
     defaults: dict[str, str] = field(default_factory=dict)
 
+    @property
+    def statement(self) -> str:
+        """The text without its header."""
+        lines = self.text.splitlines(keepends=True)
+        return "".join(lines[sum(1 for _ in _header(lines)) :])
+
 
 @cache
 def named_query(name: str) -> NamedQuery:

@@ -6,7 +6,7 @@ import csv
 import json
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -126,6 +126,8 @@ def _as_json_or_text(value: str) -> object:
 
 
 def _show(answer: Answer, *, as_json: bool, as_csv: bool) -> None:
+    from foon_kg.store.graph.plain import as_plain
+
     rows = [[as_plain(value) for value in row] for row in answer.rows]
     if as_json:
         print_json([dict(zip(answer.columns, row, strict=True)) for row in rows])
@@ -165,20 +167,3 @@ def _in_a_cell(value: object) -> str:
     if value is None:
         return ""
     return as_cell(value) if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
-
-
-def as_plain(value: Any) -> object:  # noqa: ANN401 - whatever a driver can answer
-    """Answer a value of the driver as JSON knows it: nodes, edges and paths as objects, times and places as text."""
-    from neo4j.graph import Node, Path, Relationship
-
-    if isinstance(value, Node):
-        return {"labels": sorted(value.labels), "properties": as_plain(dict(value))}
-    if isinstance(value, Relationship):
-        return {"type": value.type, "properties": as_plain(dict(value))}
-    if isinstance(value, Path):
-        return {"nodes": list(map(as_plain, value.nodes)), "relationships": list(map(as_plain, value.relationships))}
-    if isinstance(value, dict):
-        return {str(key): as_plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple | set | frozenset):
-        return list(map(as_plain, value))
-    return value if isinstance(value, str | int | float | bool | None) else str(value)

@@ -35,9 +35,9 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
 
 
 def _cypher(settings: ConnectionSettings) -> Cypher:
-    from foon_kg.cli.cypher import as_plain
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.graph.free_cypher import ask_freely
+    from foon_kg.store.graph.plain import as_plain
 
     def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
         with Connection(settings) as connection:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     "foon serve",
     "foon serve --files subgraphs/ --port 8080",
+    "foon serve --cypher",
     "foon serve --host 0.0.0.0 --token-file ~/.foon-token",
     "foon serve --name foon.example.org --proxy 127.0.0.1 --token-file token",
 )
@@ -45,6 +46,9 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
             help="Believe this proxy (an address or a network) who asks through it. Repeatable.",
         ),
     ] = None,
+    cypher: Annotated[
+        bool, typer.Option("--cypher", help="Let who may ask also ask the graph in Cypher, on the page /explore.")
+    ] = False,
     files: Files = None,
     jobs: Annotated[
         int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
@@ -53,7 +57,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 ) -> None:
     """Serve a page to plan dishes, and the same as JSON.
 
-    The page also shows what the FOON has around an object. The JSON is under /api; /api/openapi.json describes it.
+    The page also shows what the FOON has around an object, and /explore a picture to wander through; with --cypher it
+    takes questions in Cypher that only look at the graph. The JSON is under /api; /api/openapi.json describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
@@ -62,9 +67,12 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     believed.
     """
     from foon_kg.planning.batch import cores
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.server import connection_settings
     from foon_kg.web.api import web_app
     from foon_kg.web.callers import Callers, proxy_network
     from foon_kg.web.connections import server_of
+    from foon_kg.web.explore.cypher import CypherDesk
     from foon_kg.web.limits import Limits
     from foon_kg.web.security import is_loopback, own_names, public_name, token_from
     from foon_kg.web.service import FoonService
@@ -77,6 +85,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
             f"anybody could reach {public[0] if public else host}, and there is no token",
             hint="Add --token-file FILE (it is made), or stay with 127.0.0.1 and no --name.",
         )
+    if cypher and files:
+        raise UsageError("files cannot be asked in Cypher", hint="Leave out --cypher, or load them into Neo4j.")
     token = None if token_file is None else token_from(token_file.expanduser())
     foon = served_foon(files, say)
     listener = _listening(host, port)
@@ -84,7 +94,10 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
-    app = web_app(service, names=own_names(host), public=public, token=token, limits=limits, callers=callers)
+    desk = CypherDesk(lambda: Connection(connection_settings(say))) if cypher else None
+    app = web_app(
+        service, names=own_names(host), public=public, token=token, limits=limits, callers=callers, cypher=desk
+    )
     server_of(app, limits, callers).run(sockets=[listener])
 
 

@@ -23,6 +23,8 @@ from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
 from foon_kg.web.asked_before import AskedBefore, edition_told, told
 from foon_kg.web.callers import Callers
+from foon_kg.web.explore.cypher import CypherDesk
+from foon_kg.web.explore.routes import router as explore_router
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
 from foon_kg.web.questions import (
     BusyError,
@@ -80,11 +82,12 @@ def web_app(
     token: str | None = None,
     limits: Limits | None = None,
     callers: Callers | None = None,
+    cypher: CypherDesk | None = None,
 ) -> FastAPI:
     """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
     Under the ``public`` names a proxy serves it; ``callers`` knows which proxies are believed to say who asks. With a
-    ``token`` everything below ``/api`` asks for it.
+    ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk the explorer takes questions in Cypher.
     """
     limits = limits or Limits()
     middleware = [
@@ -106,11 +109,14 @@ def web_app(
         middleware=middleware,
         lifespan=_closing(service),
     )
-    app.state.service, app.state.limits = service, limits
+    app.state.service, app.state.limits, app.state.cypher = service, limits, cypher
     app.include_router(router)
+    app.include_router(explore_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
-    app.mount("/", StaticFiles(directory=_page_folder(), html=True))
+    app.add_api_route("/explore", _explore_page, include_in_schema=False)
+    app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
+    app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(HTTPException, _refused)
@@ -263,8 +269,14 @@ def _stage() -> Response:
     return Response(program, media_type="text/javascript")
 
 
-def _page_folder() -> Path:
-    return Path(str(resources.files("foon_kg.web").joinpath("page")))
+def _explore_page() -> Response:
+    """Answer the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
+    page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
+    return Response(page, media_type="text/html")
+
+
+def _folder(package: str) -> Path:
+    return Path(str(resources.files(package).joinpath("page")))
 
 
 def _closing(service: FoonService) -> Callable[[FastAPI], Any]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.web.explore.explorer import Explorer
 from foon_kg.web.foon import Served
 from foon_kg.web.questions import BusyError, Question, Reply, TooLongError
 from foon_kg.web.words import FoonWords, Kind
@@ -50,6 +51,7 @@ class Edition:
 
     name: str
     words: FoonWords
+    explorer: Explorer
     workers: Workers
     newer: str | None = None
 
@@ -170,6 +172,10 @@ class FoonService:
         """Answer what the FOON has around an object; raises UnknownError."""
         return self.current().words.around(label)
 
+    def explorer(self) -> Explorer:
+        """Answer what the FOON answers to who wanders through it."""
+        return self.current().explorer
+
     def close(self) -> None:
         """End the processes, and give the sockets back."""
         self._reader.shutdown(cancel_futures=True)
@@ -196,7 +202,7 @@ class FoonService:
         """Read the FOON, begin the processes that plan from it, and have it answer from now on."""
         served = self._foon.read()
         workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
-        edition = Edition(served.edition, FoonWords(served.snapshot), workers)
+        edition = Edition(served.edition, FoonWords(served.snapshot), Explorer(served.snapshot), workers)
         with self._turn:
             if self._edition is not None:
                 self._edition.workers.close()

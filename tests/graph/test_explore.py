@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter, deque
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,7 @@ every_query = pytest.mark.parametrize("query", explore_queries(), ids=lambda que
 SUBGRAPHS = [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 SNAPSHOT = Snapshot.of(SUBGRAPHS, Kitchen.default())
 UNITS = {a.unit for subgraph in SUBGRAPHS for a in subgraph.annotations}
+VIDEOS = {s.name: [annotation.unit for annotation in s.annotations] for s in SUBGRAPHS}
 FOODS = {row.label for row in SNAPSHOT.vocabulary().foods}
 
 
@@ -233,6 +235,122 @@ def test_where_a_kind_joins_is_what_is_counted_over_frames(connection):
     for work, _, _, times, _ in ask(connection, "where_kind_joins", kind="oil"):
         counted[work] += times
     assert counted == expected
+
+
+def utensils(unit):
+    return {node.label for node in unit.input_nodes} - FOODS
+
+
+def videos_of(unit):
+    return sorted({name for name, _, other in seen() if other == unit})
+
+
+@pytest.mark.neo4j
+def test_the_tools_of_a_food_are_the_utensils_beside_it(connection):
+    expected = {}
+    for unit in UNITS:
+        for tool in utensils(unit) if "potato" in labels(unit.input_nodes) else ():
+            expected.setdefault(tool, []).append(unit.motion)
+    found = ask(connection, "tools_of_food", food="potato")
+    assert {tool: (units, motions) for tool, units, motions in found} == {
+        tool: (len(motions), sorted(set(motions))) for tool, motions in expected.items()
+    }
+    assert found[0][0] == "knife"
+
+
+@pytest.mark.neo4j
+def test_a_potato_comes_from_raw_to_boiled_by_being_peeled_washed_and_diced(connection):
+    expected = ["peel", "wash", "pick-and-place", "dice", "pick-and-place", "boil"]
+    for before in ("whole", ""):
+        [(motions, becomes)] = ask(connection, "from_state_to_state", food="potato", before=before, after="boiled")
+        assert motions == expected
+        assert len(becomes) == len(motions)
+        assert becomes[0] == "potato (peeled, whole)"
+        assert becomes[-1] == "potato (boiled, diced)"
+    assert ask(connection, "from_state_to_state", food="potato", before="boiled", after="whole") == []
+
+
+@pytest.mark.neo4j
+def test_shared_tasks_are_the_longest_runs_of_steps_that_two_videos_show(connection):
+    shown = {s.name: units_of(s) for s in SUBGRAPHS}
+    runs = {}
+    for first, second in combinations(sorted(shown), 2):
+        one, two = shown[first], shown[second]
+        alike = {(i, j) for i in range(len(one)) for j in range(len(two)) if one[i] == two[j]}
+        for i, j in alike:
+            if (i - 1, j - 1) not in alike:
+                length = next(n for n in range(1, len(one) + 1) if (i + n, j + n) not in alike)
+                runs.setdefault(tuple(one[i : i + length]), set()).update((first, second))
+    expected = sorted(
+        (len(run), tuple(unit.motion for unit in run), tuple(sorted(videos))) for run, videos in runs.items()
+    )
+    found = ask(connection, "shared_tasks", least="3", most="1000")
+    assert sorted((steps, tuple(motions), tuple(videos)) for steps, motions, _, videos in found) == [
+        row for row in expected if row[0] >= 3
+    ]
+    assert found[0][0] == max(steps for steps, *_ in expected)
+
+
+@pytest.mark.neo4j
+def test_the_central_motions_are_those_of_the_most_units(connection):
+    types = {video: {goal.dish_type for goal in SNAPSHOT.goals() if video in goal.videos} for video in VIDEOS}
+    for motion, units, videos, dish_types, foods in ask(connection, "central_motions", most="1000"):
+        doing = [unit for unit in UNITS if unit.motion == motion]
+        shown_in = {name for name, _, unit in seen() if unit.motion == motion}
+        assert units == len(doing)
+        assert videos == len(shown_in)
+        assert dish_types == len(set().union(*(types[video] for video in shown_in)))
+        assert foods == len({label for unit in doing for label in labels(unit.input_nodes)} & FOODS)
+    counts = Counter(unit.motion for unit in UNITS)
+    expected = sorted((-count, motion) for motion, count in counts.items())[:5]
+    assert [(-units, motion) for motion, units, *_ in ask(connection, "central_motions", most="5")] == expected
+
+
+@pytest.mark.neo4j
+def test_without_a_knife_one_peels_with_the_peeler_and_chops_nothing(connection):
+    found = {motion: row for motion, *row in ask(connection, "one_utensil_less", utensil="knife")}
+    lost = [unit for unit in UNITS if "knife" in labels(unit.input_nodes)]
+    assert found.keys() == {unit.motion for unit in lost}
+    for motion, (units, videos, otherwise) in found.items():
+        doing = [unit for unit in lost if unit.motion == motion]
+        others = [unit for unit in UNITS - set(lost) if unit.motion == motion]
+        assert units == len(doing)
+        assert videos == sorted({name for unit in doing for name in videos_of(unit)})
+        assert otherwise == sorted(set().union(*map(utensils, others)))
+    assert "peeler" in found["peel"][-1]
+    assert found["chop"][-1] == []
+
+
+@pytest.mark.neo4j
+def test_what_comes_after_a_motion_is_the_next_step_of_its_videos(connection):
+    after = Counter(
+        then.motion for s in SUBGRAPHS for unit, then in pairwise(units_of(s)) if unit.motion == "chop"
+    )  # fmt: skip
+    found = ask(connection, "next_motions", motion="chop", most="1000")
+    assert {motion: times for motion, times, _ in found} == dict(after)
+    assert [times for _, times, _ in found] == sorted(after.values(), reverse=True)
+
+
+@pytest.mark.neo4j
+def test_the_quickest_dishes_are_those_of_the_shortest_videos(connection):
+    expected = []
+    for goal in SNAPSHOT.goals("drinks"):
+        for video in goal.videos:
+            units = VIDEOS[video]
+            tools = set().union(*map(utensils, units))
+            expected.append((len(units), goal.node.label, video, len(goal.node.ingredients), len(tools)))
+    found = ask(connection, "quickest_dishes", dish_type="drinks", most="1000")
+    assert [(steps, dish, video, foods, tools) for dish, video, steps, foods, tools in found] == sorted(expected)
+    assert len(ask(connection, "quickest_dishes", dish_type="", most="1000")) == len(SNAPSHOT.goals())
+
+
+@pytest.mark.neo4j
+def test_what_a_video_alone_teaches_is_in_no_other(connection):
+    expected = [
+        (step, unit.motion) for step, unit in enumerate(VIDEOS["spanish_omelette"]) if len(videos_of(unit)) == 1
+    ]  # fmt: skip
+    found = ask(connection, "only_in_video", video="spanish_omelette")
+    assert [(step, motion) for step, motion, *_ in found] == expected
 
 
 @every_query

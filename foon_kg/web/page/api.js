@@ -24,7 +24,7 @@ export const tokenFromAddress = () => {
   history.replaceState(null, "", location.pathname);
 };
 
-const ask = async (path, options = {}) => {
+export const ask = async (path, options = {}) => {
   const token = sessionStorage.getItem(KEPT);
   const headers = { ...options.headers, ...(token ? { Authorization: `Bearer ${token}` } : {}) };
   let answer;

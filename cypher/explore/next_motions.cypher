@@ -1,0 +1,16 @@
+// What comes after a motion: the motions of the next steps in the videos that show it, the most frequent first.
+// param: motion STRING
+// param: most INTEGER
+// example: motion=chop
+// default: most=10
+// column: next
+// column: times
+// column: videos
+// mode: read
+// scans: a verb has no index of its own among the units
+MATCH (:Motion {verb: $motion})-[one:SEEN_IN]->(v:Video)<-[two:SEEN_IN]-(after:Motion)
+WHERE two.position = one.position + 1
+WITH after.verb AS next, v.name AS video ORDER BY video
+RETURN next, count(*) AS times, collect(DISTINCT video) AS videos
+ORDER BY times DESC, next
+LIMIT $most
