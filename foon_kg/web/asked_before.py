@@ -9,7 +9,7 @@ from foon_kg.web.limits import again
 from foon_kg.web.questions import Reply
 from foon_kg.web.service import Edition, FoonService
 
-PATHS = frozenset({"/api/plan", "/api/suggest"})
+PATHS = frozenset({"/api/examples", "/api/plan", "/api/suggest"})
 
 EDITION, NEWER = "foon-edition", "foon-newer"
 """The headers that name the edition of the FOON that answered, and a newer one that is being read."""

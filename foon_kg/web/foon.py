@@ -38,7 +38,7 @@ class FixedFoon:
 
     def fresh(self) -> str:
         """Answer the name of its only edition."""
-        return self._name
+        return self.edition()
 
     def read(self) -> Served:
         """Answer the FOON."""
