@@ -103,3 +103,49 @@ def test_what_nobody_mashes_is_not_mashed_because_a_video_did(steps):
     told = steps("salad", "Corn Salad", "corn:cooked", "black beans:drained", "red onion:minced", "cilantro:chopped",
                  "lime:juiced")  # fmt: skip
     assert not [motion for _, motion, _ in told if "mash" in KNOWN.motion(motion).does]
+
+
+def test_what_was_baked_in_a_tin_cools_and_no_tool_reaches_under_it(steps):
+    told = steps(
+        "muffin", "Carrot Muffins", "flour:powder", "sugar:granulated", "carrot:grated", "egg:whole",
+        "vegetable oil:liquid", "baking soda:powder",
+    )  # fmt: skip
+    motions = [motion for _, motion, _ in told]
+    cooled = next(place for place, motion in enumerate(motions) if motion.startswith("cool"))
+    (out,) = [inputs for inputs, motion, outputs in told[cooled + 1 :] if any(n.label == "plate" for n in outputs)]
+    assert out == {"plate", "muffin pan", "muffin"}
+
+
+def test_a_crumb_crust_lines_the_pie_and_cream_comes_on_it_when_it_is_cold(steps):
+    told = steps(
+        "pie", "Key Lime Pie", "graham cracker crust:whole", "egg yolk:uncooked", "condensed milk:liquid",
+        "lime juice:juice", "whipped cream:creamy",
+    )  # fmt: skip
+    crust = next(place for place, (inputs, _, _) in enumerate(told) if "graham cracker crust" in inputs)
+    filling = next(place for place, (inputs, _, _) in enumerate(told) if place > crust and "mixture" in inputs)
+    cold = next(place for place, (_, motion, _) in enumerate(told) if motion.startswith("cool"))
+    cream = next(place for place, (inputs, _, _) in enumerate(told) if "whipped cream" in inputs)
+    assert crust < filling < cold < cream
+
+
+def test_what_is_called_grilled_is_fried_on_both_sides(steps):
+    told = steps("sandwich", "Grilled Sandwich", "bread:sliced", "mozzarella:sliced", "tomato:sliced", "butter:stick")
+    motions = [motion for _, motion, _ in told]
+    assert "flip" in motions
+    assert "melt" in motions
+
+
+def test_tea_bags_come_out_of_the_pot_before_anybody_drinks(steps):
+    told = steps("drinks", "Hot Tea", "water:liquid", "black tea bag:dried", "honey:thick liquid", "milk:liquid")
+    assert "remove" in [motion for _, motion, _ in told]
+    served = told[-1][2]
+    assert {node.label for node in served} >= {"mug"}
+    assert not any("black tea bag" in node.ingredients for node in served)
+
+
+def test_water_that_thins_what_a_video_mixes_does_not_come_without_it(steps):
+    told = steps(
+        "rice", "Kedgeree", "rice:uncooked", "haddock:smoked", "egg:boiled", "onion:sliced", "curry powder:powder",
+        "butter:stick",
+    )  # fmt: skip
+    assert not any("water" in node.ingredients for node in told[-1][2])
