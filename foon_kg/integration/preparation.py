@@ -119,7 +119,8 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     for before, word in itertools.pairwise(told):
         if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
             continue
-        if f"{before} {word}" in known.dishes:
+        dish = known.dishes.get(f"{before} {word}")
+        if dish is not None and not dish.mashed:
             continue  # grilled cheese is a sandwich
         row = known.state(before)
         if _is_bought_so(row, before, operators):

@@ -149,3 +149,8 @@ def test_water_that_thins_what_a_video_mixes_does_not_come_without_it(steps):
         "butter:stick",
     )  # fmt: skip
     assert not any("water" in node.ingredients for node in told[-1][2])
+
+
+def test_potatoes_are_mashed_where_the_title_says_so_and_the_list_has_them_in_cubes(steps):
+    told = steps("potatoes", "Garlic Mashed Potatoes", "potato:cubed", "garlic:clove", "cream:creamy", "butter:stick")
+    assert with_food(told, "potato", {"mash"})
