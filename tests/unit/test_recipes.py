@@ -46,6 +46,11 @@ def test_an_amount_is_no_state_and_no_part_of_a_name(text, food, state):
     assert any(note.endswith(" is left out") for note in notes), "and it is said"
 
 
+def test_a_known_name_keeps_its_number():
+    words = IngredientWords(Vocabulary((SeenAs("7 up", "liquid", made=0, used=1),), (), ()), Kitchen.default())
+    assert words.read("7 up")[0] == RequiredIngredient("7 up", "liquid")
+
+
 @pytest.mark.parametrize(
     ("text", "food", "state"),
     [
