@@ -109,7 +109,7 @@ class ThingReader:
         if not rest:
             return ObjectNode(food, tuple(states)), []
         said = " ".join(rest)
-        if "," not in text:
+        if "," not in text or said[0].isnumeric():
             return ObjectNode(food, tuple(states)), [f"“{text}” is read as {food}: “{said}” is left out"]
         near = _listed(difflib.get_close_matches(said, sorted(self.words.states), n=_CLOSE))
         return ObjectNode(food, (*states, said)), [f"this FOON knows no state “{said}”{near}; it is kept as it stands"]

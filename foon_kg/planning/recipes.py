@@ -60,10 +60,19 @@ class IngredientWords:
             raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
         food, comma, state = (part.strip() for part in text.partition(","))
         if comma and food and state:
-            return self.label(food), *self._states_in(state.replace(",", " ").split())
+            words = food.split()
+            amount = self._amount_of(words)
+            states, rest = self._states_in(state.replace(",", " ").split())
+            return self.label(" ".join(words[amount:])), states, [*words[:amount], *rest]
         words = text.replace(",", " ").split()
-        place = self._food_begins(words)
+        amount = self._amount_of(words)
+        place = amount + self._food_begins(words[amount:])
         return self.label(" ".join(words[place:])), *self._states_in(words[:place])
+
+    def _amount_of(self, words: Sequence[str]) -> int:
+        """Return how many words in front say how much of a food is asked: none of “7 up” where that is known."""
+        amount = _counting(words)
+        return 0 if amount == len(words) or canonical(" ".join(words)) in self._labels else amount
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
         """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken.
@@ -83,7 +92,7 @@ class IngredientWords:
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
     ) -> tuple[RequiredIngredient, tuple[str, ...]]:
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
-        state = (processed or list(states) or [_without_amount(rest)])[-1]
+        state = (processed or list(states) or [" ".join(rest[_counting(rest) :])])[-1]
         wanted, notes = self.with_state(RequiredIngredient(food, state))
         left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
         if left_out:
@@ -157,13 +166,14 @@ class IngredientWords:
         return {canonical(row.label): row.state for row in rows}
 
 
-def _without_amount(words: Sequence[str]) -> str:
-    """Return ``words`` without a number and what it counts: “500 g” is no state of a potato."""
-    if not any(word[0].isdigit() for word in words):
-        return " ".join(words)
+def _counting(words: Sequence[str]) -> int:
+    """Return how many words in front say how much: two of “500 g potato”."""
+    if not words or not words[0][0].isnumeric():
+        return 0
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
 
-    return " ".join(word for word in words if not (word[0].isdigit() or is_measure(word.lower())))
+    counts = (word[0].isnumeric() or word.lower() == "of" or is_measure(word.lower()) for word in words)
+    return next((place for place, amount in enumerate(counts) if not amount), len(words))
 
 
 @cache

@@ -52,7 +52,8 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, f
 
 def _amount_of(food: str, texts: Sequence[str]) -> str:
     """Return how much of a food the ``texts`` ask, or ``""``."""
-    text = next((text for text in texts if singular(text).endswith(singular(food))), "")
+    named = f" {singular(food)}"
+    text = next((text for text in texts if f" {singular(text.partition(',')[0])}".endswith(named)), "")
     return " ".join(filter(None, amount_in_front(text)))
 
 

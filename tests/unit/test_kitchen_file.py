@@ -86,6 +86,7 @@ def test_a_list_for_foods_makes_foods_of_what_has_a_utensils_name_and_the_other_
             "onion, choped",
             "kitchen.txt:1: this FOON knows no state “choped” (near it: chopped); it is kept as it stands",
         ),
+        ("3 onions, chopped", "kitchen.txt:1: “3 onions, chopped” is read as onion: “3” is left out"),
         ("3 onions", "kitchen.txt:1: “3 onions” is read as onion: “3” is left out"),
     ],
 )

@@ -30,12 +30,25 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
 
 
 @pytest.mark.parametrize(
-    ("text", "state"), [("500 g onion", "whole"), ("2 onions", "whole"), ("2 large onions", "large")]
+    ("text", "food", "state"),
+    [
+        ("500 g onion", "onion", "whole"),
+        ("2 onions", "onion", "whole"),
+        ("2 large onions", "onion", "large"),
+        ("½ cup chopped onion", "onion", "chopped"),
+        ("2 cups of dragon fruit", "dragon fruit", "whole"),
+        ("2 cups dragon fruit, chopped", "dragon fruit", "chopped"),
+    ],
 )
-def test_an_amount_is_no_state(text, state):
+def test_an_amount_is_no_state_and_no_part_of_a_name(text, food, state):
     wanted, notes = WORDS.read(text)
-    assert wanted == RequiredIngredient("onion", state)
-    assert notes[-1].endswith(" is left out"), "and it is said"
+    assert wanted == RequiredIngredient(food, state)
+    assert any(note.endswith(" is left out") for note in notes), "and it is said"
+
+
+def test_a_known_name_keeps_its_number():
+    words = IngredientWords(Vocabulary((SeenAs("7 up", "liquid", made=0, used=1),), (), ()), Kitchen.default())
+    assert words.read("7 up")[0] == RequiredIngredient("7 up", "liquid")
 
 
 @pytest.mark.parametrize(

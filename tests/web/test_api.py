@@ -48,7 +48,7 @@ def test_a_plan_is_what_foon_plan_prints(client):
 
 
 def test_a_step_is_a_sentence_and_an_ingredient_has_the_amount_that_was_asked(client):
-    asked = ["2 cups sliced kohlrabi", "chopped onion", "3 tablespoons olive oil"]
+    asked = ["2 cups kohlrabi, sliced", "chopped onion", "3 tablespoons olive oil"]
     told = client.post("/api/plan", json=SALAD | {"ingredients": asked}).json()
     plan = Foon(snapshot=demo_foon()).plan(SALAD["dish_type"], asked)
     assert told["sentences"] == [step.text for step in plan.steps]

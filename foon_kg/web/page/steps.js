@@ -3,7 +3,7 @@
 import { element, heading, list, sentence } from "./element.js";
 import { nodeWords, seenAt, seenWords, unitWords } from "./nodes.js";
 
-export const notes = (told) => (told.length ? element("div", { class: "notice" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
+export const notes = (told) => (told.length ? element("div", { class: "notice notes" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
 
 export const foodAndState = (one) => `${one.state} ${one.object}`.trim();
 
