@@ -13,6 +13,9 @@ from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
 from foon_kg.integration.preparation import Preparer, Ready, Want
 
+_TAP, _JUG = "faucet", "measuring cup"
+"""Where water comes from, and in what it comes to what stands on a stove."""
+
 _DEEP = "baking dish"
 """What is wet is baked in it."""
 
@@ -259,8 +262,11 @@ class Carrier:
 
     def add_water(self, vessel: Vessel) -> None:
         """Pour water from the tap into a vessel."""
-        water = self.bench.fetch("water", ("liquid",), (), "faucet")
+        water = self.bench.fetch("water", ("liquid",), (), _TAP)
         attested = self.bench.require([("pour", ()), ("fill", ())], ("water",))
+        if vessel.device is not None:
+            jug = self.bench.vessel(_JUG)
+            self.bench.bring([water], jug, attested)
         self.bench.bring([water], vessel, attested)
 
     def boil_water(self, pot: Vessel) -> None:
@@ -289,6 +295,9 @@ class Carrier:
         source = stuff.at
         if source is vessel:
             return
+        if source is not None and source.label == _TAP and vessel.device is not None:
+            jug = self.bench.vessel(_JUG)
+            self.bench.bring([stuff], jug, self._way_of(ready, slot, jug))
         self.bench.bring([stuff], vessel, self._way_of(ready, slot, vessel))
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:

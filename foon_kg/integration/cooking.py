@@ -254,8 +254,12 @@ class Cooking:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
         if vessel.device is not None and vessel.device.label == device:
             return
-        if vessel.device is None and not vessel.contents and self._water(stage):
-            self.carry.add_water(vessel)
+        if vessel.device is None and not vessel.contents:
+            if self._water(stage):
+                self.carry.add_water(vessel)
+            asked = [join for join in self.course.ordered(stage) if join.want.facts.is_a("water") and not join.on_top]
+            for join in asked[:1]:
+                self.carry.bring(self.ready[join.want.number], vessel, join.slot)
         self.bench.place(vessel, device, "on")
 
     def _label_for(
