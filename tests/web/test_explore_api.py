@@ -122,6 +122,14 @@ def test_no_more_is_told_than_was_asked_and_what_is_left_out_is_counted(client, 
     assert all(edge["source"] in ids(told) and edge["target"] in ids(told) for edge in told["edges"])
 
 
+def test_of_many_steps_those_of_different_motions_come_first(client):
+    (knife,) = (thing["id"] for thing in around(client, "utensil:knife")["things"][1:])
+    few = [thing["name"] for thing in around(client, knife, most=6)["things"][1:]]
+    assert len(set(few)) == 6
+    facts = {fact["name"]: fact["words"] for fact in around(client, "utensil:knife")["about"]["facts"]}
+    assert facts["Done with it"][:2] == ["scrape 17", "chop 15"]
+
+
 def test_what_is_shown_already_is_joined_and_takes_no_place(client):
     first = around(client, "food:onion", most=10)
     step = next(one for one in ids(around(client, ids(first)[1], most=10)) if one.startswith("step:"))
