@@ -13,7 +13,7 @@
 MATCH (goal:Object)-[is:IS_A]->(d:DishType)
 WHERE $dish_type IN ['', d.name]
 MATCH (v:Video {name: is.video})
-RETURN goal.label AS dish, v.name AS video, COUNT { (:Motion)-[:SEEN_IN]->(v) } AS steps,
+RETURN DISTINCT goal.label AS dish, v.name AS video, COUNT { (:Motion)-[:SEEN_IN]->(v) } AS steps,
   size(goal.ingredients) AS foods, COUNT {
     MATCH (v)<-[:SEEN_IN]-(:Motion)<-[:INPUT_OF]-(o:Object)
     WHERE NOT EXISTS { MATCH (:Ingredient {name: o.label})-[:SEEN_AS]->() }

@@ -122,6 +122,24 @@ def test_no_more_is_told_than_was_asked_and_what_is_left_out_is_counted(client, 
     assert all(edge["source"] in ids(told) and edge["target"] in ids(told) for edge in told["edges"])
 
 
+def test_of_many_steps_those_of_different_motions_come_first(client):
+    (knife,) = (thing["id"] for thing in around(client, "utensil:knife")["things"][1:])
+    few = [thing["name"] for thing in around(client, knife, most=6)["things"][1:]]
+    assert len(set(few)) == 6
+    facts = {fact["name"]: fact["words"] for fact in around(client, "utensil:knife")["about"]["facts"]}
+    assert facts["Done with it"][:2] == ["scrape 17", "chop 15"]
+
+
+def test_what_joins_the_most_of_what_is_near_comes_before_what_joins_less(client):
+    told = ids(around(client, "food:onion", depth=2, most=12))
+    near = {name for name in told if name.startswith("object:")}
+    joins = {key: len(near & nodes_of(nodes_in(known))) for key, known in UNITS.items()}
+    shown = {name.partition(":")[2] for name in told} & UNITS.keys()
+    assert shown
+    assert min(joins[key] for key in shown) >= max(joins[key] for key in UNITS.keys() - shown)
+    assert max(joins[key] for key in shown) > 1
+
+
 def test_what_is_shown_already_is_joined_and_takes_no_place(client):
     first = around(client, "food:onion", most=10)
     step = next(one for one in ids(around(client, ids(first)[1], most=10)) if one.startswith("step:"))
@@ -165,6 +183,11 @@ def test_the_shortest_way_follows_the_food_and_not_the_knife(client):
 
 def test_raw_is_what_no_step_has_changed_whatever_the_foon_calls_it(client):
     assert way(client, "raw potato", "boiled potato").json() == way(client, "whole potato", "boiled potato").json()
+
+
+def test_what_was_cooked_together_is_not_made_of_each_other(client):
+    assert way(client, "whole garlic", "sauteed garlic").status_code == 200
+    assert way(client, "whole onion", "sauteed garlic").status_code == 404
 
 
 def test_a_food_goes_on_in_what_it_becomes_and_is_made_into(client):

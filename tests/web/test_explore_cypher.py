@@ -82,6 +82,8 @@ def test_an_answer_is_a_table_and_its_nodes_are_things_of_the_explorer(client):
 def test_paths_and_lists_are_drawn_and_what_the_explorer_does_not_know_is_shown(client):
     path = ask(client, "MATCH way = (:Object)-[:INPUT_OF]->(:Motion)-[:OUTPUTS]->(:Object) RETURN [way] LIMIT 1")
     assert {edge["kind"] for edge in path["edges"]} == {"takes", "makes"}
+    alone = ask(client, "MATCH ()-[edge:INPUT_OF]->() RETURN edge LIMIT 3")
+    assert (len(alone["rows"]), alone["things"], alone["edges"]) == (3, [], [])
     other = ask(client, "MATCH (o:Operator {motion: 'chop'}) RETURN o LIMIT 1")["things"][0]
     assert (other["kind"], other["name"]) == ("other", "chop")
     assert other["note"].startswith("Operator: ")

@@ -165,7 +165,7 @@ def test_the_side_panel_says_what_a_step_is_and_leads_on(page):
     inside = "const box = cy.$('node.chosen').renderedBoundingBox(); return box.x1 >= 0 && box.x2 <= cy.width()"
     until(page, CY + inside)
     told = page.find_element("id", "about").text
-    assert "Watch it" in told
+    assert "Where it is seen" in told
     assert "greek_salad" in told
     motion = page.find_element("css selector", "#about .thing[data-id^='motion:']")
     name = motion.get_attribute("data-id")

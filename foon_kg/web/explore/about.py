@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import chain, islice
 
 from foon_kg.formats.exports.sentences import listed, sentence
-from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model import KnownUnit, ObjectNode, Sighting
 from foon_kg.store.vocabulary import states_made
 from foon_kg.web.explore.network import Network, Thing, ThingKind
 from foon_kg.web.words import seen_at
@@ -75,12 +75,17 @@ class Telling:
         states = Counter[str]()
         for node in nodes:
             states.update(dict.fromkeys(node.states, self.network.thing(f"object:{node.key}").steps))
+        motions = Counter({known.unit.key: known.unit.motion for n in nodes for known in self._takers(n)}.values())
         facts = (
+            Fact("Done with it" if thing.vessel else "Done to it", _counted(motions)),
             Fact("Seen in the states", _counted(states)),
             Fact("In the dishes", _few(dict.fromkeys(node.label for node in dishes))),
         )
         text = f"A {thing.kind} that takes part in {_count(thing.steps, 'step')}."
         return About(text, _with_words(facts))
+
+    def _takers(self, node: ObjectNode) -> Sequence[KnownUnit]:
+        return self.network.takers.get(node, ())
 
     def _object(self, thing: Thing) -> About:
         network, node = self.network, self.network.object_of(thing)

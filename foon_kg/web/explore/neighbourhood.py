@@ -9,7 +9,7 @@ from itertools import chain, zip_longest
 from typing import TypeVar
 
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.web.explore.network import NO_FILTERS, Edge, Filters, Network, Thing, ThingKind
+from foon_kg.web.explore.network import NO_FILTERS, Edge, Filters, Network, Thing, ThingKind, grouped
 
 T = TypeVar("T")
 
@@ -140,9 +140,11 @@ class Neighbours:
         return chain(self.network.makers.get(node, ()), self.network.takers.get(node, ()))
 
     def _steps(self, steps: Iterable[KnownUnit], filters: Filters) -> list[str]:
+        """Return the ids of steps: the most seen of each motion, the second of each, and so on."""
         passing = [known for known in steps if self.network.passes(known, filters)]
         passing.sort(key=lambda known: (-len(known.seen_in), known.unit.motion, known.seen_in, known.unit.key))
-        return [f"step:{known.unit.key}" for known in passing]
+        motions = grouped((known.unit.motion, f"step:{known.unit.key}") for known in passing)
+        return list(_in_turns(list(motions.values())))
 
     def _videos(self, names: Iterable[str], filters: Filters) -> Iterator[str]:
         for name in names:

@@ -6,13 +6,13 @@ the same whether that came from files or from Neo4j; the indexes are made when t
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, TypeVar
+from typing import Literal, TypeVar, cast
 
-from foon_kg.model import Goal, KnownUnit, ObjectNode
+from foon_kg.model import Annotation, Goal, KnownUnit, ObjectNode
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
@@ -78,30 +78,32 @@ class Network:
 
     def thing(self, name: str) -> Thing:
         """Return the thing with the id ``name``; raises UnknownError where there is none."""
-        kind, _, rest = name.partition(":")
-        made = self._things.get(kind, {}).get(rest)
-        if made is None:
+        made = self._made.get(name)
+        if made is not None:
+            return made
+        if not self.has(name):
             raise UnknownError(f"this FOON has no “{name}”", hint="Search for it: /api/explore/search finds ids.")
+        kind, _, rest = name.partition(":")
+        made = self._made[name] = self._make(cast("ThingKind", kind), rest)
         return made
 
     def has(self, name: str) -> bool:
         """Return whether there is a thing with the id ``name``."""
         kind, _, rest = name.partition(":")
-        return rest in self._things.get(kind, {})
-
-    def things(self) -> Iterator[Thing]:
-        """Return every thing, kind after kind."""
-        for table in self._things.values():
-            yield from table.values()
+        return rest in self._names.get(kind, ())
 
     def names(self, kind: ThingKind) -> Collection[str]:
         """Return what follows the colon in the ids of a ``kind``."""
-        return self._things[kind].keys()
+        return self._names[kind]
 
     def largest(self, counts: Mapping[ThingKind, int]) -> list[Thing]:
         """Return so many things of each kind: those that take part in the most steps."""
-        order = {kind: sorted(self._things[kind].values(), key=lambda one: (-one.steps, one.id)) for kind in counts}
-        return [thing for kind, count in counts.items() for thing in order[kind][:count]]
+        found = {kind: [self.thing(f"{kind}:{name}") for name in self.names(kind)] for kind in counts}
+        return [
+            thing
+            for kind, count in counts.items()
+            for thing in sorted(found[kind], key=lambda one: (-one.steps, one.id))[:count]
+        ]
 
     def object_of(self, thing: Thing) -> ObjectNode:
         """Return the object node that a thing of the kind ``object`` stands for."""
@@ -126,8 +128,7 @@ class Network:
     def nodes(self) -> Mapping[str, ObjectNode]:
         """Every object node by its key."""
         units = (known.unit for known in self.snapshot.units)
-        distinct = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
-        return {node.key: node for node in sorted(distinct, key=lambda node: node.sort_key)}
+        return {node.key: node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
 
     @cached_property
     def units(self) -> Mapping[str, KnownUnit]:
@@ -189,23 +190,49 @@ class Network:
         return grouped((video, goal.dish_type) for goal in self.snapshot.goals() for video in goal.videos)
 
     @cached_property
-    def _things(self) -> Mapping[str, Mapping[str, Thing]]:
+    def _names(self) -> Mapping[str, Collection[str]]:
         names = sorted({*self.called, *self.goals_with})
         return {
-            "food": {n: self._name(n) for n in names if not self.kitchen.is_utensil(n)},
-            "utensil": {n: self._name(n) for n in names if self.kitchen.is_utensil(n)},
-            "dish": {n: self._other("dish", n, len(goals)) for n, goals in sorted(self.goals_of_type.items())},
-            "motion": {n: self._other("motion", n, len(steps)) for n, steps in sorted(self.of_motion.items())},
-            "video": {s.name: self._other("video", s.name, len(s.annotations)) for s in self.snapshot.subgraphs},
-            "object": {key: self._object(node) for key, node in self.nodes.items()},
-            "step": {key: self._step(known) for key, known in self.units.items()},
+            "food": dict.fromkeys(name for name in names if not self.kitchen.is_utensil(name)),
+            "utensil": dict.fromkeys(name for name in names if self.kitchen.is_utensil(name)),
+            "dish": dict.fromkeys(sorted(self.goals_of_type)),
+            "motion": dict.fromkeys(sorted(self.of_motion)),
+            "video": dict.fromkeys(subgraph.name for subgraph in self.snapshot.subgraphs),
+            "object": self.nodes.keys(),
+            "step": self.units.keys(),
         }
 
-    def _name(self, name: str) -> Thing:
-        kind: ThingKind = "utensil" if self.kitchen.is_utensil(name) else "food"
-        nodes = self.called.get(name, ())
-        steps = {u.unit.key for node in nodes for u in (*self.takers.get(node, ()), *self.makers.get(node, ()))}
-        return Thing(f"{kind}:{name}", kind, name, (), len(steps), vessel=kind == "utensil")
+    @cached_property
+    def _made(self) -> dict[str, Thing]:
+        """The things that were asked for: of a large FOON few ever are."""
+        return {}
+
+    @cached_property
+    def _steps_with(self) -> Mapping[str, int]:
+        """In how many steps things with a label take part."""
+        units = (known.unit for known in self.snapshot.units)
+        return Counter(
+            label for unit in units for label in {node.label for node in (*unit.input_nodes, *unit.output_nodes)}
+        )
+
+    def _make(self, kind: ThingKind, name: str) -> Thing:
+        if kind == "object":
+            return self._object(self.nodes[name])
+        if kind == "step":
+            known = self.units[name]
+            return Thing(f"step:{name}", kind, known.unit.motion, (), len(known.seen_in))
+        if kind in {"food", "utensil"}:
+            return Thing(f"{kind}:{name}", kind, name, (), self._steps_with.get(name, 0), vessel=kind == "utensil")
+        parts: dict[str, Mapping[str, Sized]] = {
+            "dish": self.goals_of_type,
+            "motion": self.of_motion,
+            "video": self._annotations,
+        }
+        return Thing(f"{kind}:{name}", kind, name, (), len(parts[kind][name]))
+
+    @cached_property
+    def _annotations(self) -> Mapping[str, Sequence[Annotation]]:
+        return {subgraph.name: subgraph.annotations for subgraph in self.snapshot.subgraphs}
 
     def _object(self, node: ObjectNode) -> Thing:
         steps = {u.unit.key for u in (*self.takers.get(node, ()), *self.makers.get(node, ()))}
@@ -213,12 +240,6 @@ class Network:
         empty = vessel and not self.kitchen.foods_in(node)
         name = f"object:{node.key}"
         return Thing(name, "object", node.label, node.states, len(steps), _note(node), vessel, empty)
-
-    def _step(self, known: KnownUnit) -> Thing:
-        return Thing(f"step:{known.unit.key}", "step", known.unit.motion, (), len(known.seen_in))
-
-    def _other(self, kind: ThingKind, name: str, count: int) -> Thing:
-        return Thing(f"{kind}:{name}", kind, name, (), count)
 
 
 def _note(node: ObjectNode) -> str:

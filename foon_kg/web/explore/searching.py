@@ -10,7 +10,7 @@ from functools import cached_property
 from foon_kg.web.explore.network import Network, Thing, ThingKind, grouped
 
 _WORD = re.compile(r"[^\s_-]+")
-_KINDS: tuple[ThingKind, ...] = ("food", "utensil", "dish", "motion", "video", "object", "step")
+_KINDS: tuple[ThingKind, ...] = ("food", "utensil", "dish", "motion", "video", "object")
 """Of things that fit alike, those of earlier kinds come first."""
 
 _LAST = "\U0010ffff"
@@ -33,9 +33,14 @@ class Search:
         if not words:
             return []
         places = set.intersection(*(self._beginning(word) for word in words))
-        found = [thing for thing in map(self._things.__getitem__, places) if not kinds or thing.kind in kinds]
         said = " ".join(words)
-        return sorted(found, key=lambda thing: (thing.name != text.strip(), *_rank(thing, said)))[:limit]
+        names = [name for name in map(self._ids.__getitem__, places) if not kinds or name.partition(":")[0] in kinds]
+        found: list[Thing] = []
+        for are_objects in (False, True):  # objects are many, and come last
+            if len(found) < limit:
+                these = (self.network.thing(name) for name in names if name.startswith("object:") == are_objects)
+                found += sorted(these, key=lambda thing: (thing.name != text.strip(), *_rank(thing, said)))
+        return found[:limit]
 
     def _beginning(self, word: str) -> set[int]:
         names = self._names
@@ -43,16 +48,23 @@ class Search:
         return {place for name in between for place in self._places[name]}
 
     @cached_property
-    def _things(self) -> list[Thing]:
-        return [
-            thing
-            for thing in self.network.things()
-            if thing.kind != "step" and not (thing.kind == "object" and thing.vessel)
-        ]
+    def _ids(self) -> list[str]:
+        kitchen = self.network.kitchen
+        foods = (f"object:{key}" for key, node in self.network.nodes.items() if not kitchen.is_utensil(node.label))
+        kinds = (kind for kind in _KINDS if kind != "object")
+        return [*(f"{kind}:{name}" for kind in kinds for name in self.network.names(kind)), *foods]
 
     @cached_property
     def _places(self) -> Mapping[str, list[int]]:
-        return grouped((word, place) for place, thing in enumerate(self._things) for word in _words(_full_name(thing)))
+        return grouped((word, place) for place, name in enumerate(self._ids) for word in _words(self._said(name)))
+
+    def _said(self, name: str) -> str:
+        """Return what a thing is found by; without making all of them."""
+        kind, _, rest = name.partition(":")
+        if kind != "object":
+            return rest
+        node = self.network.nodes[rest]
+        return " ".join((*node.states, node.label))
 
     @cached_property
     def _names(self) -> list[str]:
@@ -67,7 +79,6 @@ def _words(text: str) -> list[str]:
     return _WORD.findall(text.lower())
 
 
-def _rank(thing: Thing, said: str) -> tuple[bool, bool, bool, int, int, str, str]:
+def _rank(thing: Thing, said: str) -> tuple[bool, bool, int, int, str, str]:
     name = " ".join(_words(_full_name(thing)))
-    place = _KINDS.index(thing.kind)
-    return (thing.kind == "object", name != said, not name.startswith(said), place, -thing.steps, name, thing.id)
+    return (name != said, not name.startswith(said), _KINDS.index(thing.kind), -thing.steps, name, thing.id)

@@ -102,7 +102,8 @@ class Ways:
         """Return those of the least states, and of them those at hand in a kitchen: there a way begins."""
         fewest = min((len(self.kitchen.processed_states(node)) for node in nodes), default=0)
         least = [node for node in nodes if len(self.kitchen.processed_states(node)) == fewest]
-        return [node for node in least if self.kitchen.has(node)] or least
+        begun = [node for node in least if self.kitchen.has(node)] or least
+        return sorted(begun, key=lambda node: node.sort_key)
 
     def _names(self, node: ObjectNode) -> tuple[str, ...]:
         """Return what to follow from an object on: what it is, if it is a food, else all that is in it."""

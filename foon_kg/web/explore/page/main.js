@@ -10,7 +10,7 @@ import { picture } from "./picture.js";
 import { searchBox } from "./search.js";
 import { fullName, kindOf } from "./words.js";
 
-const FIRST = { depth: 2, most: matchMedia("(max-width: 800px)").matches ? 12 : 22 };
+const FIRST = (id) => ({ depth: id.startsWith("utensil:") ? 3 : 2, most: matchMedia("(max-width: 800px)").matches ? 12 : 22 }); // a knife says little without what it cuts
 const GROWTH = { depth: 1, most: 12 };
 const MOST = 400; // things in one picture
 const FILTERS = [["video", "videos"], ["motion", "motions"], ["dish", "dish_types"]];
@@ -103,12 +103,12 @@ const act = {
   },
 };
 
-const beginning = () => answer(() => asking.around(begun[0].id, { ...FIRST, ...filters() }), (told) => {
+const beginning = () => answer(() => asking.around(begun[0].id, { ...FIRST(begun[0].id), ...filters() }), (told) => {
   drawing.show(told);
   at("about").replaceChildren(...beginView(begun, act.show));
   counts();
 });
-const around = (id) => answer(() => asking.around(id, { ...FIRST, ...filters() }), (told) => {
+const around = (id) => answer(() => asking.around(id, { ...FIRST(id), ...filters() }), (told) => {
   drawing.show(told);
   tell(told.things[0], told.about);
   say(`${words(told.things[0])} ${counted(told.things.length - 1, "thing")} around it.`);

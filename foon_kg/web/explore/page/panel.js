@@ -28,6 +28,9 @@ const neighbours = (next, choose) => {
   return [...groups].flatMap(([said, things]) => [heading(3, said), list(things.map((thing) => [thingButton(thing, () => choose(thing))]), { class: "plain" })]);
 };
 
+const belongings = (links, act) => (links.length
+  ? [heading(3, "Belongs to"), list(links.map((one) => [thingButton(one, () => act.grow(one))]), { class: "plain" })] : []);
+
 export const thingView = (thing, about, { next, more, act }) => [
   heading(2, thing.name),
   element("p", { class: "kind" }, mark(thing), " ", kindOf(thing), !["step", "other"].includes(thing.kind) && (thing.states.length || thing.note) ? `: ${[thing.states.join(", "), thing.note].filter(Boolean).join("; ")}` : ""),
@@ -39,10 +42,9 @@ export const thingView = (thing, about, { next, more, act }) => [
     thing.kind === "object" || thing.kind === "food" ? element("button", { type: "button", class: "small", onclick: () => act.end("end", thing) }, "Way to here") : null,
     element("button", { type: "button", class: "small", onclick: () => act.remove(thing) }, "Take it out")),
   ...facts(about),
-  about.places.length ? heading(3, "Watch it") : null,
+  about.places.length ? heading(3, "Where it is seen") : null,
   about.places.length ? list(about.places.map((one) => [place(one)])) : null,
-  about.links.length ? heading(3, "Belongs to") : null,
-  about.links.length ? list(about.links.map((one) => [thingButton(one, () => act.grow(one))]), { class: "plain" }) : null,
+  ...belongings(about.links.filter(({ id }) => !next.some((one) => one.thing.id === id)), act),
   ...neighbours(next, act.choose),
 ].filter(Boolean);
 

@@ -23,6 +23,7 @@ const styles = () => [
   { selector: "edge", style: {
     width: 1.5, "line-color": colour("edge"), "target-arrow-color": colour("edge"), "target-arrow-shape": "triangle", "curve-style": "bezier", "arrow-scale": .9 } },
   { selector: "edge[!flows]", style: { width: 1, "line-style": "dashed", "target-arrow-shape": "none", opacity: .45 } },
+  { selector: "edge[?back]", style: { "line-style": "solid", opacity: .7 } },
   { selector: "edge.near", style: { "line-color": colour("halo"), "target-arrow-color": colour("halo"), opacity: 1 } },
   { selector: "edge.near[?flows]", style: { width: 3 } },
   { selector: "node.chosen", style: { "border-width": 4, "border-color": colour("halo"), "font-weight": "bold" } },
@@ -56,18 +57,21 @@ export const picture = (box, { chosen, removed }) => {
   const cy = cytoscape({ container: box, minZoom: .15, maxZoom: 3, boxSelectionEnabled: false, autounselectify: true, style: styles() });
   const now = () => cy.$("node.chosen").first();
   const fit = () => cy.fit(undefined, MARGIN);
+  // Where the picture has to stand so that no more is empty than need be; bounds are what it fills in its own measure.
+  const framed = (pan, bounds, zoom) => {
+    const side = (at, from, to, length) => {
+      if ((to - from) * zoom < length - 2 * MARGIN) return (length - (from + to) * zoom) / 2;
+      return Math.max(length - MARGIN - to * zoom, Math.min(MARGIN - from * zoom, at));
+    };
+    return { x: side(pan.x, bounds.x1, bounds.x2, cy.width()), y: side(pan.y, bounds.y1, bounds.y2, cy.height()) };
+  };
   const view = () => { // all of it, if that can be read, else what is chosen
     fit();
     if (cy.zoom() > 1.2) { cy.zoom(1.2); cy.center(); }
     if (cy.zoom() >= READABLE) return;
     cy.zoom(READABLE);
     cy.center(now());
-    const box = cy.elements().renderedBoundingBox();
-    const inside = (from, to, length) => { // no more empty than need be
-      if (to - from < length - 2 * MARGIN) return (length - from - to) / 2;
-      return Math.min(0, MARGIN - from) || Math.max(0, length - MARGIN - to);
-    };
-    cy.panBy({ x: inside(box.x1, box.x2, cy.width()), y: inside(box.y1, box.y2, cy.height()) });
+    cy.pan(framed(cy.pan(), cy.elements().boundingBox(), READABLE));
   };
 
   const mark = (id) => {
@@ -82,9 +86,13 @@ export const picture = (box, { chosen, removed }) => {
       for (const thing of fresh) {
         cy.add({ group: "nodes", data: { id: thing.id, thing, mark: markOf(thing), size: size(thing), label: "" }, position: { ...at } });
       }
-      for (const edge of edges) {
+      const ends = (kind, from, to) => new Set(edges.filter((edge) => edge.kind === kind).map((edge) => `${edge[from]} ${edge[to]}`));
+      const [taken, made] = [ends("takes", "source", "target"), ends("makes", "target", "source")];
+      for (const edge of edges) { // what is taken and given back has one line without an arrow
+        const back = edge.kind === "takes" && made.has(`${edge.source} ${edge.target}`);
+        if (edge.kind === "makes" && taken.has(`${edge.target} ${edge.source}`)) continue;
         const id = `${edge.source} ${edge.kind} ${edge.target}`;
-        if (cy.getElementById(id).empty()) cy.add({ group: "edges", data: { id, ...edge, flows: FLOWS.has(edge.kind) } });
+        if (cy.getElementById(id).empty()) cy.add({ group: "edges", data: { id, ...edge, flows: FLOWS.has(edge.kind) && !back, back } });
       }
       count(more ?? {});
     });
@@ -102,6 +110,7 @@ export const picture = (box, { chosen, removed }) => {
     const { x1, y1, x2, y2 } = node.renderedBoundingBox();
     if (x1 < 0 || y1 < 0 || x2 > cy.width() || y2 > cy.height()) cy.animate({ center: { eles: node }, duration: calm() ? 0 : 200 });
   };
+  const seenAt = (spot) => (spot && spot.x > 0 && spot.y > 0 && spot.x < cy.width() && spot.y < cy.height() ? spot : null);
   const nearest = (x, y) => { // the thing in this direction: near, and not far aside
     const at = now().position();
     const cost = (node) => {
@@ -157,13 +166,19 @@ export const picture = (box, { chosen, removed }) => {
     },
     grow: (told, id) => {
       const from = cy.getElementById(id);
+      const before = from.nonempty() ? from.renderedPosition() : null;
       const count = put(told, from.nonempty() ? from.position() : { x: 0, y: 0 });
       mark(id);
       if (!count) return 0;
-      const at = place(true)(cy.getElementById(id)); // it stays where it was seen
-      const pan = from.nonempty() ? { x: from.renderedPosition("x") - at.x * cy.zoom(), y: from.renderedPosition("y") - at.y * cy.zoom() } : null;
-      if (pan && calm()) cy.pan(pan);
-      else if (pan) cy.animate({ pan, duration: 300 });
+      const placed = place(true);
+      const at = placed(cy.getElementById(id));
+      const spots = cy.nodes().map(placed);
+      const bounds = { x1: Math.min(...spots.map(({ x }) => x)) - 60, x2: Math.max(...spots.map(({ x }) => x)) + 60,
+        y1: Math.min(...spots.map(({ y }) => y)) - 30, y2: Math.max(...spots.map(({ y }) => y)) + 70 };
+      const where = seenAt(before) ?? { x: cy.width() / 2, y: cy.height() / 2 }; // it stays where it was seen
+      const pan = framed({ x: where.x - at.x * cy.zoom(), y: where.y - at.y * cy.zoom() }, bounds, cy.zoom());
+      if (calm()) cy.pan(pan);
+      else cy.animate({ pan, duration: 300 });
       return count;
     },
     // A way: in rows to and fro, or one below the other on a narrow screen.
