@@ -14,7 +14,6 @@ from filelock import FileLock
 from foon_kg.model.errors import ServerError
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.disk import explain_os_error
-from foon_kg.store.server.fetch import fetch
 from foon_kg.store.server.home import Home, Memory, Say, cache_folder, home, silent
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import java
@@ -130,6 +129,8 @@ def _launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Co
         size = sum(jar.size for jar in missing) / 1e6
         say(f"fetching Neo4j {jar_set.version} into {folder}: {len(missing)} files, {size:.0f} MB, only this once")
         with _fetching():
+            from foon_kg.store.server.fetch import fetch  # noqa: PLC0415 - once in the life of an installation
+
             fetch(jar_set, folder)
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)
