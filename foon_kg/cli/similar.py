@@ -37,17 +37,13 @@ def similar(
     The confidence is the probability that a cook would accept the known food: 0.5 is as likely as not, 1 is the
     same food. With --vectors it is the raw cosine of the paper, which is no probability.
     """
-    from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.similarity.answers import nearest_of_each
+    from foon_kg.cli.knowledge import front_door
 
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
     similarity = _similarity(vectors)
-    with open_knowledge(files, sayer(quiet=quiet)) as view:
-        if vectors is None:
-            nearest = view.equivalents(names, limit=limit)
-        else:
-            nearest = nearest_of_each(similarity, names, view.vocabulary().labels, limit)
+    with front_door(files, sayer(quiet=quiet)) as foon:
+        nearest = foon.similar_to_each(names, limit, None if vectors is None else similarity)
     if not any(nearest):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
     for name, neighbours in zip(names, nearest, strict=True):
