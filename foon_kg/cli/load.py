@@ -200,14 +200,12 @@ def _load(subgraphs: Sequence[Subgraph], say: Say, *, quiet: bool) -> LoadReport
     """Load with a progress bar, which only a terminal shows."""
     from rich.progress import Progress
 
-    from foon_kg.store.graph import Connection, load
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    settings = connection_settings(say)
     console = messages(quiet=quiet)
-    with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
+    with Foon.connect(say=say) as foon, Progress(console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("Loading", total=len(subgraphs))
-        return load(connection, subgraphs, stored=lambda report: progress.advance(task, len(report)))
+        return foon.store(subgraphs, stored=lambda report: progress.advance(task, len(report)))
 
 
 def _counts(subgraphs: Sequence[Subgraph], loaded: LoadReport | None, rejected: int) -> dict[str, int]:

@@ -232,6 +232,11 @@ class Foon:
         with self._cook(settings) as cook:
             return cook.answer(question, explain=explain)
 
+    def get_ready(self, settings: PlanSettings) -> None:
+        """Make ready what answers questions with such settings, so that the first waits no longer than others."""
+        with self._cook(settings):
+            pass
+
     @contextmanager
     def answers(
         self, questions: Sequence[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
