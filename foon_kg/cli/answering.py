@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ from foon_kg.cli.console import Say, json_line, print_view, progress_bar, show_e
 
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
-    from foon_kg.model.knowledge import KnowledgeView
+    from foon_kg.foon import Foon
     from foon_kg.planning.batch import Answer, Question
     from foon_kg.planning.settings import PlanSettings
 
@@ -35,22 +35,9 @@ class Writing:
     collected: bool = False
 
 
-@contextmanager
-def knowledge_for(files: Sequence[Path] | None, count: int, say: Say) -> Iterator[KnowledgeView]:
-    """Open the FOON: for many recipes all of it at once, as it stands now."""
-    from foon_kg.cli.knowledge import open_knowledge, whole_foon
-    from foon_kg.planning.batch import MANY
-
-    if count >= MANY:
-        yield whole_foon(files, say)
-        return
-    with open_knowledge(files, say) as view:
-        yield view
-
-
 def answer_all(
     questions: Sequence[Question],
-    view: KnowledgeView,
+    foon: Foon,
     settings: PlanSettings,
     jobs: int | None,
     writing: Writing,
@@ -61,12 +48,12 @@ def answer_all(
 
     They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
     """
-    done = None if writing.output is None else _answered_before(writing.output, questions, view, settings)
+    done = None if writing.output is None else _answered_before(writing.output, questions, foon, settings)
     there = 0 if done is None else len(done.lines)
     if there:
         writing.say(f"{writing.output} has {there} of {len(questions)} answers already")
     to = nullcontext(writing.show) if done is None else _writes_to(done)
-    with _answering(questions[there:], view, settings, jobs, dask) as answers, to as write:
+    with foon.answers(questions[there:], settings, jobs=jobs, dask=dask) as answers, to as write:
         beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
         shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
         codes = [_write(answer, write, writing.say) for answer in shown]
@@ -99,35 +86,16 @@ def show_view(answer: Answer) -> None:
             print_view(explanation_view(answer.explanations))
 
 
-def _answered_before(
-    path: Path, questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings
-) -> AnswerFile:
+def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, settings: PlanSettings) -> AnswerFile:
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model.node_json import recipe_to_json
-    from foon_kg.planning.recipes import IngredientWords
-    from foon_kg.plans.kitchen import Kitchen
 
     done = AnswerFile.read(path)
     if done.lines:
-        words = IngredientWords(view.vocabulary(), Kitchen.default())
+        words = foon.words()
         first = questions[: len(done.lines)]
         done.check([recipe_to_json(question.as_planned(words, settings.avoided)) for question in first])
     return done
-
-
-def _answering(
-    questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, jobs: int | None, dask: str | None
-) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
-    from foon_kg.store.snapshot import Snapshot
-
-    units = view.units if isinstance(view, Snapshot) and len(questions) > 1 else None
-    if dask is not None and units is not None:
-        return answering_on(dask, questions, view, settings, units)
-    processes = cores() if jobs is None else jobs
-    if units is not None and len(questions) >= MANY and processes > 1:
-        return answering(questions, view, settings, units, processes)
-    return nullcontext(map(Cook(view, settings, units).answer, questions) if questions else ())
 
 
 def _stdout_is_terminal() -> bool:

@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 from foon_kg.cli.console import Say, print_json, print_view
 
 if TYPE_CHECKING:
+    from foon_kg.foon import Foon
     from foon_kg.model.json_fields import JsonObject
-    from foon_kg.model.knowledge import KnowledgeView
     from foon_kg.planning.batch import Question
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.search import ReferenceTree
 
 
 def show_candidates(
-    question: Question, view: KnowledgeView, settings: PlanSettings, most: int, *, as_json: bool, say: Say
+    question: Question, foon: Foon, settings: PlanSettings, most: int, *, as_json: bool, say: Say
 ) -> None:
     """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
     from foon_kg.formats.views.candidates import candidates_view
@@ -24,13 +24,14 @@ def show_candidates(
     from foon_kg.planning.candidates import reference_question
     from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
 
-    cook = Cook(view, settings)
-    read = question.read(cook.words_for(question), settings.avoided)
-    for note in read.notes:
-        say(note)
-    goal, problem = reference_question(cook.planner, read.recipe)
-    exact = retrieve(problem, time_limit=cook.planner.settings.time_limit)
-    found = enumerate_paths(with_gaps_of(problem, exact), limit=most)
+    with foon.reading() as view:
+        cook = Cook(view, settings)
+        read = question.read(cook.words_for(question), settings.avoided)
+        for note in read.notes:
+            say(note)
+        goal, problem = reference_question(cook.planner, read.recipe)
+        exact = retrieve(problem, time_limit=settings.time_limit)
+        found = enumerate_paths(with_gaps_of(problem, exact), limit=most)
     if not as_json:
         print_view(candidates_view(goal, found, exact))
         return

@@ -90,6 +90,7 @@ def _judged(
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
     from foon_kg.cli.tree_files import read_trees
+    from foon_kg.foon import Foon
     from foon_kg.validation import KnownFoon
 
     snapshot = whole_foon(files, say)  # what the judge looks up may be anywhere in it
@@ -98,7 +99,7 @@ def _judged(
     for notice in (notice for document in documents for notice in document.notices):
         say(str(notice))
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
-    at_hand = kitchen_of(kitchen, snapshot.vocabulary(), say)
+    at_hand = kitchen_of(kitchen, Foon(snapshot), say)
     reports = [_report(document.tree, foon, at_hand) for document in documents]
     return list(zip(documents, _with_repetition(documents, reports), strict=True))
 

@@ -51,12 +51,8 @@ def cypher(
     Refused are writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL {...} IN TRANSACTIONS,
     and procedures that do more than look at the graph.
     """
+    from foon_kg.foon import Foon
     from foon_kg.model.errors import UsageError
-
-    with driver_without_arrays():
-        from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.graph.free_cypher import ask_freely
-    from foon_kg.store.server import connection_settings
 
     if as_json and as_csv:
         raise UsageError("--json and --csv exclude each other", hint="Leave one of them out.")
@@ -66,8 +62,8 @@ def cypher(
         return _list_queries(as_json=as_json)
     text, parameters = _question(query, name, dict(map(_parameter, param or ())))
     say = sayer(quiet=quiet)
-    with Connection(connection_settings(say)) as connection:
-        answer = ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
+    with Foon.connect(say=say) as foon, driver_without_arrays():
+        answer = foon.cypher(text, parameters, write=write, limit=limit, timeout=timeout)
     _show(answer, as_json=as_json, as_csv=as_csv)
     if answer.columns and not answer.rows:
         say("Nothing in this graph answers that.")

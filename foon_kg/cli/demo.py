@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from foon_kg.cli.console import Json, Quiet, Say, examples, print_json, print_view, sayer
 
 if TYPE_CHECKING:
+    from foon_kg.foon import Foon
     from foon_kg.model import Subgraph
     from foon_kg.plans.result import PlanResult
-    from foon_kg.store.server import ConnectionSettings
 
 EXAMPLES = examples("foon demo", "foon demo --json --quiet")
 
@@ -39,12 +39,13 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
     subgraphs of common cooking knowledge, and plans a salad with a vegetable that it has never seen. The FOON never
     goes into the Neo4j that NEO4J_URI names, and loading it again changes nothing.
     """
+    from foon_kg.foon import Foon
     from foon_kg.store.server import ensure_running
 
     say = sayer(quiet=quiet)
-    settings = ensure_running(say)
-    _load(settings, say)
-    result = _planned(settings, say)
+    with Foon(server=ensure_running(say)) as foon:
+        _load(foon, say)
+        result = _planned(foon, say)
     if as_json:
         print_json(result.to_json())
         return
@@ -54,12 +55,9 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
     say(NEXT)
 
 
-def _load(settings: ConnectionSettings, say: Say) -> None:
-    from foon_kg.store.graph import Connection, load
-
+def _load(foon: Foon, say: Say) -> None:
     subgraphs = demo_subgraphs()
-    with Connection(settings) as connection:
-        report = load(connection, subgraphs)
+    report = foon.store(subgraphs)
     there = f", {len(report.unchanged)} were there already" if report.unchanged else ""
     say(f"Loaded {len(report.inserted) + len(report.replaced)} of the demo's {len(subgraphs)} subgraphs{there}.")
 
@@ -72,15 +70,18 @@ def demo_subgraphs() -> list[Subgraph]:
     return [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None]
 
 
-def _planned(settings: ConnectionSettings, say: Say) -> PlanResult:
+def _planned(foon: Foon, say: Say) -> PlanResult:
     from foon_kg.demo import demo_recipes
-    from foon_kg.planning.planner import plan
-    from foon_kg.planning.recipes import IngredientWords, read_recipe
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.graph import Neo4jGraph
+    from foon_kg.model.errors import FoonError
+    from foon_kg.planning.batch import Question
+    from foon_kg.planning.recipes import read_recipe
+    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.plans.result import PlanResult
 
     path = next(path for path in demo_recipes() if path.stem == RECIPE)
-    with Neo4jGraph(settings) as graph, graph.reading() as view:
-        read = read_recipe(path, IngredientWords(view.vocabulary(), Kitchen.default()))
-        say(f"Planning {read.recipe.title}, from {', '.join(i.object for i in read.recipe.ingredients)}.\n")
-        return plan(view, read.recipe)
+    recipe = read_recipe(path, foon.words()).recipe
+    say(f"Planning {recipe.title}, from {', '.join(i.object for i in recipe.ingredients)}.\n")
+    answer = foon.answer(Question(given=recipe), PlanSettings())
+    if not isinstance(answer.outcome, PlanResult):
+        raise answer.error or FoonError("the demo has no plan")
+    return answer.outcome

@@ -181,6 +181,7 @@ def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> 
     """Plan ``asked`` on several cores or machines; what the file of answers has already is not planned again."""
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.cli.answering import Writing, answer_all
+    from foon_kg.foon import Foon
     from foon_kg.planning.batch import Answer, Question
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.plans.result import PlanFailure, PlanResult
@@ -192,7 +193,7 @@ def _outcomes(asked: Sequence[Recipe], snapshot: Snapshot, run: options.Run) -> 
 
     questions = [Question(given=recipe) for recipe in asked]
     writing = Writing(collect, run.output, run.say, run.quiet, collected=True)
-    answer_all(questions, snapshot, PlanSettings(method=run.method), run.jobs, writing, dask=run.dask)
+    answer_all(questions, Foon(snapshot), PlanSettings(method=run.method), run.jobs, writing, dask=run.dask)
     if run.output is None:
         return found
     return [

@@ -165,13 +165,14 @@ def _whole(form: str, weights: Path | None, files: Sequence[Path] | None, say: S
 def _problem(goal: str | None, kitchen: Path | None, files: Sequence[Path] | None, say: Say) -> list[ExportFile]:
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.foon import Foon
     from foon_kg.formats.exports.formats import pddl_files
     from foon_kg.formats.exports.pddl import foon_to_pddl
 
     if goal is None:
         raise UsageError("a planning problem of the whole FOON needs a goal", hint='Say --goal "greek salad".')
     foon = whole_foon(files, say)
-    at_hand = kitchen_of(kitchen, foon.vocabulary(), say)
+    at_hand = kitchen_of(kitchen, Foon(foon), say)
     return list(pddl_files(goal, foon_to_pddl(foon, goal, at_hand)))
 
 

@@ -10,7 +10,7 @@ import typer
 from foon_kg.cli.console import Say
 
 if TYPE_CHECKING:
-    from foon_kg.model.knowledge import Vocabulary
+    from foon_kg.foon import Foon
     from foon_kg.plans.kitchen import Kitchen
 
 KitchenFile = Annotated[
@@ -19,16 +19,13 @@ KitchenFile = Annotated[
 ]
 
 
-def kitchen_of(file: Path | None, vocabulary: Vocabulary, say: Say) -> Kitchen:
-    """Answer the kitchen that ``file`` describes; what had to be decided to read it goes to ``say``."""
+def kitchen_of(file: Path | None, foon: Foon, say: Say) -> Kitchen:
+    """Return the kitchen that ``file`` describes; what had to be decided to read it goes to ``say``."""
     from foon_kg.plans.kitchen import Kitchen
 
     if file is None:
         return Kitchen.default()
-    from foon_kg.planning.kitchen_file import read_kitchen
-    from foon_kg.planning.recipes import IngredientWords
-
-    read = read_kitchen(file, IngredientWords(vocabulary, Kitchen.default()))
+    read = foon.kitchen(file)
     for note in read.notes:
         say(note)
     return read.kitchen

@@ -11,9 +11,17 @@ from foon_kg.cli.console import Say
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
+    from foon_kg.foon import Foon
     from foon_kg.loaders import Notice
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
+
+
+def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
+    """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
+    from foon_kg.foon import Foon
+
+    return Foon(snapshot_of(files, say)) if files else Foon.connect(say=say)
 
 
 @contextmanager

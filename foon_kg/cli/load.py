@@ -247,15 +247,16 @@ def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     """Load with a progress bar, which only a terminal shows."""
     from rich.progress import Progress
 
-    from foon_kg.store.graph import Connection, load
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    settings = connection_settings(sayer(quiet=quiet))
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     console = messages(quiet=quiet)
-    with Connection(settings) as connection, Progress(console=console, disable=not console.is_terminal) as progress:
+    with (
+        Foon.connect(say=sayer(quiet=quiet)) as foon,
+        Progress(console=console, disable=not console.is_terminal) as progress,
+    ):
         task = progress.add_task("Loading", total=len(subgraphs))
-        loaded = load(connection, subgraphs, stored=lambda report: progress.advance(task, len(report)))
+        loaded = foon.store(subgraphs, stored=lambda report: progress.advance(task, len(report)))
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any
 
 from foon_kg.cli.console import Files, Quiet, examples, sayer
 
 if TYPE_CHECKING:
+    from foon_kg.foon import Foon
     from foon_kg.model.json_fields import JsonObject
-    from foon_kg.store.server import ConnectionSettings
     from foon_kg.web.agents import Cypher
 
 EXAMPLES = examples("foon mcp", "foon mcp --files subgraphs/ --quiet")
@@ -24,24 +25,23 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
     program starts it: its settings name the command. It ends with its input.
     """
     from foon_kg.cli.serve import served_foon
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
     from foon_kg.web.agents import agent_server
     from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
-    with FoonService(served_foon(files, say), processes=1, seconds=SECONDS) as service:
-        cypher = None if files else _cypher(connection_settings(say))
-        agent_server(service, cypher).run("stdio")
+    with (
+        FoonService(served_foon(files, say), processes=1, seconds=SECONDS) as service,
+        nullcontext() if files else Foon.connect(say=say) as foon,
+    ):
+        agent_server(service, None if foon is None else _cypher(foon)).run("stdio")
 
 
-def _cypher(settings: ConnectionSettings) -> Cypher:
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.graph.free_cypher import ask_freely
+def _cypher(foon: Foon) -> Cypher:
     from foon_kg.store.graph.plain import as_plain
 
     def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
-        with Connection(settings) as connection:
-            answer = ask_freely(connection, text, parameters, limit=limit)
+        answer = foon.cypher(text, parameters, limit=limit)
         rows = [[as_plain(value) for value in row] for row in answer.rows]
         return {"columns": list(answer.columns), "rows": rows, "cut": answer.cut}
 

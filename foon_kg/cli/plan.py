@@ -120,11 +120,11 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
-    from foon_kg.cli.answering import Writing, answer_all, knowledge_for
+    from foon_kg.cli.answering import Writing, answer_all
     from foon_kg.cli.candidates import show_candidates
     from foon_kg.cli.kitchen import kitchen_of
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.planning.settings import PlanSettings
-    from foon_kg.plans.kitchen import Kitchen
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
     _one_form({"--enumerate": enumerate_all, "--foon": foon, "--explain": explain, "--output": output is not None})
@@ -134,15 +134,15 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid)})
     questions = _questions(wanted or [], dish, recipe or [], say)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
-    with knowledge_for(files, len(questions), say) as view:
-        at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
+    with front_door(files, say) as door:
+        at_hand = kitchen_of(kitchen, door, say)
         chosen = tuple(map(_substitute, substitute or ()))
         settings = PlanSettings(at_hand, substitutes=chosen, avoided=tuple(avoid or ()), explain=explain, method=method)
         if enumerate_all:
-            show_candidates(questions[0], view, settings, most, as_json=as_json, say=say)
+            show_candidates(questions[0], door, settings, most, as_json=as_json, say=say)
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
-        code = answer_all(questions, view, settings, jobs, writing)
+        code = answer_all(questions, door, settings, jobs, writing)
     if code:
         raise typer.Exit(code)
 

@@ -68,11 +68,10 @@ def retrieve(
 
     Without a tree the error says what is missing (exit code 3).
     """
-    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.loaders import read_weights
     from foon_kg.model.levels import Level
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
+    from foon_kg.search.classic import Criterion, GoalSought
 
     if as_json and foon:
         raise UsageError("--json and --foon ask for two forms of one answer", hint="Choose one of them.")
@@ -86,9 +85,8 @@ def retrieve(
         Criterion(by),
     )
     costs = None if weights is None else read_weights(weights)
-    with open_knowledge(files, say) as view:
-        at_hand = Kitchen.default() if kitchen is None else kitchen_of(kitchen, view.vocabulary(), say)
-        tree = retrieve_tree(view, sought, at_hand, view.motion_costs() if costs is None else costs)
+    with front_door(files, say) as door:
+        tree = door.retrieve_goal(sought, kitchen_of(kitchen, door, say), costs)
     _show(tree, say, as_json=as_json, foon=foon)
 
 

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from contextlib import nullcontext
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
-
-if TYPE_CHECKING:
-    from foon_kg.store.statistics import Statistics
 
 EXAMPLES = examples("foon stats", "foon stats --json", "foon stats --files subgraphs/")
 
@@ -22,7 +18,10 @@ def stats(files: Files = None, as_json: Json = False, quiet: Quiet = False) -> N
 
     Videos, units, object nodes, labels, states, motions, the goals of each dish type and the most used motions.
     """
-    figures = _statistics(files, sayer(quiet=quiet)).to_json()
+    from foon_kg.cli.knowledge import front_door
+
+    with front_door(files, sayer(quiet=quiet)) as foon, nullcontext() if files else driver_without_arrays():
+        figures = foon.statistics().to_json()
     if as_json:
         print_json(figures)
         return
@@ -31,22 +30,6 @@ def stats(files: Files = None, as_json: Json = False, quiet: Quiet = False) -> N
     for name, counts in figures.items():
         if isinstance(counts, Mapping):
             _print_table(name, counts)
-
-
-def _statistics(files: Sequence[Path] | None, say: Say) -> Statistics:
-    """Return the figures: of a graph Neo4j counts them, so that it may be of any size."""
-    if files:
-        from foon_kg.cli.knowledge import snapshot_of
-        from foon_kg.store.statistics import Statistics
-
-        return Statistics.of(snapshot_of(files, say))
-    with driver_without_arrays():
-        from foon_kg.store.graph.counting import count
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.server import connection_settings
-
-    with Connection(connection_settings(say)) as connection:
-        return count(connection)
 
 
 def _print_table(title: str, counts: Mapping[str, object]) -> None:

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
-from foon_kg.cli.kitchen import KitchenFile, kitchen_of
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from foon_kg.model.knowledge import Vocabulary
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.plans.stock import StockedKitchen
+from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, print_view, sayer
+from foon_kg.cli.kitchen import KitchenFile
 
 EXAMPLES = examples(
     'foon suggest egg onion "grated cheddar"',
@@ -42,35 +35,17 @@ def suggest(
 
     Utensils that the --kitchen file names are the only ones. For the steps: foon plan --dish TYPE FOOD...
     """
-    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.formats.views.suggestions import suggestions_view
-    from foon_kg.planning.suggestion import suggest as suggested
 
     say = sayer(quiet=quiet)
-    with open_knowledge(files, say) as view:
-        named = kitchen_of(kitchen, view.vocabulary(), say)
-        stocked = _with_foods(foods or (), named, view.vocabulary(), say)
-        found = suggested(view, stocked, most=most)
+    with front_door(files, say) as foon:
+        stocked = foon.kitchen(kitchen, foods or ())
+        for note in stocked.notes:
+            say(note)
+        found = foon.suggestions(stocked.kitchen, most)
     if not as_json:
         print_view(suggestions_view(found))
         return
     suggestions = [one.to_json() for one in found.found]
     print_json({"suggestions": suggestions, "considered": found.considered, "proven": found.proven})
-
-
-def _with_foods(texts: Sequence[str], kitchen: Kitchen, vocabulary: Vocabulary, say: Say) -> StockedKitchen:
-    """Answer ``kitchen`` with the foods in words as well; what of them was not understood goes to ``say``."""
-    from foon_kg.planning.kitchen_file import Entry, ThingReader
-    from foon_kg.planning.recipes import IngredientWords
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.plans.stock import StockedKitchen
-
-    stocked = kitchen if isinstance(kitchen, StockedKitchen) else StockedKitchen.of(kitchen, ())
-    reader = ThingReader(IngredientWords(vocabulary, Kitchen.default()))
-    things = []
-    for text in texts:
-        thing, notes = reader.read(Entry(f"“{text}”", text))
-        things.append(thing)
-        for note in notes:
-            say(note)
-    return stocked.with_things(things)

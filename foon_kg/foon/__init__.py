@@ -14,28 +14,34 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
+    from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
     from foon_kg.model import Subgraph
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.kitchen_file import ReadKitchen
+    from foon_kg.planning.recipes import IngredientWords
     from foon_kg.planning.settings import PlanSettings
-    from foon_kg.planning.suggestion import Suggestion
+    from foon_kg.planning.suggestion import Suggestion, Suggestions
     from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.search.classic import RetrievalResult
+    from foon_kg.plans.stock import StockedKitchen
+    from foon_kg.search.classic import GoalSought, RetrievalResult
+    from foon_kg.similarity import Similarity
     from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
     from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
     from foon_kg.store.graph.loading import LoadReport
     from foon_kg.store.server import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
+    from foon_kg.store.statistics import Statistics
     from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
@@ -226,6 +232,37 @@ class Foon:
         with self._cook(settings) as cook:
             return cook.answer(question, explain=explain)
 
+    def get_ready(self, settings: PlanSettings) -> None:
+        """Make ready what answers questions with such settings, so that the first waits no longer than others."""
+        with self._cook(settings):
+            pass
+
+    @contextmanager
+    def answers(
+        self, questions: Sequence[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
+    ) -> Iterator[Iterable[Answer]]:
+        """Open what answers ``questions``, one by one in their order, each as :meth:`answer` does.
+
+        Many are answered from the whole FOON as it stands now, in ``jobs`` processes (as a rule all cores), or on the
+        cluster of the Dask scheduler at ``dask``; neither changes an answer. Raises
+        :class:`~foon_kg.model.errors.FoonError` where a process is ended from outside.
+        """
+        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
+
+        if not questions:
+            yield ()
+            return
+        with nullcontext(self.snapshot()) if len(questions) >= MANY else self.reading() as view:
+            units = getattr(view, "units", None) if len(questions) > 1 else None  # a graph is asked for parts
+            if dask is not None and units is not None:
+                with answering_on(dask, questions, view, settings, units) as answers:
+                    yield answers
+            elif units is not None and len(questions) >= MANY and (jobs or cores()) > 1:
+                with answering(questions, view, settings, units, jobs or cores()) as answers:
+                    yield answers
+            else:
+                yield map(Cook(view, settings, units).answer, questions)
+
     @contextmanager
     def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
         """Open what answers questions with such settings; of files it is kept."""
@@ -247,26 +284,88 @@ class Foon:
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
+        return self.similar_to_each([food], limit)[0]
+
+    def similar_to_each(
+        self, foods: Sequence[str], limit: int = 5, similarity: Similarity | None = None
+    ) -> Sequence[tuple[Neighbour, ...]]:
+        """Return what :meth:`similar` does for each of ``foods``, by another ``similarity`` where one is given."""
         with self.reading() as view:
-            return view.equivalents([food], limit=limit)[0]
+            if similarity is None:
+                return view.equivalents(foods, limit=limit)
+            from foon_kg.similarity.answers import nearest_of_each
+
+            return nearest_of_each(similarity, foods, view.vocabulary().labels, limit)
 
     def retrieve(
-        self, goal: str, states: Iterable[str] = (), ingredients: Iterable[str] = (), *, kitchen: Kitchen | None = None
+        self,
+        goal: str,
+        states: Iterable[str] = (),
+        ingredients: Iterable[str] = (),
+        *,
+        container: str | None = None,
+        level: int = 2,
+        by: Literal["units", "success"] = "units",
+        kitchen: Kitchen | None = None,
+        costs: MotionCosts | None = None,
     ) -> RetrievalResult:
-        """Return the shortest tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
+        """Return the best tree of a goal that the FOON has as it is, proven: classic retrieval (algorithm 3).
 
-        Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none.
+        ``states``, ``ingredients`` and ``container`` say more of the goal; ``level`` says what counts of an object (1:
+        its label, 2: states and places too, 3: ingredients too). The best has the fewest ``units``, or the greatest
+        ``success``, by the ``costs`` of motions (0 to 1), which are those of the FOON unless given.
+
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none, and
+        :class:`~foon_kg.model.errors.UsageError` for what the level does not look at.
 
         >>> len(foon.retrieve("omelette").units)
         10
         """
         from foon_kg.model.levels import Level
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
+        from foon_kg.search.classic import Criterion, GoalSought
 
-        sought = GoalSought(goal, tuple(states), tuple(ingredients), None, Level(2), Criterion("units"))
+        sought = GoalSought(goal, tuple(states), tuple(ingredients), container, Level(level), Criterion(by))
+        return self.retrieve_goal(sought, kitchen, costs)
+
+    def retrieve_goal(
+        self, sought: GoalSought, kitchen: Kitchen | None = None, costs: MotionCosts | None = None
+    ) -> RetrievalResult:
+        """Return the best tree of a goal that is described already, as :meth:`retrieve` does."""
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.search.classic import retrieve_tree
+
         with self.reading() as view:
-            return retrieve_tree(view, sought, kitchen or Kitchen.default(), view.motion_costs())
+            known = view.motion_costs() if costs is None else costs
+            return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
+
+    def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
+        """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
+
+        Its ``notes`` say what had to be decided to read it. Raises :class:`~foon_kg.model.errors.ReadError` with the
+        line that cannot be read.
+
+        >>> foon.kitchen(foods=["chopped onion"]).kitchen.foods_named[0].states
+        ('chopped',)
+        """
+        from foon_kg.planning.kitchen_file import Entry, ReadKitchen, ThingReader, read_kitchen
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.plans.stock import StockedKitchen
+
+        words = self.words()
+        everything = ReadKitchen(StockedKitchen.of(Kitchen.default(), ()), ())
+        read = everything if file is None else read_kitchen(Path(file), words)
+        reader = ThingReader(words)
+        beside = [reader.read(Entry(f"“{text}”", text)) for text in foods]
+        notes = (note for _, said in beside for note in said)
+        return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
+
+    def words(self) -> IngredientWords:
+        """Return the words in which ingredients and kitchens are read."""
+        from foon_kg.planning.recipes import IngredientWords
+        from foon_kg.plans.kitchen import Kitchen
+
+        with self.reading() as view:
+            return IngredientWords(view.vocabulary(), Kitchen.default())
 
     def suggest(self, foods: Iterable[str], most: int = 5) -> tuple[Suggestion, ...]:
         """Return what can be made of ``foods``, the best first; utensils among them are then the only ones.
@@ -274,17 +373,32 @@ class Foon:
         >>> foon.suggest(["egg", "butter", "salt"], most=1)[0].goal.node.label
         'omelette'
         """
-        from foon_kg.planning.kitchen_file import Entry, ThingReader
-        from foon_kg.planning.recipes import IngredientWords
+        return self.suggestions(self.kitchen(foods=foods).kitchen, most).found
+
+    def suggestions(self, kitchen: StockedKitchen, most: int = 5, time_limit: float | None = 20.0) -> Suggestions:
+        """Return the at most ``most`` dishes that ``kitchen`` makes best, and how many were looked at.
+
+        ``time_limit`` (seconds) is for each of them. Raises :class:`~foon_kg.model.errors.UsageError` where the kitchen
+        names no food, and :class:`~foon_kg.model.errors.NoTreeError` where no dish takes any of them.
+        """
         from foon_kg.planning.suggestion import suggest
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.plans.stock import StockedKitchen
 
         with self.reading() as view:
-            reader = ThingReader(IngredientWords(view.vocabulary(), Kitchen.default()))
-            things = [reader.read(Entry(f"“{text}”", text))[0] for text in foods]
-            stocked = StockedKitchen.of(Kitchen.default(), ()).with_things(things)
-            return tuple(suggest(view, stocked, most=most).found)
+            return suggest(view, kitchen, most=most, time_limit=time_limit)
+
+    def statistics(self) -> Statistics:
+        """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.
+
+        >>> foon.statistics().to_json()["videos"]
+        23
+        """
+        if self._snapshot is not None:
+            from foon_kg.store.statistics import Statistics
+
+            return Statistics.of(self._snapshot)
+        from foon_kg.store.graph.counting import count
+
+        return count(self._connection)
 
     # --- Neo4j alone ---
 

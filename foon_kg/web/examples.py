@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import islice
 
 from foon_kg.evaluation.left_out_video import left_out_video
 from foon_kg.model import Goal
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.batch import Cook, Question
+from foon_kg.planning.batch import Answer, Question
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import Snapshot
 
@@ -20,8 +20,8 @@ _FEW, _MANY = 4, 7
 """A dish of so many foods shows what a plan is, and still fits on a card."""
 
 
-def example_dishes(snapshot: Snapshot, cook: Cook, most: int) -> list[JsonObject]:
-    """Return at most ``most`` dishes that ``cook`` can plan, of as many types as there are.
+def example_dishes(snapshot: Snapshot, answer: Callable[[Question], Answer], most: int) -> list[JsonObject]:
+    """Return at most ``most`` dishes that ``answer`` plans, of as many types as there are.
 
     Each has its ``name``, its ``dish_type``, its ``ingredients`` in words, the foods among them, the ``video`` that
     makes it and how many steps its plan has.
@@ -31,18 +31,18 @@ def example_dishes(snapshot: Snapshot, cook: Cook, most: int) -> list[JsonObject
         if len(found) == most:
             break
         if goal.node.label not in found:
-            found |= _planned(goal, snapshot, cook)
+            found |= _planned(goal, snapshot, answer)
     return list(found.values())
 
 
-def _planned(goal: Goal, snapshot: Snapshot, cook: Cook) -> dict[str, JsonObject]:
+def _planned(goal: Goal, snapshot: Snapshot, answer: Callable[[Question], Answer]) -> dict[str, JsonObject]:
     """Return the dish by its name; nothing for one that the video does not ask for, or that cannot be planned."""
     subgraph = next(one for one in snapshot.subgraphs if one.name == goal.videos[0])
     asked = left_out_video(subgraph, snapshot.kitchen)
     if asked is None or asked.recipe.dish_type != goal.dish_type:
         return {}
     texts = tuple(f"{wanted.state} {wanted.object}".strip() for wanted in asked.recipe.ingredients)
-    plan = cook.answer(Question(dish_type=goal.dish_type, texts=texts)).outcome
+    plan = answer(Question(dish_type=goal.dish_type, texts=texts)).outcome
     if not isinstance(plan, PlanResult):
         return {}
     return {

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cached_property
 
+from foon_kg.foon import Foon
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.planning.batch import Cook
-from foon_kg.planning.batch import Question as CookQuestion
-from foon_kg.planning.kitchen_file import Entry, ReadKitchen, kitchen_with
-from foon_kg.planning.recipes import IngredientWords
+from foon_kg.planning.batch import Answer
+from foon_kg.planning.batch import Question as PlannerQuestion
+from foon_kg.planning.kitchen_file import ReadKitchen
 from foon_kg.planning.settings import PlanSettings
-from foon_kg.planning.suggestion import suggest
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
@@ -24,13 +23,16 @@ from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Repl
 TIME_LIMIT = 3.0
 """Seconds for the search of one reference tree."""
 
+_NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
+
 
 class PlanningDesk:
     """Answers plans and suggestions from one FOON, for one thread."""
 
     def __init__(self, snapshot: Snapshot) -> None:
         self.snapshot = snapshot
-        self._cook = Cook(snapshot, PlanSettings(time_limit=TIME_LIMIT), snapshot.units)
+        self._foon = Foon(snapshot)
+        self._foon.get_ready(_NO_WISHES)
 
     def answer(self, question: Question) -> Reply:
         """Answer ``question``; what is wrong with it is an answer too."""
@@ -38,7 +40,7 @@ class PlanningDesk:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
             if isinstance(question, ExamplesQuestion):
-                return Reply.of({"examples": example_dishes(self.snapshot, self._cook, question.most)})
+                return Reply.of({"examples": example_dishes(self.snapshot, self._planned, question.most)})
             return Reply.of(self._suggest(question))
         except FoonError as error:
             return Reply.of_error(error)
@@ -48,19 +50,23 @@ class PlanningDesk:
 
     def _plan(self, question: PlanQuestion) -> Reply:
         read = self._at_hand(question.kitchen) if question.kitchen else None
-        cook = self._cook_for(question, read.kitchen if read else Kitchen.default())
-        asked = CookQuestion(dish_type=question.dish_type, texts=question.ingredients)
-        answer = cook.answer(asked, explain=question.explain)
+        answer = self._answered(question, read.kitchen if read else Kitchen.default())
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
         return Reply.of(plan_to_json(answer, question, self._durations, self._known) | {"notes": notes})
 
-    def _cook_for(self, question: PlanQuestion, kitchen: Kitchen) -> Cook:
-        if question.substitutes or question.avoided or question.kitchen:
-            chosen, avoided = question.substitutes, question.avoided
-            return Cook(self.snapshot, PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided))
-        return self._cook
+    def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
+        asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients)
+        chosen, avoided = question.substitutes, question.avoided
+        if not (chosen or avoided or question.kitchen):
+            return self._foon.answer(asked, _NO_WISHES, explain=question.explain)
+        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, explain=question.explain)
+        with self._foon.answers([asked], settings) as answers:  # nothing is kept ready for what others do not wish
+            return next(iter(answers))
+
+    def _planned(self, question: PlannerQuestion) -> Answer:
+        return self._foon.answer(question, _NO_WISHES)
 
     @cached_property
     def _durations(self) -> Durations:
@@ -72,7 +78,7 @@ class PlanningDesk:
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         read = self._at_hand((*question.foods, *question.kitchen))
-        found = suggest(self.snapshot, read.kitchen, most=question.most, time_limit=TIME_LIMIT)
+        found = self._foon.suggestions(read.kitchen, question.most, TIME_LIMIT)
         return {
             "suggestions": [one.to_json() for one in found.found],
             "considered": found.considered,
@@ -81,5 +87,4 @@ class PlanningDesk:
         }
 
     def _at_hand(self, things: Sequence[str]) -> ReadKitchen:
-        words = IngredientWords(self.snapshot.vocabulary(), Kitchen.default())
-        return kitchen_with([Entry(f"“{text}”", text) for text in things], words)
+        return self._foon.kitchen(foods=things)

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
 
+from foon_kg.foon import Foon
 from foon_kg.formats.exports.recipe import video_address
 from foon_kg.model import KnownUnit, Sighting
 from foon_kg.model.json_fields import JsonObject
@@ -64,7 +65,7 @@ class FoonWords:
     def similar(self, names: Sequence[str], limit: int) -> list[JsonObject]:
         """Answer for each name the known foods that can best stand for it, with what speaks for each."""
         similarity = food_similarity()
-        found = self.snapshot.equivalents(names, limit=limit)
+        found = Foon(self.snapshot).similar_to_each(names, limit)
         return [
             {
                 "name": name,

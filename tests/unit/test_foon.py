@@ -14,11 +14,11 @@ import pytest
 import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder
+from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.foon import plan
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
-from foon_kg.planning.kitchen_file import read_kitchen
-from foon_kg.planning.recipes import IngredientWords
-from foon_kg.plans.kitchen import Kitchen
+from foon_kg.planning.batch import Question
+from foon_kg.planning.settings import PlanSettings
 
 ASKED = ["chopped onion", "diced tomato", "olive oil"]
 
@@ -93,8 +93,7 @@ def test_a_title_is_read_and_words_and_pairs_ask_the_same(door):
 
 def test_what_is_at_hand_is_all_there_is(door, tmp_path):
     (tmp_path / "kitchen.txt").write_text("spoon\nbowl\n")
-    with door.reading() as view:
-        kitchen = read_kitchen(tmp_path / "kitchen.txt", IngredientWords(view.vocabulary(), Kitchen.default())).kitchen
+    kitchen = door.kitchen(tmp_path / "kitchen.txt").kitchen
     with pytest.raises(NoTreeError):
         door.plan("salad", ASKED, kitchen=kitchen)
 
@@ -105,6 +104,37 @@ def test_other_questions_are_answered(door):
     assert nearest[0].confidence >= nearest[1].confidence
     assert door.retrieve("omelette").units
     assert door.suggest(["egg", "butter", "salt"], most=2)[0].goal.node.label.endswith("omelette")
+
+
+def test_many_questions_have_the_answers_that_each_has_alone(door):
+    questions = [Question(dish_type="salad", texts=(food, "olive oil")) for food in ("chopped onion", "diced tomato")]
+    questions.append(Question(dish_type="soop", texts=("carrot",)))
+    with door.answers(questions, PlanSettings(), jobs=1) as answers:
+        told = [(one.outcome.to_json(), one.notes) for one in answers]
+    alone = [door.answer(question, PlanSettings()) for question in questions]
+    assert told == [(one.outcome.to_json(), one.notes) for one in alone]
+    assert [one.error is None for one in alone] == [True, True, False]
+    with door.answers([], PlanSettings()) as none:
+        assert list(none) == []
+
+
+def test_a_tree_is_retrieved_as_it_is_asked_for(door, tmp_path):
+    with pytest.raises(UsageError, match="at level 1"):
+        door.retrieve("omelette", ["cooked"], level=1)
+    (tmp_path / "kitchen.txt").write_text("spoon\nbowl\n")
+    with pytest.raises(NoTreeError):
+        door.retrieve("omelette", kitchen=door.kitchen(tmp_path / "kitchen.txt").kitchen)
+    likely = door.retrieve("omelette", by="success", costs=MotionCosts({"crack": 0.5}))
+    assert likely.units[-1].success is not None
+
+
+def test_a_kitchen_says_what_had_to_be_decided_to_read_it(door, tmp_path):
+    (tmp_path / "kitchen.txt").write_text("spoon\nunheard-of thing\n")
+    read = door.kitchen(tmp_path / "kitchen.txt", ["chopped onion"])
+    assert any("unheard-of thing" in note for note in read.notes)
+    assert {"spoon"} == {node.label for node in read.kitchen.utensils_named}
+    assert "onion" in {node.label for node in read.kitchen.foods_named}
+    assert door.suggestions(read.kitchen, 1).found == door.suggestions(read.kitchen, 5).found[:1]
 
 
 def test_what_needs_a_graph_says_so(door, tmp_path):

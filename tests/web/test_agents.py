@@ -10,6 +10,7 @@ import pytest
 from mcp import Client, StdioServerParameters
 from pictures.demo_plans import demo_foon
 
+from foon_kg import Foon
 from foon_kg.demo import demo_folder
 from foon_kg.model.errors import WriteRefused
 from foon_kg.web.agents import agent_server
@@ -133,13 +134,11 @@ def test_foon_mcp_speaks_over_its_standard_input_and_output():
 def test_cypher_of_a_real_graph_only_looks(empty_graph):
     from foon_kg.cli.demo import demo_subgraphs
     from foon_kg.cli.mcp import _cypher
-    from foon_kg.store.graph import Connection, load
 
-    with Connection(empty_graph) as connection:
-        load(connection, list(demo_subgraphs())[:2])
-    with FoonService(FixedFoon(demo_foon())) as service:
+    with FoonService(FixedFoon(demo_foon())) as service, Foon(server=empty_graph) as foon:
+        foon.store(demo_subgraphs()[:2])
         count = ("cypher", {"query": "MATCH (v:Video) RETURN count(v) AS videos"})
         write = ("cypher", {"query": "MATCH (n) DETACH DELETE n"})
-        before, refused, after = asked(agent_server(service, _cypher(empty_graph)), count, write, count)
+        before, refused, after = asked(agent_server(service, _cypher(foon)), count, write, count)
     assert value(before) == value(after) == {"columns": ["videos"], "rows": [[2]], "cut": False}
     assert "(read-only)" in refusal(refused)
