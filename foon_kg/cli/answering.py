@@ -104,7 +104,7 @@ def _answered_before(path: Path, questions: Sequence[Question], view: KnowledgeV
     from foon_kg.planning.recipes import IngredientWords
     from foon_kg.plans.kitchen import Kitchen
 
-    done = AnswerFile.read(path)
+    done = AnswerFile.read(path, len(questions))
     if done.lines:
         words = IngredientWords(view.vocabulary(), Kitchen.default())
         first = questions[: len(done.lines)]
