@@ -3,45 +3,41 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from functools import partial
-from io import FileIO
+from itertools import chain
 from pathlib import Path
 
+from foon_kg.cli.blocks import adding, form_of, whole_blocks
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.regular_files import read_bytes
-from foon_kg.model.written_files import writing
-
-MOST_BYTES = 4_000_000_000
-"""How large a file of answers may be that is gone on with."""
 
 _EXIT_CODES = {"read": ReadError.exit_code, "usage": UsageError.exit_code, "unknown-dish-type": UsageError.exit_code}
 
 
 @dataclass(frozen=True)
 class AnswerFile:
-    """What ``path`` holds: ``lines`` are the values of its whole lines, ``size`` the bytes that these take."""
+    """What ``path`` holds: ``lines`` are the values of its whole blocks, ``size`` the bytes that these take."""
 
     path: Path
     lines: tuple[JsonObject, ...]
     size: int
 
     @classmethod
-    def read(cls, path: Path) -> AnswerFile:
-        """Read ``path``, which need not be there; a last line without its end counts as not there.
+    def read(cls, path: Path, wanted: int = 0) -> AnswerFile:
+        """Read ``path``, which need not be there; what was being written when a run ended counts as not there.
 
-        Raises :class:`~foon_kg.model.errors.UsageError` where it cannot be read or holds something else than answers.
+        So does a last block that is not full, where more than its lines are ``wanted``. Raises
+        :class:`~foon_kg.model.errors.UsageError` where it cannot be read or holds something else than answers.
         """
-        try:
-            content = read_bytes(path, MOST_BYTES) if path.exists() else b""
-        except OSError as error:
-            raise UsageError(f"{path}: {error.strerror}", hint="--output names a file.") from error
-        whole = content[: content.rfind(b"\n") + 1]
-        lines = tuple(_value(path, number, line) for number, line in enumerate(whole.splitlines(), 1))
-        return cls(path, lines, len(whole))
+        blocks = [(content.splitlines(), end) for content, end in whole_blocks(path)]
+        there = sum(len(lines) for lines, _ in blocks)
+        if there < wanted and blocks and len(blocks[-1][0]) < form_of(path).lines:
+            blocks.pop()
+        whole = chain.from_iterable(lines for lines, _ in blocks)
+        values = tuple(value_of(path, number, line) for number, line in enumerate(whole, 1))
+        return cls(path, values, blocks[-1][1] if blocks else 0)
 
     def check(self, recipes: Sequence[JsonObject]) -> None:
         """Raise ``UsageError`` unless the lines answer the first of ``recipes``, in order."""
@@ -52,28 +48,21 @@ class AnswerFile:
     @property
     def exit_code(self) -> int:
         """Answer the exit code that the lines stand for: the highest of those of their errors."""
-        codes = (error.get("code") for line in self.lines if isinstance(error := line.get("error"), dict))
-        return max((_EXIT_CODES.get(str(code), NoTreeError.exit_code) for code in codes), default=0)
+        return max(map(exit_code_of, self.lines), default=0)
 
-    @contextmanager
-    def going_on(self) -> Iterator[Callable[[str], None]]:
-        """Open the file after its last whole line; answer what adds a line to it, at once."""
-        hint = "--output names a file that can be written."
-        with writing(self.path, hint):
-            file = self.path.open("ab", buffering=0)
-        with file:
-            file.truncate(self.size)
-            yield partial(_add, file, self.path, hint)
+    def going_on(self) -> AbstractContextManager[Callable[[str], None]]:
+        """Open the file after its last whole block; answer what adds a line to it."""
+        return adding(self.path, self.size)
 
 
-def _add(file: FileIO, path: Path, hint: str, line: str) -> None:
-    left = memoryview(f"{line}\n".encode())
-    with writing(path, hint):
-        while left:
-            left = left[file.write(left) :]
+def exit_code_of(line: JsonObject) -> int:
+    """Return the exit code that an answer stands for."""
+    error = line.get("error")
+    return _EXIT_CODES.get(str(error.get("code")), NoTreeError.exit_code) if isinstance(error, dict) else 0
 
 
-def _value(path: Path, number: int, line: bytes) -> JsonObject:
+def value_of(path: Path, number: int, line: bytes) -> JsonObject:
+    """Return the answer that is a line of a file; raises UsageError where it is none."""
     try:
         value = json.loads(line)
     except ValueError as error:

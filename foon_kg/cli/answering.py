@@ -90,7 +90,7 @@ def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, sett
     from foon_kg.cli.answer_file import AnswerFile
     from foon_kg.model.node_json import recipe_to_json
 
-    done = AnswerFile.read(path)
+    done = AnswerFile.read(path, len(questions))
     if done.lines:
         words = foon.words()
         first = questions[: len(done.lines)]

@@ -11,7 +11,7 @@ import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
-from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
+from foon_kg.model import DISH_TYPES, Recipe
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -25,6 +25,7 @@ EXAMPLES = examples(
     "foon plan recipe.json --json",
     "foon plan --recipe 000018c8a5 --recipe 000033e39b",
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
+    "foon plan --recipes all --output plans.jsonl.zst",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
     "foon plan recipe.json --enumerate --most 5000",
     "foon plan recipe.json --method paper",
@@ -55,6 +56,15 @@ RecipeIds = Annotated[
     list[str] | None,
     typer.Option("--recipe", metavar="ID", help="Plan this recipe of those that foon load recipes brought in."),
 ]
+Collection = Annotated[
+    str | None,
+    typer.Option(
+        "--recipes",
+        metavar="all|TYPE",
+        help="Plan all recipes that foon load recipes brought in, or those of a dish type, into the file of --output.",
+        autocompletion=_dish_types,
+    ),
+]
 Foon = Annotated[bool, typer.Option("--foon", help="Print the tree as FOON text.")]
 Explain = Annotated[bool, typer.Option("--explain", help="Say for every ingredient why it is made as it is.")]
 Substitutes = Annotated[
@@ -67,7 +77,9 @@ Avoided = Annotated[
 ]
 Output = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="FILE", help="Write JSON lines to this file, and go on where it ends."),
+    typer.Option(
+        "--output", "-o", metavar="FILE", help="Write JSON lines to this file (.gz, .zst), and go on where it ends."
+    ),
 ]
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
@@ -88,6 +100,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     wanted: Wanted = None,
     dish: Dish = None,
     recipe: RecipeIds = None,
+    recipes: Collection = None,
     kitchen: KitchenFile = None,
     as_json: Json = False,
     foon: Foon = False,
@@ -109,7 +122,8 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     A recipe file is {"id", "title", "type", "ingredients": [{"object", "state"}]}. With --json every recipe is one
     line, in order; one that has no tree is a line with an "error". With several recipes the exit code is the highest.
-    With --output a run that was stopped, started again with the same command, does only what is still missing.
+    With --output a run that was stopped, started again with the same command, does only what is still missing. Of a
+    file whose name ends in .gz or .zst it keeps all but the last 63 lines.
 
     What --kitchen names is all that is at hand: utensils ("knife", "oven, preheated"), foods ("egg", "onion,
     chopped", "egg in carton"), or both; of a kind that it does not name, everything. A tree takes nothing else; where
@@ -124,6 +138,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     from foon_kg.cli.candidates import show_candidates
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door
+    from foon_kg.cli.plan_collection import CollectionRun, plan_collection
     from foon_kg.planning.settings import PlanSettings
 
     _one_form({"--json": as_json or output is not None, "--foon": foon, "--explain": explain})
@@ -132,6 +147,13 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     if method == "paper":
         own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
         _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid)})
+    if recipes is not None:
+        _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
+        _alone(wanted or recipe or dish)
+        chosen = tuple(map(_substitute, substitute or ()))
+        settings = PlanSettings(substitutes=chosen, avoided=tuple(avoid or ()), method=method)
+        _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, say, quiet)))
+        return
     questions = _questions(wanted or [], dish, recipe or [], say)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with front_door(files, say) as door:
@@ -143,8 +165,17 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
         code = answer_all(questions, door, settings, jobs, writing)
+    _finish(code)
+
+
+def _finish(code: int) -> None:
     if code:
         raise typer.Exit(code)
+
+
+def _alone(others: object) -> None:
+    if others:
+        raise UsageError("--recipes names all that is to be planned", hint="Leave out other recipes and --dish.")
 
 
 def _shown_as(*, foon: bool, as_json: bool) -> Show:
@@ -190,21 +221,12 @@ def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str],
 
 def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:
     """Answer recipes of the graph: as the asked dish type, else as their sure one, else as any."""
-    from foon_kg.store.graph import Connection
+    from foon_kg.store.graph.connection import Connection
     from foon_kg.store.graph.recipes import stored_recipe
     from foon_kg.store.server import connection_settings
 
     with Connection(connection_settings(say)) as connection:
-        stored = [stored_recipe(connection, recipe_id) for recipe_id in ids]
-    return [
-        Recipe(
-            dish_type or next((dish.name for dish in one.dish_classes if dish.sure), ""),
-            tuple(RequiredIngredient(called.object, called.state) for called in one.ingredients),
-            one.id,
-            one.title or None,
-        )
-        for one in stored
-    ]
+        return [stored_recipe(connection, recipe_id).asked(dish_type or "") for recipe_id in ids]
 
 
 def _looks_like_a_file(name: str) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -145,7 +145,7 @@ def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> It
 
 
 def answering(
-    questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
+    questions: Iterable[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 

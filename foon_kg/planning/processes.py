@@ -6,11 +6,13 @@ import gc
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sized
+from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from functools import cache
+from itertools import islice
 from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.connection import wait
 from typing import Any, TypeVar
@@ -25,23 +27,36 @@ _ROUNDS = 4
 
 
 @contextmanager
-def spread(make: Callable[[], Callable[[T], A]], items: Sequence[T], jobs: int) -> Iterator[Iterator[A]]:
+def spread(make: Callable[[], Callable[[T], A]], items: Iterable[T], jobs: int) -> Iterator[Iterator[A]]:
     """Open ``jobs`` processes that work on ``items``, in their order; how many they are changes no answer.
 
     Every process gets ``make`` once, and calls it for its first item; what that answers does the work. The answers
     raise what the work raises, and :class:`~foon_kg.model.errors.FoonError` where a process was ended from outside.
     """
-    workers = min(jobs, len(items))
-    at_once = max(1, min(_MOST_AT_ONCE, len(items) // (_ROUNDS * workers)))
+    workers, at_once = jobs, _MOST_AT_ONCE
+    if isinstance(items, Sized):
+        workers = min(jobs, len(items))
+        at_once = max(1, min(_MOST_AT_ONCE, len(items) // (_ROUNDS * workers)))
     pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(make,))
     try:
-        yield _told(pool.map(_work, items, chunksize=at_once))
+        yield _told(_in_order(pool, iter(items), at_once, _ROUNDS * workers))
     except KeyboardInterrupt:
         for process in active_children():
             process.terminate()  # else each would end its share first
         raise
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _in_order(pool: ProcessPoolExecutor, items: Iterator[T], at_once: int, most: int) -> Iterator[Any]:
+    """Yield what comes of ``items``: of millions only ``most`` shares are under way or waited for."""
+    shares: deque[Future[list[Any]]] = deque()
+    while share := list(islice(items, at_once)):
+        shares.append(pool.submit(_work, share))
+        if len(shares) >= most:
+            yield from shares.popleft().result()
+    while shares:
+        yield from shares.popleft().result()
 
 
 def _told(found: Iterator[A]) -> Iterator[A]:
@@ -87,5 +102,5 @@ def _worker() -> Callable[[Any], Any]:
     return _given()
 
 
-def _work(item: Any) -> Any:  # noqa: ANN401 - whatever is spread
-    return _worker()(item)
+def _work(share: list[Any]) -> list[Any]:
+    return list(map(_worker(), share))

@@ -23,6 +23,24 @@ class RecipeRow:
 
 
 @dataclass(frozen=True)
+class RecipePageRow:
+    """A recipe as in a ``RecipeRow``, with its id."""
+
+    id: str
+    title: str
+    classes: list[tuple[str, bool]]
+    ingredients: list[tuple[str, str, str, str, str]]
+
+
+@dataclass(frozen=True)
+class RecipesUntilRow:
+    """How many recipes there are, and how many of them up to one."""
+
+    recipes: int
+    until: int
+
+
+@dataclass(frozen=True)
 class RecipeIdRow:
     """The id of one recipe."""
 

@@ -14,6 +14,7 @@ from itertools import islice
 
 import neo4j
 
+from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.collected import CalledFor, CollectedRecipe, UnderstoodRecipe
 from foon_kg.model.dish_classes import DishClass
 from foon_kg.model.errors import UsageError
@@ -21,7 +22,7 @@ from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.connection import Connection
-from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
+from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, RecipePageRow, RecipeRow, WantedFoodRow
 from foon_kg.store.graph.schema import prepare_for_writing
 from foon_kg.store.graph.statements import ask
 
@@ -63,6 +64,15 @@ class StoredRecipe:
     title: str
     dish_classes: tuple[DishClass, ...]
     ingredients: tuple[CalledFor, ...]
+
+    def asked(self, dish_type: str = "") -> Recipe:
+        """Answer what is to be planned: as the given dish type, else as its sure one, else as any."""
+        return Recipe(
+            dish_type or next((dish.name for dish in self.dish_classes if dish.sure), ""),
+            tuple(RequiredIngredient(called.object, called.state) for called in self.ingredients),
+            self.id,
+            self.title or None,
+        )
 
 
 def prepare_for_recipes(connection: Connection, kitchen: Kitchen | None = None) -> None:
@@ -142,7 +152,34 @@ def stored_recipe(connection: Connection, recipe_id: str) -> StoredRecipe:
     if not rows:
         hint = "foon recipes --sample 5 shows some; foon load recipes PATH loads more."
         raise UsageError(f"the graph has no recipe “{recipe_id}”", hint=hint)
-    row = rows[0]
+    return _stored(recipe_id, rows[0])
+
+
+def recipes_after(connection: Connection, last: str = "", dish_type: str = "") -> Iterator[StoredRecipe]:
+    """Yield the recipes behind the id ``last``, by their ids: those that surely are a ``dish_type``, of all for ``""``.
+
+    They are read as they are asked for, some at a time.
+    """
+    rows: list[RecipePageRow] = []
+    while True:
+        after = rows[-1].id if rows else last
+        with connection.session() as session:
+            rows = session.execute_read(
+                ask, cypher.RECIPE_PAGE, after=after, dish_type=dish_type, most=RECIPES_PER_TRANSACTION
+            )
+        if not rows:
+            return
+        yield from (_stored(row.id, row) for row in rows)
+
+
+def recipes_until(connection: Connection, last: str, dish_type: str = "") -> tuple[int, int]:
+    """Answer how many recipes there are, and how many of them have an id up to ``last``."""
+    with connection.session() as session:
+        (row,) = session.execute_read(ask, cypher.RECIPES_UNTIL, last=last, dish_type=dish_type)
+    return row.recipes, row.until
+
+
+def _stored(recipe_id: str, row: RecipeRow | RecipePageRow) -> StoredRecipe:
     classes = tuple(DishClass(name, sure=sure) for name, sure in sorted(row.classes, key=lambda c: (not c[1], c[0])))
     return StoredRecipe(recipe_id, row.title, classes, tuple(CalledFor(*called) for called in row.ingredients))
 

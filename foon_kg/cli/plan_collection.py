@@ -1,0 +1,131 @@
+"""``foon plan --recipes``: a whole collection of the graph planned into a file, on all cores, and gone on with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from foon_kg.cli.answer_file import exit_code_of, value_of
+from foon_kg.cli.blocks import adding, form_of, whole_blocks
+from foon_kg.cli.console import Say, json_line, progress_bar
+from foon_kg.model import DISH_TYPES
+from foon_kg.model.errors import UsageError
+
+if TYPE_CHECKING:
+    from foon_kg.planning.batch import Answer, Question
+    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.snapshot import Snapshot
+
+ALL = "all"
+
+
+@dataclass(frozen=True)
+class CollectionRun:
+    """Where the plans go and where the FOON comes from, in how many processes, and to whom what is said."""
+
+    output: Path | None
+    files: Sequence[Path] | None
+    jobs: int | None
+    say: Say
+    quiet: bool
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a file holds already: so many plans, the last for the recipe ``last``, in so many bytes; its exit code."""
+
+    count: int = 0
+    last: str = ""
+    size: int = 0
+    code: int = 0
+
+
+def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, run: CollectionRun) -> int:
+    """Plan all recipes of the graph, or those that surely are the dish type ``which``; return the exit code.
+
+    What is in the file already stays; recipes that were loaded among those it has are refused. Nothing is held of all
+    that is written: a collection may have millions of recipes.
+    """
+    from foon_kg.cli.kitchen import kitchen_of
+    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.foon import Foon
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.server import connection_settings
+
+    if run.output is None:
+        raise UsageError("a collection is planned into a file", hint="Name it: --output plans.jsonl.zst")
+    if which not in {ALL, *DISH_TYPES}:
+        raise UsageError(f"“{which}” is no dish type", hint=f"Say --recipes {ALL}, or one of {', '.join(DISH_TYPES)}.")
+    form_of(run.output)  # what it needs is missing now, and not when all is planned
+    dish_type = "" if which == ALL else which
+    with Connection(connection_settings(run.say)) as connection:
+        done, count = _still_ours(connection, dish_type, run)
+        if done.count:
+            run.say(f"{run.output} has {done.count} of {count} answers already")
+        if done.count == count:
+            return done.code
+        foon = whole_foon(run.files, run.say)
+        if kitchen is not None:
+            settings = replace(settings, kitchen=kitchen_of(kitchen, Foon(foon), run.say))
+        code = done.code
+        questions = _questions(connection, done.last, dish_type)
+        with _answering(questions, foon, settings, run.jobs) as answers, adding(run.output, done.size) as add:
+            for answer in answers if run.quiet else progress_bar(answers, count, done.count):
+                add(json_line(answer.outcome.to_json()))
+                code = max(code, 0 if answer.error is None else answer.error.exit_code)
+        return code
+
+
+def _questions(connection: Connection, last: str, dish_type: str) -> Iterator[Question]:
+    from foon_kg.planning.batch import Question
+    from foon_kg.store.graph.recipes import recipes_after
+
+    return (Question(given=one.asked(dish_type)) for one in recipes_after(connection, last, dish_type))
+
+
+def _answering(
+    questions: Iterable[Question], foon: Snapshot, settings: PlanSettings, jobs: int | None
+) -> AbstractContextManager[Iterable[Answer]]:
+    from foon_kg.planning.batch import Cook, answering, cores
+
+    processes = cores() if jobs is None else jobs
+    if processes > 1:
+        return answering(questions, foon, settings, foon.units, processes)
+    return nullcontext(map(Cook(foon, settings, foon.units).answer, questions))
+
+
+def _still_ours(connection: Connection, dish_type: str, run: CollectionRun) -> tuple[Done, int]:
+    """Return what the file holds and how many recipes there are; raises UsageError where it is of other recipes."""
+    from foon_kg.store.graph.recipes import recipes_until
+
+    output = run.output or Path()
+    found = [Done(), *_read(output)]
+    count, until = recipes_until(connection, found[-1].last, dish_type)
+    if not count:
+        raise UsageError("the graph has no such recipe", hint="Load some: foon load recipes PATH", code="empty")
+    if until != found[-1].count:
+        raise UsageError(
+            f"{output} has {found[-1].count} answers, and the graph {until} recipes up to the last of them",
+            hint="It is of another collection, or recipes were loaded since. Name another file, or take this one away.",
+        )
+    done = found[-1]
+    if done.count < count and len(found) > 1 and done.count - found[-2].count < form_of(output).lines:
+        done = found[-2]  # its last block gets full now
+    return done, count
+
+
+def _read(output: Path) -> Iterator[Done]:
+    """Yield what the file holds up to the end of each of its blocks; few of its lines are understood for it."""
+    done = Done()
+    for content, end in whole_blocks(output):
+        lines = content.splitlines()
+        here = done.count + len(lines)
+        failed = (value_of(output, here, line) for line in lines if b'"error"' in line)
+        recipe = value_of(output, here, lines[-1])["recipe"]
+        last = recipe.get("id") if isinstance(recipe, dict) else None
+        done = Done(here, str(last or ""), end, max(done.code, *map(exit_code_of, failed), 0))
+        yield done
