@@ -6,12 +6,20 @@ import contextlib
 import socket
 import threading
 from dataclasses import replace
-from enum import StrEnum
+from enum import IntEnum, StrEnum
 from urllib.parse import urlsplit
 
-HELLO_BYTES, PROPOSAL = 20, 4
+HELLO_BYTES, PROPOSAL, TAG = 20, 4, 3
 MANIFEST = bytes.fromhex("000001ff")
 """The proposal to agree on a version in more than one answer; without it one of four bytes says which it is."""
+
+
+class Says(IntEnum):
+    """Messages of a client by their tags."""
+
+    BEGIN = 0x11
+    RUN = 0x10
+    COMMIT = 0x12
 
 
 class Harm(StrEnum):
@@ -30,7 +38,7 @@ class Harm(StrEnum):
 class BoltProxy:
     """A Bolt server for one test: passes everything on to the one of ``settings`` but for one message.
 
-    ``seen`` counts the messages of all clients since :meth:`strike`; ``struck`` is set once the harm is done.
+    ``said`` has the tags of the messages of all clients since :meth:`strike`; ``struck`` is set once the harm is done.
     """
 
     def __init__(self, settings):
@@ -41,7 +49,7 @@ class BoltProxy:
         self.settings = replace(settings, uri=f"bolt://127.0.0.1:{port}")
         self._turn = threading.Lock()
         self._number, self._harm = 0, Harm.LOST
-        self.seen = 0
+        self.said = []
         self.struck, self._free = threading.Event(), threading.Event()
         self._sockets = []
         threading.Thread(target=self._accept, daemon=True).start()
@@ -49,7 +57,7 @@ class BoltProxy:
     def strike(self, number, harm):
         """Count from here on, and do ``harm`` to the message of that number."""
         with self._turn:
-            self._number, self._harm, self.seen = number, harm, 0
+            self._number, self._harm, self.said = number, harm, []
             self.struck.clear()
             self._free.clear()
 
@@ -74,11 +82,11 @@ class BoltProxy:
                 threading.Thread(target=one.to_server, daemon=True).start()
                 threading.Thread(target=one.to_client, daemon=True).start()
 
-    def harm_to_next(self):
+    def harm_to(self, message):
         """Count a message; return what is done to it."""
         with self._turn:
-            self.seen += 1
-            return self._harm if self.seen == self._number else None
+            self.said.append(message[TAG])
+            return self._harm if len(self.said) == self._number else None
 
     def wait(self):
         self.struck.set()
@@ -101,7 +109,7 @@ class _Connection:
 
     def _pass_on(self, message):
         """Do what is to be done to a message; return whether there is a connection afterwards."""
-        harm = self.proxy.harm_to_next()
+        harm = self.proxy.harm_to(message)
         if harm is Harm.HELD:
             self.proxy.wait()
         if harm in {Harm.UNANSWERED, Harm.HALF_ANSWERED}:

@@ -167,6 +167,6 @@ def whole_course(operation, straight, wire):
     before = whole_graph(straight)
     wire.strike(0, Harm.LOST)
     assert attempted(operation, wire.settings)
-    after, total = whole_graph(straight), wire.seen
+    after, total = whole_graph(straight), len(wire.said)
     assert before != after
     return before, after, total
