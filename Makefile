@@ -11,7 +11,9 @@ QUICK := "not neo4j and not shared_data and not slow"
 LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --upgrade --generate-hashes --no-annotate \
 	--no-header --quiet
 
-.PHONY: demo test test-quick check docs mutants lock clean
+SBOM := build/sbom.cdx.json
+
+.PHONY: demo test test-quick check campaign docs mutants lock sbom clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
@@ -30,6 +32,10 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
 
+campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: some 20 minutes
+	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n auto tests/campaign tests/crash tests/server/test_full_disk.py \
+		tests/server/test_questions_of_strangers.py tests/cli/test_full_disk.py tests/web/test_connections.py
+
 docs: $(INSTALLED_FOR_DOCS)  ## the documents as a site, in build/docs
 	$(BIN)/python docs/generate.py
 	$(BIN)/python -m sphinx -b html -W --keep-going -q docs build/docs
@@ -45,6 +51,18 @@ lock: $(INSTALLED)  ## write the requirements files anew from pyproject.toml, fo
 	$(LOCKED) --extra server --extra fast --group build --output-file requirements.txt
 	$(LOCKED) --extra dev --group build --constraint requirements.txt --output-file requirements-dev.txt
 	$(LOCKED) --extra docs --constraint requirements-dev.txt --output-file requirements-docs.txt
+
+# the tool has an environment of its own: what it needs is no part of foon-kg
+sbom: $(INSTALLED)  ## what foon-kg is made of: every pinned package and every jar of Neo4j, in build/sbom.cdx.json (CycloneDX)
+	$(PYTHON) -m venv build/sbom-tool
+	build/sbom-tool/bin/python -m pip install $(PIP_QUIETLY) 'cyclonedx-bom>=7,<8'
+	build/sbom-tool/bin/python -W ignore -m cyclonedx_py requirements requirements.txt --pyproject pyproject.toml \
+		--output-reproducible --spec-version 1.6 --output-format JSON --output-file $(SBOM)
+	$(BIN)/python -m foon_kg.store.server.sbom $(SBOM)
+	build/sbom-tool/bin/python -c "import sys; from pathlib import Path; \
+		from cyclonedx.schema import SchemaVersion; from cyclonedx.validation.json import JsonStrictValidator; \
+		sys.exit(JsonStrictValidator(SchemaVersion.V1_6).validate_str(Path('$(SBOM)').read_text()))"
+	@echo "$(SBOM)"
 
 clean:  ## take away the environment and everything that was built
 	rm -rf .venv build dist mutants .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info

@@ -17,6 +17,7 @@ from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Re
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
 from foon_kg.model.dish_classes import dish_classes
 from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_bytes
 
 _ENDING = ".lisp"
 _DEFINITIONS = ("defparameter", "defvar", "setf")
@@ -87,7 +88,7 @@ def read_muhai(paths: Iterable[Path]) -> Iterator[ReadResult]:
 def read_muhai_file(path: Path) -> ReadResult:
     """Return the units of the recipe in the file ``path``. Never raises."""
     try:
-        data = path.read_bytes()
+        data = read_bytes(path)
     except OSError as error:
         return Journal(str(path)).reject_unread(error)
     try:

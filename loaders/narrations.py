@@ -11,6 +11,7 @@ from foon_kg.loaders.narrated import NarratedFile
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, UnreadableFile
 from foon_kg.loaders.paths import decode
 from foon_kg.model.errors import ReadError
+from foon_kg.model.regular_files import read_bytes
 
 _ENDINGS = (".csv", ".json")
 _FORMS = "an EPIC-KITCHENS-100 table, ActivityNet Captions or YouCook2 JSON"
@@ -33,7 +34,7 @@ def is_narrated(path: Path) -> bool:
     if path.suffix.lower() == ".json":
         return is_captions(path)
     try:
-        return is_epic_kitchens(decode(path.read_bytes()))
+        return is_epic_kitchens(decode(read_bytes(path)))
     except (UnreadableFile, OSError):
         return False
 
@@ -54,7 +55,7 @@ def _read(path: Path) -> NarratedFile:
         return read_captions(path)
     journal, file = Journal(str(path)), str(path)
     try:
-        text = decode(path.read_bytes())
+        text = decode(read_bytes(path))
     except (UnreadableFile, OSError) as error:
         journal.reject_unread(error)
         return NarratedFile(file, (), journal.notices())

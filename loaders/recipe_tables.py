@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from io import TextIOWrapper
 from pathlib import Path
 from types import ModuleType
@@ -22,6 +23,9 @@ from foon_kg.loaders.recipe1m import Tell, count_problem
 from foon_kg.model.collected import CollectedLine, CollectedRecipe
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.regular_files import open_regular, read_bytes
+
+LONGEST_LINE = 16_000_000
+"""More characters than a recipe has."""
 
 _ROWS = 5_000
 _BETWEEN = re.compile(r"[\n|;]")
@@ -133,7 +137,9 @@ def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
     line = 0
     try:
         with TextIOWrapper(open_regular(path), encoding="utf-8-sig") as stream:
-            for line, text in enumerate(stream, start=1):
+            for line, text in enumerate(iter(partial(stream.readline, LONGEST_LINE), ""), start=1):
+                if len(text) >= LONGEST_LINE:
+                    raise ReadError(f"{path}:{line}: a line without end", hint="Each recipe is a line of its own.")
                 if text.strip():
                     yield line, _value(path, line, text.strip())
     except UnicodeDecodeError as error:
@@ -160,9 +166,12 @@ def _csv(path: Path) -> Iterator[tuple[int, object]]:
     pandas = _pandas()
     number = 0
     try:
-        with pandas.read_csv(
-            path, dtype=str, keep_default_na=False, chunksize=_ROWS, encoding="utf-8-sig", on_bad_lines="error"
-        ) as chunks:
+        with (
+            open_regular(path) as stream,
+            pandas.read_csv(
+                stream, dtype=str, keep_default_na=False, chunksize=_ROWS, encoding="utf-8-sig", on_bad_lines="error"
+            ) as chunks,
+        ):
             for chunk in chunks:
                 for row in chunk.to_dict("records"):
                     number += 1
@@ -196,7 +205,7 @@ def _parquet(path: Path) -> Iterator[tuple[int, object]]:
 
     number = 0
     try:
-        with parquet.ParquetFile(path) as table:
+        with open_regular(path) as stream, parquet.ParquetFile(stream) as table:
             for batch in table.iter_batches(batch_size=_ROWS):
                 for row in batch.to_pylist():
                     number += 1

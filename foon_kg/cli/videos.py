@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.model.errors import ReadError
 
 if TYPE_CHECKING:
     from foon_kg.model import Subgraph
@@ -43,6 +44,8 @@ def diff(
         if notice.severity is Severity.REJECTED:
             say(str(notice))
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
+    if not subgraphs:
+        raise ReadError(f"no video in {', '.join(map(str, paths))}", hint="The lines above say what is wrong with it.")
     found = found_differences(subgraphs, files, say)
     _show(found, units=units, as_json=as_json)
 
@@ -52,10 +55,10 @@ def found_differences(
 ) -> Sequence[VideoDifference]:
     """Answer what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
     if files:
-        from foon_kg.loaders import read_paths
+        from foon_kg.cli.knowledge import snapshot_of
         from foon_kg.plans.difference import differences as differences_in_memory
 
-        return differences_in_memory(subgraphs, [r.subgraph for r in read_paths(files) if r.subgraph is not None])
+        return differences_in_memory(subgraphs, snapshot_of(files, say).subgraphs)
     from foon_kg.store.graph import Connection
     from foon_kg.store.graph.differences import differences
     from foon_kg.store.server import connection_settings

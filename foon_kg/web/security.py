@@ -15,6 +15,7 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.model.regular_files import open_regular
 from foon_kg.web.limits import refuse
 
 POLICY = (
@@ -154,9 +155,9 @@ def token_from(path: Path) -> str:
 
 def _read_token(path: Path) -> str:
     try:
-        with path.open(encoding="utf-8") as file:
+        with open_regular(path) as file:
             mode = os.fstat(file.fileno()).st_mode
-            token = file.read(4096).strip()
+            token = file.read(4096).decode().strip()
     except (OSError, UnicodeDecodeError) as error:
         raise UsageError(f"{path} cannot be read as a token", hint="Name another file; it is made.") from error
     if os.name == "posix" and stat.S_IMODE(mode) & 0o077:

@@ -9,6 +9,7 @@ import pytest
 from kitchen_stories import SALAD, subgraph
 from server.live_server import up
 
+from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.model.errors import GraphError
 from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection, Neo4jGraph, load
@@ -22,7 +23,9 @@ pytestmark = [
 
 UNLIMITED = (resource.RLIM_INFINITY, resource.RLIM_INFINITY)
 BEFORE = subgraph("first", "salad", *SALAD[:4])
-MORE = subgraph("second", "salad", *SALAD)
+MORE = demo_subgraphs()
+SOME_ROOM = 20_000
+"""Bytes, fewer than a load of MORE writes: it is torn off in the middle."""
 
 
 def names(settings):
@@ -35,16 +38,17 @@ def test_a_full_disk_is_told_with_its_remedy_and_nothing_is_lost(place, monkeypa
     with Connection(settings) as connection:
         load(connection, [BEFORE])
     server = psutil.Process(place.recall().pid)
-    server.rlimit(psutil.RLIMIT_FSIZE, (4096, resource.RLIM_INFINITY))
+    log = max(path.stat().st_size for path in (place.root / "data" / "transactions" / "neo4j").iterdir())
+    server.rlimit(psutil.RLIMIT_FSIZE, (log + SOME_ROOM, resource.RLIM_INFINITY))
     with Connection(settings) as connection:
         for _ in range(2):  # what fails first, and whoever asks afterwards
             with pytest.raises(GraphError, match="could not write to its disk") as told:
-                load(connection, [MORE])
+                load(connection, MORE)
             assert told.value.code == "broken"
             assert "foon server stop" in told.value.hint
-        server.rlimit(psutil.RLIMIT_FSIZE, UNLIMITED)
+        server.rlimit(psutil.RLIMIT_FSIZE, UNLIMITED)  # there is room again, and somebody goes on asking
         with pytest.raises(GraphError, match="could not write to its disk"):
-            load(connection, [MORE])
+            load(connection, MORE)
     faults = [one for one in examine() if one.level is Level.FAULT]
     assert [one.subject for one in faults] == ["Neo4j"]
     assert "foon server stop" in faults[0].remedy
@@ -52,5 +56,5 @@ def test_a_full_disk_is_told_with_its_remedy_and_nothing_is_lost(place, monkeypa
     settings = up()
     assert names(settings) == {"first"}
     with Connection(settings) as connection:
-        load(connection, [MORE])
-    assert names(settings) == {"first", "second"}
+        load(connection, MORE)
+    assert names(settings) == {"first", *(one.name for one in MORE)}

@@ -11,6 +11,7 @@ import neo4j
 from neo4j import exceptions as driver_errors
 
 from foon_kg.model.errors import GraphError
+from foon_kg.store.server.disk import could_not_write
 from foon_kg.store.server.settings import ConnectionSettings
 
 _UNREACHABLE = (driver_errors.ServiceUnavailable, driver_errors.SessionExpired, driver_errors.ConnectionPoolError)
@@ -18,8 +19,6 @@ _SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "ne
 _ANSWER_SECONDS = 8.0
 """In which a Neo4j that is up lets a connection in."""
 _ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
-_UNWRITTEN = "Neo.DatabaseError.Transaction.TransactionLogError"
-_BROKEN = ("critical error, and needs to be restarted", "No space left on device", "File too large", "quota exceeded")
 _DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
 
 
@@ -104,16 +103,15 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
 
 def _refused(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> GraphError:
     """Return what an answer of the server means; after a full disk it answers nothing until it is started anew."""
-    message = error.message or ""
-    if error.code == _UNWRITTEN or any(words in message for words in _BROKEN):
+    if could_not_write(error.code, error.message):
         return GraphError(
             f"the Neo4j at {settings.uri} could not write to its disk, and answers nothing until it is started again",
-            hint="Make room where its data are, then restart it: foon server stop, and the next command starts "
-            "foon-kg's own. Nothing is lost of what was stored.",
+            hint="End it first (foon server stop; another with kill -9: an orderly end could still write, behind "
+            "what was torn off), then make room and start it. What was stored is there.",
             code="broken",
         )
     if error.code == _DATABASE_NOT_FOUND:
         hint = f"There is no database “{settings.database}”: check NEO4J_DATABASE."
     else:
         hint = "See the log of the database."
-    return GraphError(f"{settings.uri}: {message}", hint=hint)
+    return GraphError(f"{settings.uri}: {error.message}", hint=hint)

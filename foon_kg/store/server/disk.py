@@ -8,6 +8,9 @@ from contextlib import contextmanager
 from foon_kg.model.errors import ServerError
 from foon_kg.model.written_files import NO_ROOM
 
+_UNWRITTEN = "Neo.DatabaseError.Transaction.TransactionLogError"
+_BROKEN = ("critical error, and needs to be restarted", "No space left on device", "File too large", "quota exceeded")
+
 
 @contextmanager
 def explain_os_error(doing: str) -> Iterator[None]:
@@ -31,3 +34,8 @@ def no_room(doing: str) -> ServerError:
         hint="free 1 GB and start again, or let FOON_KG_HOME (data) and FOON_KG_CACHE (jars) name folders elsewhere",
         code="no-space",
     )
+
+
+def could_not_write(code: str | None, message: str | None) -> bool:
+    """Say whether a Neo4j with this answer has failed to write: then it answers nothing until it is started anew."""
+    return code == _UNWRITTEN or any(words in (message or "") for words in _BROKEN)

@@ -69,7 +69,12 @@ def stop_locked(place: Home, say: Say = silent) -> bool:
     running = processes.find(place, known)
     if running:
         say(f"stopping the local Neo4j (process {running.pid})")
-        processes.end(running)
+        if known and known.port and processes.has_failed_to_write(settings_of(place, known.port)):
+            processes.end_at_once(
+                running
+            )  # in order it would write on behind what was torn off: nobody could read that
+        else:
+            processes.end(running)
     if known:
         place.remember(replace(known, pid=None))
     return running is not None

@@ -11,13 +11,14 @@ from pathlib import Path
 import psutil
 
 from foon_kg.model.errors import ServerError
-from foon_kg.store.server.disk import explain_os_error, no_room
+from foon_kg.store.server.disk import could_not_write, explain_os_error, no_room
 from foon_kg.store.server.home import Home, Memory
 from foon_kg.store.server.reach import HOST
 from foon_kg.store.server.settings import ConnectionSettings
 
 ANSWER_SECONDS = 180
 STOP_SECONDS = 60
+ASKING_SECONDS = 5
 POLL_SECONDS = 0.05
 BOLT_ANSWER = 4  # bytes of the version chosen
 BOLT_HELLO = bytes.fromhex("6060b017 00000405 00000000 00000000 00000000")
@@ -157,6 +158,38 @@ def port_taken(port: int) -> ServerError:
         hint="name another one: foon server start --port NUMBER",
         code="port",
     )
+
+
+def has_failed_to_write(settings: ConnectionSettings) -> bool:
+    """Say whether the database answers nothing any more since its disk was full."""
+    import neo4j  # noqa: PLC0415 - slow to import
+    from neo4j.exceptions import DriverError, Neo4jError  # noqa: PLC0415 - the same
+
+    if not speaks_bolt(int(settings.uri.rpartition(":")[2])):
+        return False
+    auth = (settings.user, settings.password)
+    try:
+        with (
+            neo4j.GraphDatabase.driver(
+                settings.uri, auth=auth, connection_acquisition_timeout=ASKING_SECONDS
+            ) as driver,
+            driver.session(database=settings.database) as session,
+        ):
+            session.run("RETURN 1").consume()
+    except Neo4jError as error:
+        return could_not_write(error.code, error.message)
+    except DriverError:
+        return False
+    return False
+
+
+def end_at_once(process: psutil.Process) -> None:
+    """End the process without another word of it; Neo4j recovers from that at its next start."""
+    try:
+        process.kill()
+        process.wait(STOP_SECONDS)
+    except psutil.NoSuchProcess:
+        return
 
 
 def end(process: psutil.Process) -> None:

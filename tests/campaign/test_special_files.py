@@ -1,0 +1,120 @@
+"""What is no file, has nothing in it or too much: every command that reads one says so, names it, and ends."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from campaign.reading_commands import GOOD, ONLY_WRITES, READS, RECIPE
+from typer.main import get_command
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.demo import demo_folder
+
+pytestmark = pytest.mark.slow
+
+ENDINGS = sorted({f".{word.partition('.')[2]}" for words in READS.values() for word in words if word.startswith("@")})
+PROGRAM = Path(__file__).with_name("reading_commands.py")
+HUGE = 300_000_000_000
+A_HANG = 400
+"""Seconds: all commands together take some twenty."""
+
+
+def pipe(path):
+    os.mkfifo(path)
+
+
+def bound_socket(path):
+    with socket.socket(socket.AF_UNIX) as one:
+        one.bind(str(path))
+
+
+def huge(path):
+    path.touch()
+    os.truncate(path, HUGE)
+
+
+KINDS = {
+    "a pipe": pipe,
+    "a socket": bound_socket,
+    "a device without end": lambda path: path.symlink_to("/dev/zero"),
+    "a link to itself": lambda path: path.symlink_to(path),
+    "a link to nothing": lambda path: path.symlink_to(path.with_name("nothing")),
+    "more than anybody has": huge,
+    "no text": lambda path: path.write_bytes(bytes(range(256)) * 40),
+    "a folder": lambda path: path.mkdir(),
+    "an empty file": lambda path: path.touch(),
+}
+MAY_BE_RIGHT = {"a folder", "an empty file"}
+"""Nothing is in them: some commands take that for an answer."""
+
+BEGUN_ANEW = {"a link to nothing", "an empty file"}
+"""Files of answers that are as good as none: -o writes them."""
+
+
+@pytest.fixture
+def good(tmp_path):
+    """Files beside the special one with which nothing is wrong."""
+    folder = tmp_path / "good"
+    folder.mkdir()
+    plan = CliRunner().invoke(app, ["plan", RECIPE, "--json", "--files", str(demo_folder())])
+    (folder / GOOD["PLAN"]).write_text(plan.stdout, encoding="utf-8")
+    (folder / GOOD["TEXT"]).write_text("Chop the onion.\nFry it.\n", encoding="utf-8")
+    head = "start,end,motion,inputs,outputs,dish,confidence,doubt,said,source"
+    (folder / GOOD["DRAFT"]).write_text(
+        f"{head}\n0,1,chop,onion (whole);knife,onion (chopped),,0.5,,,\n", encoding="utf-8"
+    )
+    (folder / GOOD["NARRATED"]).write_text(
+        "narration_id,participant_id,video_id,narration_timestamp,start_timestamp,stop_timestamp,start_frame,stop_frame,"
+        "narration,verb,verb_class,noun,noun_class,all_nouns,all_noun_classes\n"
+        "P01_01_0,P01,P01_01,00:00:01.0,00:00:00.1,00:00:03.3,8,202,chop onion,chop,7,onion,16,['onion'],[16]\n"
+    )  # fmt: skip
+    return tmp_path
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_command_ends_and_names_the_file(good, kind):
+    for ending in ENDINGS:
+        KINDS[kind](good / f"special{ending}")
+    environment = {**os.environ, "NEO4J_URI": "bolt://127.0.0.1:1", "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run(
+        [sys.executable, str(PROGRAM), str(good)],
+        capture_output=True, text=True, check=False, timeout=A_HANG, env=environment, stdin=subprocess.DEVNULL,
+    )  # fmt: skip
+    told = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(told) == len(READS), done.stderr[-3000:]
+    wrong = [
+        one
+        for one in told
+        if one["failed"] != "None"
+        or (one["code"] == 0 and kind not in MAY_BE_RIGHT and not (kind in BEGUN_ANEW and one["what"][1] == "-o"))
+        or (one["code"] != 0 and one["path"] not in one["output"])
+    ]
+    assert not wrong, json.dumps(wrong, indent=1)
+
+
+def commands(command, name=()):
+    inner = getattr(command, "commands", {})
+    if not inner:
+        yield " ".join(name), command.params
+    for word, one in inner.items():
+        yield from commands(one, (*name, word))
+
+
+def test_every_option_that_names_a_file_is_in_the_matrix():
+    there = {
+        (name, one.opts[-1])
+        for name, params in commands(get_command(app))
+        for one in params
+        if "Path" in str(one.type_descriptor)
+    }
+    assert there
+    assert {
+        (name, option) for name, option in there if option not in ONLY_WRITES and (name, option) not in ONLY_WRITES
+    } <= set(READS)
