@@ -54,12 +54,12 @@ class Command:
 DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
-    Command(("--help",), 35, 40, HEAVY),
+    Command(("--help",), 36, 40, HEAVY),
     Command(("cypher", "RETURN 1"), 20, 260, HEAVY | {"numpy"}),
     Command(("stats",), 26, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 50, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 166, 355, HEAVY),
+    Command(("plan", "--dish", "salad", "chopped onion"), 168, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 175, 230, HEAVY | {"neo4j", "psutil"}),
 )
 
