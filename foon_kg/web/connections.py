@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 from functools import partial
 from typing import Any
 
@@ -21,6 +22,9 @@ _TO_END = 5
 """Seconds that answers under way may take where the service ends."""
 
 
+_TURNS = itertools.count(1)
+
+
 class PatientProtocol(H11Protocol):
     """HTTP of uvicorn, which itself waits for a request without end.
 
@@ -36,7 +40,7 @@ class PatientProtocol(H11Protocol):
         self._limits = limits
         self._callers = callers
         self.caller: str | None = None
-        self.since = 0.0
+        self.since = 0
         self._too_late: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
@@ -59,6 +63,9 @@ class PatientProtocol(H11Protocol):
 
     def data_received(self, data: bytes) -> None:
         """Read what came; a request that is whole ends the wait for it."""
+        if len(self.connections) >= self._limits.connections:  # those that are being closed take nobody's room
+            closing = sum(one.transport.is_closing() for one in self.connections)
+            self.limit_concurrency = self._limits.connections + closing
         super().data_received(data)
         if not self.waits():
             self._stop_waiting()
@@ -75,7 +82,7 @@ class PatientProtocol(H11Protocol):
 
     def _wait_for_request(self) -> None:
         self._stop_waiting()
-        self.since = self.loop.time()
+        self.since = next(_TURNS)  # no time: many connections come within one turn of the loop
         self._too_late = self.loop.call_later(self._limits.asking, self.transport.abort)
 
     def _stop_waiting(self) -> None:
