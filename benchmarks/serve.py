@@ -150,7 +150,7 @@ def show(name: str, measured: Measured) -> None:
     print(
         f"{name:<14}{len(times):>6} questions{len(times) / measured.seconds:>8.1f} a second  median "
         f"{statistics.median(times):.0f} ms  95 % {times[int(len(times) * 0.95)]:.0f} ms  CPU "
-        f"{1000 * measured.planning / len(times):.1f} + {1000 * measured.serving / len(times):.1f} ms  ({statuses})"
+        f"{1000 * measured.planning / len(times):.1f} + {1000 * measured.serving / len(times):.2f} ms  ({statuses})"
     )
 
 
