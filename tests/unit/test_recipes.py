@@ -73,7 +73,7 @@ def test_a_state_and_a_food_are_told_apart(text, food, state):
     [
         ("olive oil", "olive oil", "liquid"),
         ("onions", "onion", "whole"),
-        ("stock", "stock", "whole"),
+        ("stock", "stock", "liquid"),
         ("dragon fruit", "dragon fruit", "whole"),
     ],
 )
