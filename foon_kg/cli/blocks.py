@@ -6,6 +6,7 @@ bytes, however often a run was stopped in between. Without compression a block i
 
 from __future__ import annotations
 
+import errno
 import gzip
 import zlib
 from collections.abc import Callable, Iterator
@@ -20,6 +21,9 @@ from foon_kg.model.written_files import writing
 
 LINES = 64
 """In a compressed block: what is lost at most when a run is killed."""
+
+MOST_OF_A_LINE = 64_000_000
+"""So many bytes no answer has."""
 
 _AT_ONCE = 1 << 20
 
@@ -115,10 +119,11 @@ def adding(path: Path, size: int) -> Iterator[Callable[[str], None]]:
 
 def _lines(file: BinaryIO) -> Iterator[tuple[bytes, int]]:
     end = 0
-    for line in file:
-        if line.endswith(b"\n"):
-            end += len(line)
-            yield line, end
+    while (line := file.readline(MOST_OF_A_LINE)).endswith(b"\n"):
+        end += len(line)
+        yield line, end
+    if len(line) == MOST_OF_A_LINE:
+        raise OSError(errno.EINVAL, f"line by line it holds no answers: one has over {MOST_OF_A_LINE // 1_000_000} MB")
 
 
 def _inflated(file: BinaryIO, inflating: Callable[[], Inflating]) -> Iterator[tuple[bytes, int]]:

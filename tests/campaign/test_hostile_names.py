@@ -112,6 +112,8 @@ def test_the_live_page_shows_hostile_names_as_words(wired):
         until("return around.textContent.length > 40")
         assert name in wired.execute_script("return around.textContent")
         touch_all(wired)
+        wired.execute_script("location.hash = ''")
+        until("return ingredient.offsetParent !== null")
         box = wired.find_element("id", "ingredient")
         wired.execute_script("dish.value = 'salad'")
         for food in (f"sliced {name}", "chopped onion"):

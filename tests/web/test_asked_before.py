@@ -37,7 +37,7 @@ def test_to_get_a_plan_answers_what_to_post_it_does(served):
 @pytest.mark.parametrize("ask", [get, post], ids=["GET", "POST"])
 def test_what_was_asked_before_is_told_again_without_being_understood(served, ask, monkeypatch):
     first = ask(served)
-    monkeypatch.setattr(FoonService, "ask", lambda *_: pytest.fail("it was asked again"))
+    monkeypatch.setattr(FoonService, "asked", lambda *_: pytest.fail("it was asked again"))
     again = ask(served)
     assert (again.status_code, again.content) == (200, first.content)
     assert again.headers == first.headers
@@ -75,9 +75,9 @@ def test_of_another_edition_it_is_asked_anew():
 def test_while_nobody_knows_the_edition_it_is_asked_anew(monkeypatch):
     foon = GrowingFoon(23)
     asked = []
-    ask = FoonService.ask
+    ask = FoonService.asked
     monkeypatch.setattr(
-        FoonService, "ask", lambda service, question: (asked.append(question), ask(service, question))[1]
+        FoonService, "asked", lambda service, question: (asked.append(question), ask(service, question))[1]
     )
     with TestClient(app(foon=foon), base_url="http://localhost") as client:
         get(client)
