@@ -595,6 +595,7 @@ class Preparer:
     def _way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
+        ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
         if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
             by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
             ways = by_hand or ways

@@ -154,3 +154,9 @@ def test_water_that_thins_what_a_video_mixes_does_not_come_without_it(steps):
 def test_potatoes_are_mashed_where_the_title_says_so_and_the_list_has_them_in_cubes(steps):
     told = steps("potatoes", "Garlic Mashed Potatoes", "potato:cubed", "garlic:clove", "cream:creamy", "butter:stick")
     assert with_food(told, "potato", {"mash"})
+
+
+def test_what_was_peeled_is_cut_by_a_motion_that_does_not_peel_it_again(steps):
+    told = steps("drinks", "Mango Smoothie", "mango:cubed", "orange juice:juice", "yogurt:creamy")
+    motions = [motion for inputs, motion, _ in told if "mango" in inputs and "knife" in inputs]
+    assert sum("peel" in KNOWN.motion(motion).does for motion in motions) == 1
