@@ -121,7 +121,7 @@ def test_the_graph_is_as_before_or_as_after(empty_graph, name):
     harms = [harm for harm in Harm if harm is not Harm.HELD]
     with Connection(empty_graph) as straight, BoltProxy(empty_graph) as wire:
         before, after, total = whole_course(operation, straight, wire)
-        ends = set()
+        ends, struck = set(), []
         for number in numbers(total):
             for harm in harms if WHOLE_CAMPAIGN and name != "load and replace" else [harms[number % len(harms)]]:
                 operation.begin(straight)
@@ -132,7 +132,9 @@ def test_the_graph_is_as_before_or_as_after(empty_graph, name):
                 # what is only remembered to be quicker may be forgotten, and nobody is told
                 assert now == after or not done or name == "remember", f"lost, after message {number} was {harm}"
                 ends.add(now == after)
-        assert wire.struck.is_set()
+                struck.append(wire.struck.is_set())
+        assert all(struck[:-3])  # who leaves without a word, or forgets to be quicker, says a few messages less
+        assert sum(struck) > len(struck) - 3
         assert ends == {True, False} or not WHOLE_CAMPAIGN
         operation.begin(straight)
         assert attempted(operation, empty_graph)
@@ -145,7 +147,7 @@ def test_who_reads_meanwhile_sees_what_was_before(empty_graph, name):
     operation = OPERATIONS[name]
     with Connection(empty_graph) as straight, BoltProxy(empty_graph) as wire:
         before, after, total = whole_course(operation, straight, wire)
-        for number in numbers(total)[:: 3 if WHOLE_CAMPAIGN else 1]:
+        for number in numbers(total - 2)[:: 3 if WHOLE_CAMPAIGN else 1]:  # the last ones are not said every time
             operation.begin(straight)
             wire.strike(number, Harm.HELD)
             doing = threading.Thread(target=attempted, args=(operation, wire.settings))
