@@ -159,11 +159,11 @@ class Worker:
         return row is not None and "lift" in row.can
 
     def _take_out(self, vessel: Vessel, whole: Stuff, want: Want, attested: Attested) -> None:
-        plate, heads = self.bench.vessel("plate"), {want.label}
+        plate = self.bench.vessel("plate")
         part = Stuff(want.label, self.bench.number(), ("cooked",), (want.label,), frozenset(), plate)
 
         def change() -> None:
-            whole.foods = tuple(food for food in whole.foods if food not in heads)
+            whole.foods = tuple(food for food in whole.foods if food != want.label)
             whole.wants -= {want.number}
             plate.contents.append(part)
 
