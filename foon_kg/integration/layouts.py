@@ -83,7 +83,7 @@ class Place:
     main: bool = False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Layout:
     """A frame as places: worked out once, whatever is asked.
 

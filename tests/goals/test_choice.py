@@ -13,15 +13,11 @@ from integration.school import SALAD
 from integration.told import Likes, snapshot_of
 
 from foon_kg.food import tables
-from foon_kg.goals.choice import (
-    MOST_FITTED,
-    fits,
-    missing_core,
-    named_alike,
-    refusals,
-    shortlisted,
-    weight,
-)
+from foon_kg.goals.asked import Asked, weight
+from foon_kg.goals.choice import MOST_FITTED, fits, refusals, shortlisted
+from foon_kg.goals.names import named_alike
+from foon_kg.goals.recorded import recorded
+from foon_kg.goals.score import missing_core
 from foon_kg.integration.outlines import Outline, Outlines, closing_heat
 from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import wants_of
@@ -40,7 +36,7 @@ def wants(**foods):
 
 
 def chosen(asked, dish_type, title="", layouts=LAYOUTS):
-    return fits(layouts, asked, dish_type, title, Matcher(METHODS.posts, LIKES.alike))
+    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.posts, LIKES.alike))
 
 
 def layout(video):
@@ -79,7 +75,8 @@ def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food
 
 def test_of_equally_like_foods_the_first_is_the_place():
     both = Likes({("kohlrabi", "onion"): 0.9, ("kohlrabi", "potato"): 0.9})
-    (best,) = fits([layout("forgetful_soup")], wants(kohlrabi="diced"), "soup", "", Matcher(METHODS.posts, both.alike))
+    asked = Asked(wants(kohlrabi="diced"), "soup", "", KNOWN)
+    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.posts, both.alike))
     assert [slot.food for slot in layout("forgetful_soup").frame.line.all_slots()].index("potato") == 1
     assert best.joins[0].slot.food == "potato"
 
@@ -145,8 +142,9 @@ def test_what_defines_a_dish_is_asked_of_type_and_title():
 
 
 def test_a_goal_promises_what_its_name_says():
-    assert missing_core(layout("tomato_sandwich").frame, wants(salt="granulated"), KNOWN)
-    assert missing_core(layout("tomato_sandwich").frame, wants(bread="sliced"), KNOWN) == ()
+    sandwich = recorded(layout("tomato_sandwich"), KNOWN)
+    assert missing_core(sandwich, Asked(wants(salt="granulated"), "sandwich", "", KNOWN))
+    assert missing_core(sandwich, Asked(wants(bread="sliced"), "sandwich", "", KNOWN)) == ()
 
 
 @pytest.mark.parametrize(
@@ -173,7 +171,7 @@ def test_what_a_dish_is_built_on_weighs_most_and_what_seasons_least():
 
 
 def test_the_shortlist_has_the_type_first_and_no_dish_that_ends_otherwise():
-    keys = shortlisted(Outlines(OUTLINES), SOUP, "soup", "", known=KNOWN, likes=LIKES)
+    keys = shortlisted(Outlines(OUTLINES), Asked(SOUP, "soup", "", KNOWN), LIKES)
     found = [next(one for one in OUTLINES if one.key == key) for key in keys]
     assert found[0].dish_type == "soup"
     ends = next(one.ends for one in OUTLINES if one.dish_type == "soup")
@@ -194,6 +192,5 @@ def test_the_order_of_frames_does_not_matter(chance: random.Random, dish_type):
     for asked in (SOUP, CAKE):
         assert chosen(asked, dish_type, "", shuffled) == chosen(asked, dish_type)
         outlines = Outlines(chance.sample(OUTLINES, len(OUTLINES)))
-        assert shortlisted(outlines, asked, dish_type, "", known=KNOWN, likes=LIKES) == shortlisted(
-            Outlines(OUTLINES), asked, dish_type, "", known=KNOWN, likes=LIKES
-        )
+        question = Asked(asked, dish_type, "", KNOWN)
+        assert shortlisted(outlines, question, LIKES) == shortlisted(Outlines(OUTLINES), question, LIKES)
