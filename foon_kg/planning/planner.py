@@ -37,6 +37,7 @@ from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
+from foon_kg.integration.rubbed import rubbed
 from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
@@ -403,7 +404,9 @@ def _put_together(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
-    made, found = lined(line, joins, told)
+    made, found = rubbed(line, joins, told, known)
+    if made is line:
+        made, found = lined(line, joins, told)
     if made is not line:
         return made, found
     if is_formed(dishes):
