@@ -170,7 +170,8 @@ class Tables:
                     name = " ".join(own[start : start + length])
                     if name in self.dishes and not any(name in other for other in found):
                         found[name] = self.dishes[name]
-        return tuple(found.values())
+        no = frozenset().union(*(dish.is_no for dish in found.values()))
+        return tuple(dish for name, dish in found.items() if name not in no)
 
 
 def tables() -> Tables:

@@ -43,7 +43,7 @@ def _against_work(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterat
 def _against_heat(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:
     if asked.stacked and dish.heats_base_alone:
         yield f"what it is laid on is heated by itself in {dish.label}"
-    if dish.bakes and (asked.unbaked or asked.in_a_pan):
+    if dish.bakes and (asked.unbaked or asked.flat or asked.in_a_pan):
         yield f"it is not to be baked, and {dish.label} is"
     if asked.unbaked:
         return

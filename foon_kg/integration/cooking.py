@@ -430,7 +430,9 @@ class Cooking:
 
     def _water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
-        if not any(slot.food == "water" for slot in stage.slots) or stage.does.isdisjoint(WORKS):
+        taken = [join.slot for join in self.plan.joins if join.slot is not None]
+        free = (slot for slot in stage.slots if not any(slot is one for one in taken))
+        if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
@@ -466,6 +468,8 @@ class Cooking:
             self._into_device(vessel, device, relation)
         if vessel.device is not None and not self.bench.is_running(vessel) and vessel.device.label == device:
             self._heat_on(vessel)
+        if "turn" in stage.does:
+            self.work.cook_first_side(vessel)
         attested = self.work.way(stage, vessel)
         if attested is None:
             return

@@ -35,7 +35,7 @@ def parts_of(
 
     ``repeated`` are the names that a recipe lists twice: what of them belongs to a part is a second portion.
     """
-    if not any(dish.tin for dish in known.dishes_named(dish_type)):
+    if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
         return tuple(wants), ()
     found: tuple[Part, ...] = ()
     if is_of_dough(wants):

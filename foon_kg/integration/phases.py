@@ -245,6 +245,8 @@ class _Phaser:
         if self._strains(line.stages[-1]):
             return _SOON if bath else _WET
         facts = [join.want.facts for join in self._foods(line)]
+        if bath and self.plan.one_pot and any("shape" in stage.does for stage in line.stages):
+            return _SOON  # whoever stirs raw balls with the vegetables has none
         if any(one.is_a(*word_list("is flesh")) for one in facts):
             return _FRIED
         order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)

@@ -140,6 +140,19 @@ class Worker:
 
         self.bench.emit(attested, [vessel, (device, vessel), *stuffs], change, [vessel, *stuffs])
 
+    def cook_first_side(self, vessel: Vessel) -> None:
+        """Cook on one side what runs and lies in a pan over the heat: before that nobody can turn it over."""
+        half = {state for stuff in vessel.contents for state in stuff.states if self.known.state(state).half}
+        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        done = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
+        if vessel.device is None or vessel.relation != "on" or len(mixed) != 1 or half or done:
+            return
+        ways = [way for way in self.bench.operators.ways.get("heat", ()) if self.known.motion(way[0]).does == {"heat"}]
+        ways = [way for way in ways if "cooked" in self.known.motion(way[0]).gives]
+        attested = self.bench.attest(ways, foods_of(vessel))
+        if attested is not None:
+            self.bench.work(vessel, attested, mixed[0].label, ("partly cooked",))
+
     def take_out(self, vessel: Vessel) -> None:
         """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how."""
         inside = {number for stuff in vessel.contents for number in stuff.wants}

@@ -27,6 +27,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
+from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
 from foon_kg.integration.lined import lined, topped
 from foon_kg.integration.mashed import mashed_only
@@ -38,6 +39,7 @@ from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
+from foon_kg.integration.rubbed import rubbed
 from foon_kg.integration.smeared import smeared_and_baked
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
@@ -251,6 +253,7 @@ class _Question:
         tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
+        own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         told = frozenset((*asked.type_words, *asked.told))
@@ -260,7 +263,7 @@ class _Question:
         if made is not line:
             line, joins = made, found
         else:
-            line, joins = _put_together(line, joins, named, told, self.known, baked=asked.baked)
+            line, joins = _put_together(line, joins, named, told, self.known, frame.goal.label, baked=asked.baked)
         if is_folded(joins, asked.told if asked.title else fit.dish.words):
             line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
@@ -277,6 +280,8 @@ class _Question:
         elif one_pot:
             line, joins = stewed(joins)
         stacked = asked.stacked
+        if is_formed(named):
+            line, joins = formed_within(line, joins, self.known)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
             stacked=stacked,
@@ -390,13 +395,19 @@ def _made_as(dish_type: str, title: str, known: Tables) -> str:
 
 
 def _put_together(
-    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables, *, baked: bool
+    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables, goal: str, *, baked: bool
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
-    made, found = lined(line, joins, told)
+    made, found = rubbed(line, joins, told, known)
+    if made is line:
+        made, found = lined(line, joins, told)
     if made is not line:
         return made, found
+    if is_formed(dishes):
+        made, found = formed(line, joins, told, known, goal, baked=baked)
+        if made is not line:
+            return made, found
     if is_never_heated(dishes, joins, known):
         line, joins = unheated(line, joins)
     if any(dish.mashed for dish in dishes):
