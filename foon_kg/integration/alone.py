@@ -96,6 +96,8 @@ class Alone:
         due = {"cook", "boil"} & owed(want, self.known)
         if not due and not want.cooked:
             return self._warmed_first(join)
+        if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
+            return tuple(sorted(word_list("is roasted by")))
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
         in_turn = in_turn and not self._is_cut_of_its_shell(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
@@ -213,6 +215,8 @@ class Alone:
         if self.is_fried_open(join.want):
             self._pan_cook(ready, method)
             return
+        if any("dry" in self.known.motion(motion).does for motion in method) and self._bake_alone(ready, method):
+            return
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
         liquid = (
             liquid
@@ -231,6 +235,29 @@ class Alone:
         elif liquid and self._is_eaten_cold(join):
             self.preparer.rinse(ready, "washed")
         self.preparer.cut_now(ready)
+
+    def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
+        """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""
+        bench, want = self.bench, ready.want
+        ways = [way for motion in method for way in bench.operators.ways_of(motion)]
+        attested = bench.attest(ways, want.names) or bench.far(ways, want.names)
+        if attested is None:
+            return False
+        oven, tray = bench.device("oven"), bench.vessel("baking tray")
+        bench.switch(None, oven, on=True)
+        self.carry.bring(ready, tray, None)
+        self.carry.add_fat(tray, self.plan)
+        device = bench.place(tray, oven.label, "in")
+        stuff, states = ready.stuff, self._cooked_states(ready.stuff, want, attested.way)
+
+        def change() -> None:
+            stuff.states = states
+            tray.hot = True
+
+        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, stuff])
+        bench.heat_off(tray)
+        self.preparer.cut_now(ready)
+        return True
 
     def _is_eaten_cold(self, join: Join) -> bool:
         """Whether a food is boiled for a cold dish, and is cooled under water for it."""

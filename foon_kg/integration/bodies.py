@@ -47,8 +47,11 @@ class _Body:
         self.known = known
         self.falls_apart = any(self._falls_apart(join) for join in joins)
         self.raw = raw = [join for join in joins if self._is_raw(join)]
+        shaped = not word_list("holds patties").isdisjoint(told)
         mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
-        self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
+        if shaped and not raw:
+            mass = [join for join in joins if join.want.facts.is_a(*word_list("patties are made of"))]
+        self.shaped = bool(mass) and shaped
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
         fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
         in_pieces = len(flesh) == 1 and not mass and self._is_cut(flesh[0]) and self._has_more_for_the_pan()

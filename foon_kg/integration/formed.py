@@ -9,7 +9,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
-from foon_kg.integration.frames import Line
+from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
 from foon_kg.integration.places import Join
 
@@ -34,17 +34,15 @@ def formed(
     part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
     if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
-    mix, shape, heat, turn, done, sauce, top = fresh(MIX, SHAPE, replace(COOK, label=goal), TURN, COOK, SIMMER, TOP)
+    mix, shape, heat, turn, done, sauce, top = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP)
+    heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
     wet = [join for join in joins if mass.is_sauce(join)]
     tops = [join for join in joins if mass.lies_on_it(join)]
     if baked and not wet:
-        oven = replace(BAKE, vessel="baking tray", relation="on")
-        stages = (mix, shape, oven)
-        heat = oven
+        heat = replace(BAKE, adds=heat.adds, vessel="baking tray", relation="on")
+        stages: tuple[Stage, ...] = (heat,)
     else:
-        stages = (mix, shape, heat, turn, done)
-    if wet:
-        stages = (*stages, sauce)
+        stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
     whole = Line((*stages, top))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]

@@ -9,6 +9,7 @@ from dataclasses import replace
 from foon_kg.food import singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.patterns import BAKE, LAID, MIX, STIR, fresh, put_at
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want
 
@@ -62,6 +63,26 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
         want = _hollow(join.want) if stuffed and join in holders else join.want
         found.append(Join(want, spot, min(join.fit, NATURAL), fried))
     return Line(stages), tuple(found)
+
+
+def rolled(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how thin bread is filled, rolled up, and baked under its sauce, where ``told`` call a dish so.
+
+    Nothing changes where no such bread is there, or nothing to fill it with.
+    """
+    bread = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
+    over = [join for join in joins if join.want.facts.is_a(*word_list("is baked on what is rolled"))]
+    tops = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), "soured dairy")]
+    tops = [join for join in tops if join not in over]
+    inside = [join for join in joins if join not in (*bread, *over, *tops)]
+    if len(bread) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
+        return line, tuple(joins)
+    raw = any(_is_raw(join) for join in inside)
+    mix, laid, bake, top = fresh(STIR if raw else MIX, replace(LAID, vessel="plate", relation="on"), BAKE, LAID)
+    roll = replace(laid, adds=(Line((mix,)),), motion="roll", does=frozenset({"shape"}))
+    places = [(bread, laid), (over, bake), (tops, top)]
+    stages = (laid, roll, bake, top) if tops else (laid, roll, bake)
+    return put_at(Line(stages), joins, lambda join: next((stage for some, stage in places if join in some), mix))
 
 
 def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:

@@ -7,7 +7,7 @@ taken from the operators of the FOON. What no operator does is assumed to have b
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular, words
@@ -64,7 +64,7 @@ class Want:
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
-    ``foamed``: it is a liquid that is whipped.
+    ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven.
     """
 
     number: int
@@ -81,6 +81,7 @@ class Want:
     then: str = ""
     at_hand: bool = False
     foamed: bool = False
+    roasted: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -116,9 +117,10 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     mash = word_list("is mash")
     if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
         return replace(want, then=min(word_list("is mashed so")))
-    for before, word in itertools.pairwise(told):
-        if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
+    for before in _before_it(want, told):
+        if before not in known.states or before in {want.asked, *want.leaf}:
             continue
+        word = heads[0]
         dish = known.dishes.get(f"{before} {word}")
         if dish is not None and not dish.mashed:
             continue  # grilled cheese is a sandwich
@@ -126,10 +128,23 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
         if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in want.facts.owes:
-            return replace(want, cooked=True)
+            return replace(want, cooked=True, roasted=before in word_list("is roasted"))
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want
+
+
+def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
+    """Yield the words of a title before the name of a food: of its words the last is enough (chicken for its breast)."""
+    own = words(want.label)
+    for place, word in enumerate(told):
+        if word not in own[-1:]:
+            continue
+        first = place
+        while first and told[first - 1] in own[:-1]:
+            first -= 1
+        if first:
+            yield told[first - 1]
 
 
 def _cut_by_name(want: Want) -> Want:
@@ -393,8 +408,9 @@ class Preparer:
         asked = ready.want.asked
         drained = asked and self.known.state(asked).earns == _FROM_A_CAN
         states = (*ready.stuff.states, asked) if drained else None
-        ways = [("pour", ()), ("drain", ())]
-        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        ways: list[Way] = [("drain", ()), ("pour", ())] if drained else [("pour", ()), ("drain", ())]
+        foods = ready.want.names
+        attested = self.bench.attest(ways[:1], foods) or self.bench.attest(ways, foods) or self.bench.far(ways, foods)
         if attested is not None:
             self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
 
@@ -596,6 +612,10 @@ class Preparer:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        if state in word_list("is pulled apart by hand"):
+            pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
+            pulls = [way for way in pulls if not way[1]]
+            return self.bench.attest(pulls, want.names, act=True) or self.bench.far(pulls, want.names, act=True)
         if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
             by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
             ways = by_hand or ways

@@ -19,7 +19,7 @@ from importlib.resources import files
 from multiprocessing import get_context
 from typing import Any, Self
 
-from foon_kg.language.line_words import RecipeLine, is_another_food, split_name, states_of
+from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.model.errors import FoonError, UsageError
 
@@ -130,7 +130,7 @@ def _parse(text: str) -> RecipeLine:
     prepared, unread = states_of(preparation)
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
     states = tuple(dict.fromkeys((*in_name, *prepared)))
-    return RecipeLine(
+    answer = RecipeLine(
         text,
         name,
         state=states[-1] if states else "",
@@ -142,6 +142,7 @@ def _parse(text: str) -> RecipeLine:
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
+    return as_bought(answer)
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

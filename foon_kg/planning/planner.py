@@ -29,13 +29,13 @@ from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
-from foon_kg.integration.lined import lined, topped
+from foon_kg.integration.lined import lined, rolled, topped
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.portions import in_portions, roasted
-from foon_kg.integration.pots import is_never_heated, unheated, unmixed
+from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
@@ -271,6 +271,7 @@ class _Question:
         if dish_type in word_list("is drunk"):
             line, joins = garnished(*stirred(line, joins), told)
         line, joins = unmixed(line, joins)
+        joins = fat_in_the_heat(joins)
         if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
@@ -400,6 +401,8 @@ def _put_together(
     """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
     joins = tuple(joins)
     made, found = rubbed(line, joins, told, known)
+    if made is line:
+        made, found = rolled(line, joins, told)
     if made is line:
         made, found = lined(line, joins, told)
     if made is not line:
