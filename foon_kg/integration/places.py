@@ -17,6 +17,7 @@ from foon_kg.integration.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.frames import Frame, Slot
 from foon_kg.integration.layouts import MAIN, Layout, Place, Post, Spot, is_need, only_carries, spots_of
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.model.recent import Recent
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
@@ -228,14 +229,23 @@ def _where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     return [replace(join, spot=last) if join in cold else join for join in joins]
 
 
+_MOST_JOINERS, _MOST_JOINED = 1024, 256
+"""For how many foods it is kept where they join, and in how many dishes."""
+
+
 class Joiner:
-    """A food of a recipe, and what of it decides where it joins a dish: looked up once for all dishes."""
+    """A food, and what of it decides where it joins a dish: looked up once for all dishes and recipes.
+
+    ``fits`` says how well it takes the place of others, ``joined`` where it joins the dishes it was compared with.
+    """
 
     def __init__(self, want: Want, known: Tables) -> None:
         is_a, facts = want.facts.is_a, want.facts
         self.want = want
         self.name = singular(want.label)
         self.fits: dict[tuple[str, str], float] = {}
+        self.needs: dict[str, frozenset[str]] = {}
+        self.joined: Recent[tuple[Layout, bool], Join] = Recent(_MOST_JOINED)
         self.main = is_a(*MAIN)
         self.runs = is_a("liquid", "water", "creamy", "frozen")
         self.fat = is_a("fat")
@@ -261,22 +271,48 @@ class Joiner:
         return Join(self.want, spot, NATURAL - 0.01)
 
 
-class Matcher:
-    """Finds where the foods of one recipe join.
+class Joiners:
+    """The foods of late recipes: a recipe has few that no other one has.
 
-    ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1).
+    It serves recipes whose foods are alike the foods of the dishes in the same way: those that ask one FOON.
     """
 
-    def __init__(self, posts: Posts, like: Callable[[str, str], float]) -> None:
+    def __init__(self) -> None:
+        self._kept: Recent[tuple[Want, frozenset[str]], Joiner] = Recent(_MOST_JOINERS)
+
+    def of(self, wants: Sequence[Want], known: Tables) -> dict[int, Joiner]:
+        """Return the foods of a recipe by their numbers. Of one name with two meanings each counts for both."""
+        meant: defaultdict[str, set[str]] = defaultdict(set)
+        for want in wants:
+            meant[singular(want.label)].add(want.facts.taken_for)
+        found = {}
+        for want in wants:
+            key = replace(want, number=0), frozenset(meant[singular(want.label)])
+            joiner = self._kept.find(key)
+            if joiner is None:
+                joiner = self._kept[key] = Joiner(want, known)
+            found[want.number] = joiner
+        return found
+
+
+class Matcher:
+    """Finds where the foods of one recipe, ``wants``, join.
+
+    ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1). ``joiners`` keeps what is found
+    for recipes with the same foods and likes.
+    """
+
+    def __init__(
+        self, posts: Posts, like: Callable[[str, str], float], wants: Sequence[Want], joiners: Joiners | None = None
+    ) -> None:
         self.posts = posts
         self.known = posts.known
         self.like = like
-        self._joiners: dict[int, Joiner] = {}
-        self._needs: dict[tuple[int, str], frozenset[str]] = {}
+        self._joiners = (joiners or Joiners()).of(wants, self.known)
 
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
-        found = [self._join(layout, self._joiner(want), stacked=stacked) for want in wants]
+        found = [self._kept_join(layout, want, stacked=stacked) for want in wants]
         if stacked:
             found = _where_it_is_stacked(layout, found)
         found = [_in_its_layer(layout, join) for join in _on_ready_dough(layout, found)]
@@ -285,11 +321,12 @@ class Matcher:
             return joins
         return tuple(as_batter(layout.batter, joins, self.known))
 
-    def _joiner(self, want: Want) -> Joiner:
-        found = self._joiners.get(want.number)
+    def _kept_join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
+        food = self._joiners[want.number]
+        found = food.joined.find((layout, stacked))
         if found is None:
-            found = self._joiners[want.number] = Joiner(want, self.known)
-        return found
+            found = food.joined[layout, stacked] = self._join(layout, food, stacked=stacked)
+        return Join(want, found.spot, found.fit, found.slot)
 
     def _join(self, layout: Layout, food: Joiner, *, stacked: bool) -> Join:
         want = food.want
@@ -342,7 +379,7 @@ class Matcher:
         want, dish_type = food.want, layout.frame.dish_type
         found: Place | None = None
         most = NATURAL - 1e-9
-        needs = self._needs_of(want, dish_type)
+        needs = self._needs_of(food, dish_type)
         usual: float | None = None
         for place in layout.places:
             slot = place.slot
@@ -398,13 +435,12 @@ class Matcher:
                 found = Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
         return found
 
-    def _needs_of(self, want: Want, dish_type: str) -> frozenset[str]:
+    def _needs_of(self, food: Joiner, dish_type: str) -> frozenset[str]:
         """Return what of the needs of a dish type a food is: it can take the place of another one that is the same."""
-        key = (want.number, dish_type)
-        found = self._needs.get(key)
+        found = food.needs.get(dish_type)
         if found is None:
             needs = {need for dish in self.known.dishes_named(dish_type) for needs in dish.needs for need in needs}
-            found = self._needs[key] = frozenset(need for need in needs if is_need(need, want.facts))
+            found = food.needs[dish_type] = frozenset(need for need in needs if is_need(need, food.want.facts))
         return found
 
     def _fitting(self, food: Joiner, slot: Slot) -> float:

@@ -33,7 +33,7 @@ from foon_kg.integration.lined import lined, rolled, topped
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
-from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.places import Join, Joiners, Matcher
 from foon_kg.integration.portions import in_portions, roasted
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
@@ -95,6 +95,7 @@ class Teaching:
     def __init__(self, methods: Methods, settings: PlanSettings) -> None:
         self.methods = methods
         self.likes = FoodLikes(settings.similarity or food_similarity(), methods.operators.foods, settings.substitutes)
+        self.joiners = Joiners()
 
 
 class Planner:
@@ -192,7 +193,7 @@ class _Question:
             self.known,
         )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.alike)
+        self.matcher = Matcher(self.methods.posts, self.likes.alike, self.wants, self.teaching.joiners)
 
     @cached_property
     def best(self) -> Attempt:

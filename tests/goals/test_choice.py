@@ -36,7 +36,7 @@ def wants(**foods):
 
 
 def chosen(asked, dish_type, title="", layouts=LAYOUTS):
-    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.posts, LIKES.alike))
+    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.posts, LIKES.alike, asked))
 
 
 def layout(video):
@@ -76,7 +76,7 @@ def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food
 def test_of_equally_like_foods_the_first_is_the_place():
     both = Likes({("kohlrabi", "onion"): 0.9, ("kohlrabi", "potato"): 0.9})
     asked = Asked(wants(kohlrabi="diced"), "soup", "", KNOWN)
-    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.posts, both.alike))
+    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.posts, both.alike, asked.wants))
     assert [slot.food for slot in layout("forgetful_soup").frame.line.all_slots()].index("potato") == 1
     assert best.joins[0].slot.food == "potato"
 
