@@ -67,7 +67,11 @@ class Attested:
     @cached_property
     def seen_in(self) -> tuple[Sighting, ...]:
         """The first of the sightings: what is named as evidence. Many ways are attested, and few are taken."""
-        return tuple(sorted(set(self.sightings), key=lambda s: (s.video, s.position))[:MOST_SIGHTINGS])
+        return tuple(_first(self.sightings))
+
+
+def _first(sightings: Sequence[Sighting]) -> list[Sighting]:
+    return sorted(set(sightings), key=lambda seen: (seen.video, seen.position))[:MOST_SIGHTINGS]
 
 
 @dataclass
@@ -83,6 +87,13 @@ class Evidence:
     count: int = 0
     often: Counter[str] = field(default_factory=Counter)
     appliances: Counter[str] = field(default_factory=Counter)
+
+    def keep_the_first(self) -> None:
+        """Forget all sightings but those that may be named."""
+        self.all = _first(self.all)
+        for sightings in (self.foods, self.kinds):
+            for name, seen in sightings.items():
+                sightings[name] = _first(seen)
 
 
 class Operators:
@@ -103,6 +114,8 @@ class Operators:
         self._brings: dict[tuple[str, str], tuple[Way, ...]] = {}
         for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
             self._add(known_unit)
+        for evidence in (*self.evidence.values(), *self.acts.values()):
+            evidence.keep_the_first()
 
     def _add(self, known_unit: KnownUnit) -> None:
         unit, seen = known_unit.unit, known_unit.seen_in[:MOST_SIGHTINGS]
