@@ -1,4 +1,4 @@
-"""What the names of dishes say: of the dish that is asked by its title and type, and of the recorded one by its goal's."""
+"""What the names of dishes say: of the asked one its title and type, of the recorded one its goal's."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> 
     if asked.title:
         found -= _not_so_called(dish, asked, named)
     found -= _DAMAGED if dish.damaged else 0.0
-    found -= _of_bread(dish, joins, asked, named)
+    found -= _stacked_otherwise(dish, joins, asked, named)
     found -= _MIXED if asked.laid and dish.layout.laid is None else 0.0
     found -= 0.15 if missing_core(dish, asked) else 0.0
     found += _AS_RECORDED * _same_foods(dish, joins, asked)
@@ -114,7 +114,7 @@ def _batter_score(dish: Recorded, asked: Asked) -> float:
 
 
 def _not_so_called(dish: Recorded, asked: Asked, named: float) -> float:
-    """Return what counts against a dish that is called otherwise than the title says, or baked though nobody says so."""
+    """Return what counts against a dish that is not called as the title says, or baked though nobody says so."""
     found = min(_MOST_STRANGE, _STRANGE * len(unexplained(dish, asked)))
     if dish.blends_beside and _has_strange_part(dish, asked):
         found += _UNASKED_PART
@@ -128,7 +128,7 @@ def _has_strange_part(dish: Recorded, asked: Asked) -> bool:
     return any(word not in asked.told and kind not in asked.kinds for word, kind in dish.named_foods)
 
 
-def _of_bread(dish: Recorded, joins: Sequence[Join], asked: Asked, named: float) -> float:
+def _stacked_otherwise(dish: Recorded, joins: Sequence[Join], asked: Asked, named: float) -> float:
     """Return what counts against a dish that heats what is only stacked, or is stacked where nobody asks for that."""
     in_vain = asked.stacked and named < BY_TITLE and asked.cold and _heats_in_vain(joins, asked)
     return _HEATED * (in_vain + (dish.is_stacked and not asked.stacked))

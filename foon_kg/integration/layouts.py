@@ -6,7 +6,7 @@ later, and whether they are the dish's own line or one that joins it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -132,6 +132,19 @@ class Layout:
         """Where foods without a slot may join: what its video mashes is mashed, and nothing else with it."""
         apart = (spot for spot in self.open if "mash" not in spot.stage.does or "heat" in spot.stage.does)
         return tuple(apart) or self.open
+
+    @cached_property
+    def cold_lines(self) -> Mapping[tuple[int, ...], frozenset[str]]:
+        """The side lines that are made of several foods and without heat, and what is done in each."""
+        found = {}
+        for line in dict.fromkeys(
+            spot.path[: place + 1] for spot in self.spots for place in range(1, len(spot.path), 2)
+        ):
+            stages = [spot.stage for spot in self.spots if spot.path[: len(line)] == line]
+            does = frozenset().union(*(stage.does for stage in stages))
+            if "heat" not in does and sum(1 for stage in stages for _ in stage.slots) > 1:
+                found[line] = does
+        return found
 
     @cached_property
     def hottest(self) -> int:

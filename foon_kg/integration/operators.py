@@ -27,7 +27,7 @@ LIKE_AT_ALL = 0.3
 LEAST_SHARE = 0.04
 """A way of which fewer of the units that bring food of a form are is no usual one."""
 
-_MOST_KEPT = 1024
+MOST_KEPT = 1024
 """For how many states it is kept who gives them."""
 
 Way = tuple[str, tuple[str, ...]]
@@ -110,7 +110,7 @@ class Operators:
         self.states: defaultdict[str, set[str]] = defaultdict(set)
         self.foods: set[str] = set()
         self._fine: dict[Way, float] = {}
-        self._making: Recent[str, tuple[Way, ...]] = Recent(_MOST_KEPT)
+        self._making: Recent[str, tuple[Way, ...]] = Recent(MOST_KEPT)
         self._brings: dict[tuple[str, str], tuple[Way, ...]] = {}
         for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
             self._add(known_unit)

@@ -188,21 +188,19 @@ def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
 
     Nobody sets up a blender for some chives because a video made a pesto with it.
     """
-    if not any(join.spot.side for join in joins):
+    if not layout.cold_lines or not any(join.spot.side for join in joins):
         return tuple(joins)
-    by_path = {spot.path: spot for spot in layout.spots}
     found = list(joins)
     for number, join in enumerate(joins):
         path = join.spot.path
         while len(path) > 2:  # noqa: PLR2004 - a stage of the dish itself has one number
             line, path = path[:-1], path[:-2]
-            here = [other for other in joins if other.spot.path[: len(line)] == line]
-            spots = [spot for spot in layout.spots if spot.path[: len(line)] == line]
-            slots = sum(1 for spot in spots for _ in spot.stage.slots)
-            hot = any("heat" in spot.stage.does for spot in spots)
-            own = join.slot is not None and all(spot.stage.does.isdisjoint(_CHANGES) for spot in spots)
-            if here == [join] and slots > 1 and not hot and not own:
-                found[number] = Join(join.want, by_path[path], min(join.fit, NATURAL - 0.01))
+            if line not in layout.cold_lines:
+                continue
+            own = join.slot is not None and layout.cold_lines[line].isdisjoint(_CHANGES)
+            if not own and not any(other is not join and other.spot.path[: len(line)] == line for other in joins):
+                spot = next(spot for spot in layout.spots if spot.path == path)
+                found[number] = Join(join.want, spot, min(join.fit, NATURAL - 0.01))
     return tuple(found)
 
 
@@ -229,7 +227,7 @@ def _where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     return [replace(join, spot=last) if join in cold else join for join in joins]
 
 
-_MOST_JOINERS, _MOST_JOINED = 1024, 256
+MOST_JOINERS, MOST_JOINED = 1024, 256
 """For how many foods it is kept where they join, and in how many dishes."""
 
 
@@ -245,7 +243,7 @@ class Joiner:
         self.name = singular(want.label)
         self.fits: dict[tuple[str, str], float] = {}
         self.needs: dict[str, frozenset[str]] = {}
-        self.joined: Recent[tuple[Layout, bool], Join] = Recent(_MOST_JOINED)
+        self.joined: dict[tuple[Layout, bool], Join] = {}
         self.main = is_a(*MAIN)
         self.runs = is_a("liquid", "water", "creamy", "frozen")
         self.fat = is_a("fat")
@@ -278,7 +276,7 @@ class Joiners:
     """
 
     def __init__(self) -> None:
-        self._kept: Recent[tuple[Want, frozenset[str]], Joiner] = Recent(_MOST_JOINERS)
+        self._kept: Recent[tuple[Want, frozenset[str]], Joiner] = Recent(MOST_JOINERS)
 
     def of(self, wants: Sequence[Want], known: Tables) -> dict[int, Joiner]:
         """Return the foods of a recipe by their numbers. Of one name with two meanings each counts for both."""
@@ -323,8 +321,10 @@ class Matcher:
 
     def _kept_join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
         food = self._joiners[want.number]
-        found = food.joined.find((layout, stacked))
+        found = food.joined.get((layout, stacked))
         if found is None:
+            if len(food.joined) >= MOST_JOINED:
+                food.joined.clear()
             found = food.joined[layout, stacked] = self._join(layout, food, stacked=stacked)
         return Join(want, found.spot, found.fit, found.slot)
 

@@ -14,7 +14,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.goals.asked import Asked
