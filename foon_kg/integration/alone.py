@@ -8,6 +8,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
+from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, Course
 from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.layouts import Spot
@@ -98,6 +99,8 @@ class Alone:
             return self._warmed_first(join)
         if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
             return tuple(sorted(word_list("is roasted by")))
+        if self.plan.in_pieces and is_portion(want, self.known) and not self.course.has_liquid([spot.stage]):
+            return ("cook",)  # it is fried in one piece, and cut then
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
         in_turn = in_turn and not self._is_cut_of_its_shell(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
