@@ -385,11 +385,16 @@ class Cooking:
                     self.carry.boil_water(vessel)
                 self.carry.bring(self.ready[one.want.number], vessel, one.slot)
             on_top = isinstance(one, Join) and one.on_top
-            if merge and self.work.lies_unmixed(vessel) and not on_top:
+            if merge and self.work.lies_unmixed(vessel) and not on_top and not self._lays(stage, joins):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
+
+    def _lays(self, stage: Stage, joins: Sequence[Join]) -> bool:
+        """Whether the recorded dish lays just such foods on each other and never mixes them: layers."""
+        laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
+        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
 
     def _would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Whether solid food comes into a pan with nothing to cook in."""
