@@ -95,12 +95,9 @@ class Alone:
         """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
         want, spot = join.want, join.spot
         due = {"cook", "boil"} & owed(want, self.known)
-        if not due and not want.cooked:
-            return self._warmed_first(join)
-        if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
-            return tuple(sorted(word_list("is roasted by")))
-        if self.plan.in_pieces and is_portion(want, self.known) and not self.course.has_liquid([spot.stage]):
-            return ("cook",)  # it is fried in one piece, and cut then
+        first = self._made_otherwise(join) if due or want.cooked else self._warmed_first(join)
+        if first or not (due or want.cooked):
+            return first
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
         in_turn = in_turn and not self._is_cut_of_its_shell(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
@@ -117,11 +114,22 @@ class Alone:
         if self._is_boiled_there(join, heats, due):
             return ()
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
-        if boiled or "boil" in due:
-            return ("boil",)
         thick = self.plan.laid and want.facts.is_a(*word_list("is flesh"))  # it would be raw when the dough is done
         done_there = heats and self._cooks_there(join, due) and not self._is_toasted(join) and not thick
+        if boiled or "boil" in due:
+            return ("boil",)
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
+
+    def _made_otherwise(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked for which neither its video nor its kind is asked.
+
+        What a title calls roasted is baked, and flesh for a salad fried in one piece.
+        """
+        want, spot = join.want, join.spot
+        if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
+            return tuple(sorted(word_list("is roasted by")))
+        whole = self.plan.in_pieces and is_portion(want, self.known)
+        return ("cook",) if whole and not self.course.has_liquid([spot.stage]) else ()
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""

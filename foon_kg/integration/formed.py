@@ -27,8 +27,9 @@ def formed(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
 
-    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: they say that it comes out of an oven. Nothing changes where
-    nothing is there to be shaped, or where they are but a part of the dish: with pasta, in a soup.
+    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: it comes out of
+    an oven. Nothing changes where there is nothing to be shaped, or where balls are but a part of the dish: with pasta,
+    in a soup.
     """
     mass = _Mass(joins, known)
     part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
@@ -96,7 +97,7 @@ class _Mass:
             return True
         if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
             return False
-        if facts.is_a("flour", "starch"):
+        if facts.is_a(*word_list("binds a mass or a sauce")):
             return not self.wet
         if facts.is_a(*word_list("is bound with it")):
             return not self.bound and not alone
@@ -115,5 +116,5 @@ class _Mass:
     def lies_on_it(self, join: Join) -> bool:
         """Whether a food comes on what is done, or beside it."""
         facts = join.want.facts
-        wedge = facts.is_a("lemon") and not join.want.squeezed
+        wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")

@@ -77,7 +77,8 @@ class _Portions:
     def _is_all_that_cooks(self, join: Join) -> bool:
         """Whether a food is a mouthful that is turned piece by piece, and nothing else has to be cooked."""
         others = (one for one in self.joins if one is not join and {"cook", "boil"} & owed(one.want, self.known))
-        return join.want.facts.is_a(*word_list("is a mouthful")) and "cook" in owed(join.want, self.known) and not any(others)
+        raw = "cook" in owed(join.want, self.known)
+        return raw and join.want.facts.is_a(*word_list("is a mouthful")) and not any(others)
 
     def baked(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that lays all in a dish, pours over it what is mixed for it, and bakes it."""

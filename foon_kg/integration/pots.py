@@ -68,7 +68,7 @@ def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
 
     Nothing changes where fat is creamed or rubbed in: with sugar or flour.
     """
-    if any(join.want.facts.is_a("dough", "flour", "sugar") for join in joins):
+    if any(join.want.facts.is_a("dough", "flour", *word_list("sweetens a batter")) for join in joins):
         return tuple(joins)
     return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
 

@@ -135,7 +135,7 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
 
 
 def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
-    """Yield the words of a title before the name of a food: of its words the last is enough (chicken for its breast)."""
+    """Yield the words of a title before the name of a food, of which the last word is enough there (breast)."""
     own = words(want.label)
     for place, word in enumerate(told):
         if word not in own[-1:]:

@@ -13,7 +13,6 @@ from foon_kg.validation.robot import of_world
 from foon_kg.world import Happening, Part, Vessel
 from foon_kg.world.becoming import meets
 
-
 _GROUND = 4
 """As fine as this (crushed, grated), a topping binds what it is stirred into."""
 
