@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -10,6 +11,10 @@ from foon_kg.food.words import plain_words, singular, words
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
 _PACKED = "canned"
+
+
+_MORE = frozenset({"for", "with"})
+"""After these words a name says no more what the food is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +38,7 @@ class FoodTable:
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
-        name = singular(label)
+        name = singular(label) if label.isascii() else singular(_plain(label))
         if name not in self._found:
             self._found[name] = self._find(name)
         return self._found[name]
@@ -80,8 +85,9 @@ class FoodTable:
         own = name.split()
         if name in self.kind_of:
             return self.kind_of[name], name, Match.NAME
-        if "with" in own[1:]:
-            return self._find(" ".join(own[: own.index("with")]))  # tomatoes with green chilies are tomatoes
+        more = next((place for place, word in enumerate(own) if place and word in _MORE), 0)
+        if more:  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
+            return self._find(" ".join(own[:more]))
         for start in range(1, len(own)):
             phrase = " ".join(own[start:])
             if phrase in self.kind_of:
@@ -95,6 +101,11 @@ class FoodTable:
                 if phrase in self.kind_of:
                     return self.kind_of[phrase], phrase, Match.PART
         return UNKNOWN.name, "", Match.UNKNOWN
+
+
+def _plain(label: str) -> str:
+    """Return a label without accents: as the table has pâté and Gruyère."""
+    return "".join(one for one in unicodedata.normalize("NFKD", label) if not unicodedata.combining(one))
 
 
 def _is_state(asked: str, state: str) -> bool:

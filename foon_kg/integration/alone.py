@@ -128,8 +128,17 @@ class Alone:
         want, spot = join.want, join.spot
         if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
             return tuple(sorted(word_list("is roasted by")))
+        heats = [stage for stage in (spot.stage, *spot.after) if not stage.does.isdisjoint(HEATS)]
+        pan = bool(heats) and "dry" not in heats[0].does and not self.course.has_liquid(heats[:1])
+        if pan and self._is_thick(want):
+            return ("boil",)  # it would be brown outside and raw within
         whole = self.plan.in_pieces and is_portion(want, self.known)
         return ("cook",) if whole and not self.course.has_liquid([spot.stage]) else ()
+
+    def _is_thick(self, want: Want) -> bool:
+        """Whether a food is asked in such large pieces that it takes very long in a pan."""
+        halved = bool(want.make) and self.known.state(want.make).fine == 1
+        return halved and want.facts.is_a(*word_list("takes long in the pan"))
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""

@@ -11,6 +11,7 @@ from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
 from foon_kg.integration.formed import formed, is_formed
 from foon_kg.integration.frames import Line
+from foon_kg.integration.layered import layered
 from foon_kg.integration.lined import lined, rolled
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
@@ -58,7 +59,7 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
 
 def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made that is given its form: by dough around it, in a roll, as balls; else as it is."""
-    for way in (rubbed, rolled, lined):
+    for way in (rubbed, layered, rolled, lined):
         made, found = way(line, joins, called.told)
         if made is not line:
             return made, found

@@ -94,6 +94,8 @@ class Cooking:
         if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
             form = (*form, "chopped")
         cut = bool(want.make) and (self.known.state(want.make).fine or 0) > 0
+        if not cut and self._is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
+            want = replace(want, make=min(word_list("is cut so to be eaten raw")))
         if not cut and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             want = replace(want, make="mashed")
         self.bench.phase = "prepare"
@@ -110,6 +112,12 @@ class Cooking:
         self.alone.beaten_first(join, ready)
         if want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
+
+    def _is_eaten_raw(self, join: Join) -> bool:
+        """Whether a food joins what nobody heats any more, or what is shaped with it inside."""
+        works = (join.spot.stage, *join.spot.after)
+        blended = any(not stage.does.isdisjoint({"blend", "liquid"}) for stage in works)
+        return not blended and (self._is_shaped_later(join) or all(stage.does.isdisjoint(HEATS) for stage in works))
 
     def _is_shaped_later(self, join: Join) -> bool:
         """Whether the mass that a food joins is shaped, and then cooked: patties."""
@@ -244,7 +252,7 @@ class Cooking:
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return
-        if any(join.want.facts.is_a(*word_list("is taken out of the dish")) for join in self.plan.joins):
+        if any(self.work.is_taken_out(join.want) for join in self.plan.joins):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
                 self.work.name(vessel, self.plan.label)

@@ -12,6 +12,7 @@ from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
 from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import as_mash
 
 _FINE = 3
 """As finely as this (chopped, grated) vegetables are cut that go into a mass."""
@@ -48,7 +49,9 @@ def formed(
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
     places = [(own, mix), (fats, heat), (tops, top), (wet, sauce)]
-    return put_at(whole, joins, lambda join: next((stage for some, stage in places if join in some), mix))
+    at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
+    joins = [replace(join, want=as_mash(join.want, known)) if at[join.want.number] is mix else join for join in joins]
+    return put_at(whole, joins, lambda join: at[join.want.number])
 
 
 def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:

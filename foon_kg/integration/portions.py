@@ -36,6 +36,7 @@ def in_portions(
     hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
     ovens = any(stage.appliance == "oven" for stage in hot)
     fried = not word_list("is fried on both sides").isdisjoint(told) or (portions.bath and not baked)
+    fried = fried and word_list("is baked on a sheet").isdisjoint(told)
     return portions.fried() if fried or not (baked or ovens) else portions.baked()
 
 
@@ -113,6 +114,7 @@ class _Portions:
 
     def _is_on_top(self, join: Join) -> bool:
         lies = join.want.facts.is_a(*word_list("is served with what is fried"), *word_list("lies on flesh"))
+        lies = lies and not (join.want.squeezed or not word_list("runs").isdisjoint({join.want.asked}))
         return lies and not join.want.facts.is_a(*word_list("is cooked with flesh"))
 
     def _line(

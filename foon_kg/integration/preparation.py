@@ -106,7 +106,7 @@ def wants_of(
 ) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood."""
     distinct = dict.fromkeys(one for one in ingredients if one.object)
-    wants = (_cut_by_name(understood(number, one, known, operators)) for number, one in enumerate(distinct, 1))
+    wants = (_cut_by_name(understood(number, one, known, operators), known) for number, one in enumerate(distinct, 1))
     return tuple(_as_entitled(want, title, known, operators) for want in wants)
 
 
@@ -147,10 +147,10 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
             yield told[first - 1]
 
 
-def _cut_by_name(want: Want) -> Want:
+def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    if want.asked:
+    if want.asked and not known.state(want.asked).undivided:
         return want
     if want.facts.is_a(*word_list("is grated off the whole")):
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
@@ -267,6 +267,13 @@ def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
         if state and known.foods.food(label, [state]).kind == facts.kind:
             return state
     return facts.sold_as
+
+
+def as_mash(want: Want, known: Tables) -> Want:
+    """Return a food that is too hard to be shaped as it is: it is cooked and mashed before, unless it is asked cut."""
+    whole = not want.make or not known.state(want.make).fine
+    hard = want.facts.is_a(*word_list("is cooked and mashed to be shaped"))
+    return replace(want, then=min(word_list("is mashed so"))) if hard and whole and not want.then else want
 
 
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from foon_kg.food import words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.patterns import BAKE, COOL, LAID, MIX, SHAPE, STIR, TOP, fresh, put_at
+from foon_kg.integration.patterns import BAKE, CHILL, COOL, LAID, MIX, SHAPE, STIR, TOP, fresh, put_at
 from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import Want
 
 _FINE = replace(MIX, tools=("fork",), label=min(word_list("is called so when it is fine")))
 _KNEAD = replace(MIX, motion="knead", does=frozenset({"knead", "mix"}), tools=())
 _KNEAD = replace(_KNEAD, label=min(word_list("is called so when it is kneaded")))
+_BASE = replace(_FINE, label=min(word_list("is called so when it is pressed")))
 _INSIDE = replace(MIX, label=min(word_list("is called so inside")))
 _FLAT = replace(_KNEAD, motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
 _FLAT = replace(_FLAT, tools=("rolling pin",), vessel="cutting board")
@@ -27,6 +30,8 @@ def rubbed(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Li
     bought dough is there.
     """
     dough = _Dough(joins, told)
+    if dough.base and not dough.is_bought and not word_list("is held by dough").isdisjoint(told):
+        return dough.pressed()
     if dough.dry and not dough.is_bought and not word_list("is kneaded at once").isdisjoint(told):
         return dough.whole()
     if dough.dry and dough.fat is not None and not dough.is_bought:
@@ -50,12 +55,43 @@ class _Dough:
         self.dry = [join for join in joins if join.want.facts.is_a("flour")][:1]
         solid = [j for j in joins if j.want.facts.is_a("fat") and not j.want.facts.is_a("liquid")]
         self.fat = next((join for join in solid if join.want.asked not in word_list("runs")), None)
+        self.base = self._base()
         self.inside = [join for join in joins if self._is_inside(join)]
 
     def _is_inside(self, join: Join) -> bool:
         """Whether a food is no part of any such dough."""
         facts = join.want.facts
         return facts.is_a(*word_list("is held by what is rubbed")) and not facts.is_a(*word_list("thins a coat"))
+
+    def _base(self) -> list[Join]:
+        """Return the crumbs that are pressed to a base, with the fat that holds them; nothing where one is missing."""
+        dusty = [join for join in self.joins if join.want.facts.is_a(*word_list("is pressed to a base"))][:1]
+        fats = [join for join in self.joins if join.want.facts.is_a("fat")][:1]
+        return [*dusty, *fats] if dusty and fats and not self.dry else []
+
+    def pressed(self) -> tuple[Line, tuple[Join, ...]]:
+        """Return a line that presses crumbs into a dish and fills them: baked where eggs set it, else chilled."""
+        mix, inside, cool, top = fresh(_BASE, _INSIDE, COOL, LAID)
+        press = replace(LAID, adds=(Line((mix,)),), motion="press", does=frozenset({"shape"}), label=mix.label)
+        eggs = any(join.want.facts.is_a("egg") for join in self.joins)
+        last = replace(BAKE if eggs else CHILL, adds=(Line((inside,)),))
+        foam = [join for join in self.joins if self._is_whipped(join)]
+        late = [join for join in self.joins if join.want.facts.is_a(*word_list("is put on what is filled"))]
+        stages = (press, last, cool, top) if eggs else (press, last, top)
+
+        def stage_of(join: Join) -> Stage:
+            return mix if join in self.base else top if join in late or join in foam else inside
+
+        joins = [replace(join, want=_whipped(join.want)) if join in foam else join for join in self.joins]
+        at = {join.want.number: stage_of(join) for join in self.joins}
+        used = stages if foam or late else stages[:2]
+        return put_at(Line(used), joins, lambda join: at[join.want.number])
+
+    @staticmethod
+    def _is_whipped(join: Join) -> bool:
+        """Whether it is cream that is called so because it is whipped."""
+        called = not word_list("is called so to be whipped").isdisjoint(words(join.want.label))
+        return called and join.want.facts.is_a("creamy") and join.want.facts.is_a("liquid")
 
     def pieces(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that cuts pieces of dough and bakes them."""
@@ -130,3 +166,7 @@ class _Dough:
 
     def _water(self) -> list[Join]:
         return [join for join in self.joins if join.want.facts.is_a("water", *word_list("is frozen water"))]
+
+
+def _whipped(want: Want) -> Want:
+    return replace(want, make=min(word_list("is beaten to a foam")), foamed=True)
