@@ -33,12 +33,12 @@ class FoodTable:
         """Return what is known of the food ``label`` in ``states``; of the kind ``unknown`` where nothing is."""
         key = (label, tuple(states))
         if key not in self._known:
-            self._known[key] = self._food(singular(label), key[1])
+            self._known[key] = self._food(singular(_plain(label)), key[1])
         return self._known[key]
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
-        name = singular(label) if label.isascii() else singular(_plain(label))
+        name = singular(_plain(label))
         if name not in self._found:
             self._found[name] = self._find(name)
         return self._found[name]
@@ -104,7 +104,10 @@ class FoodTable:
 
 
 def _plain(label: str) -> str:
-    """Return a label without accents: as the table has pâté and Gruyère."""
+    """Return a label without what stands in brackets, and without accents: as the table has pâté and Gruyère."""
+    label = label.partition(" (")[0] or label
+    if label.isascii():
+        return label
     return "".join(one for one in unicodedata.normalize("NFKD", label) if not unicodedata.combining(one))
 
 

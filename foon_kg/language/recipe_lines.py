@@ -128,7 +128,9 @@ def _parse(text: str) -> RecipeLine:
         name, preparation = f"{before} {name}", after
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
+    name, _, aside = name.partition(" (")
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
+    remarks += [f"({aside}"] if aside else []
     states = tuple(dict.fromkeys((*in_name, *prepared)))
     answer = RecipeLine(
         text,
