@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -12,6 +13,8 @@ from foon_kg.food.words import plain_words, singular, words
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
 _PACKED = "canned"
 
+
+_WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?", re.IGNORECASE)
 
 _MORE = frozenset({"for", "with"})
 """After these words a name says no more what the food is."""
@@ -33,7 +36,7 @@ class FoodTable:
         """Return what is known of the food ``label`` in ``states``; of the kind ``unknown`` where nothing is."""
         key = (label, tuple(states))
         if key not in self._known:
-            self._known[key] = self._food(singular(_plain(label)), key[1])
+            self._known[key] = replace(self._food(singular(_plain(label)), key[1]), name=singular(label))
         return self._known[key]
 
     def find(self, label: str) -> tuple[str, str, Match]:
@@ -104,8 +107,8 @@ class FoodTable:
 
 
 def _plain(label: str) -> str:
-    """Return a label without what stands in brackets, and without accents: as the table has pâté and Gruyère."""
-    label = label.partition(" (")[0] or label
+    """Return a label as the table has it: without brackets, without accents (pâté), without its bone-in or skin-on."""
+    label = _WITH_BONES.sub("", label.partition(" (")[0]) or label
     if label.isascii():
         return label
     return "".join(one for one in unicodedata.normalize("NFKD", label) if not unicodedata.combining(one))

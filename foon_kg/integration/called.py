@@ -63,6 +63,6 @@ def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) 
         made, found = way(line, joins, called.told)
         if made is not line:
             return made, found
-    if is_formed(called.dishes):
+    if is_formed(called.dishes, joins):
         return formed(line, joins, called.told, known, called.goal, baked=called.baked)
     return line, joins

@@ -98,6 +98,8 @@ class Cooking:
             want = replace(want, make=min(word_list("is cut so to be eaten raw")))
         if not cut and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             want = replace(want, make="mashed")
+        if self.plan.in_pieces and want.facts.is_a(*word_list("is crumbled")):
+            form = (*form, "crumbled")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         whole = first and not self.alone.is_fried_open(want)

@@ -18,9 +18,11 @@ _FINE = 3
 """As finely as this (chopped, grated) vegetables are cut that go into a mass."""
 
 
-def is_formed(dishes: Collection[Dish]) -> bool:
+def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
     """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
-    return any(dish.formed for dish in dishes) and not any(dish.stacked or dish.dressed for dish in dishes)
+    bread = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    other = any(dish.dressed or (dish.stacked and bread) for dish in dishes)
+    return any(dish.formed for dish in dishes) and not other
 
 
 def formed(

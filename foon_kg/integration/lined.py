@@ -113,7 +113,9 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
         place = next(place for place, one in enumerate(stages) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
         want = _in_one_piece(join.want) if join in whole else join.want
-        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
+        apart = _is_raw(join) and not join.want.cooked
+        fried = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        found.append(Join(want, spot, min(join.fit, NATURAL), fried, on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
 

@@ -66,7 +66,7 @@ class _Portions:
         seared = not word_list("is fried on both sides").isdisjoint(told)
         flesh = [join for join in joins if self._is_flesh(join)]
         flesh = flesh or [join for join in joins if seared and self._is_all_that_cooks(join)]
-        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or self._is_all_that_cooks(flesh[0]))
+        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or (seared and self._is_all_that_cooks(flesh[0])))
         self.main = flesh[0] if whole else None
         self.bath = any(join.want.facts.is_a("cooking liquid") for join in joins)
 

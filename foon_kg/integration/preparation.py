@@ -115,6 +115,9 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     told = words(title)
     heads = words(want.label)[-1:]
     mash = word_list("is mash")
+    covers = not word_list("is covered with mash").isdisjoint(told)
+    if covers and want.facts.is_a(*word_list("covers a dish when it is mashed")) and not want.cooked:
+        return replace(want, then=min(word_list("is mashed so")))
     if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
         return replace(want, then=min(word_list("is mashed so")))
     for before in _before_it(want, told):
@@ -185,7 +188,7 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
-    foamed = _foamed(want, known.foods.food(one.object))
+    foamed = _misread(want) or _foamed(want, known.foods.food(one.object))
     if foamed is not None or not one.state or facts.sold_as == one.state:
         return foamed or replace(want, leaf=(one.state,) if one.state else want.leaf)
     row = known.state(one.state)
@@ -207,6 +210,17 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     can = ends or _can_be_made(want, form, row, operators)
     alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
+
+
+def _misread(want: Want) -> Want | None:
+    """Return a food whose asked state says nothing of it alone, or needs a machine: as something like it."""
+    sold = want.facts.sold_as
+    if want.asked in word_list("says nothing of one food"):
+        return replace(want, leaf=(sold,) if sold else (), read_as=sold)
+    if want.asked in word_list("needs a machine") and want.facts.is_a("vegetable") and want.facts.is_a("raw"):
+        state = min(word_list("is made fine by hand"))
+        return replace(want, make=state, read_as=state)
+    return None
 
 
 def _foamed(want: Want, before: Food) -> Want | None:
@@ -388,9 +402,19 @@ class Preparer:
         earns = self.known.state(asked).earns if asked else frozenset()
         if not earns or not earns <= ADVISED or asked in ready.stuff.states:
             return
-        if earns == _RINSED and self.rinse(ready, asked):
+        if (earns == _RINSED and self.rinse(ready, asked)) or self._worked_so(ready, asked):
             return
         self._assume(ready, asked)
+
+    def _worked_so(self, ready: Ready, state: str) -> bool:
+        """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""
+        does = {way: self.known.motion(way[0]).does for way in self.operators.making(state)}
+        ways = [way for way, done in does.items() if not (done & _NOT_BY_HAND or done <= _BRINGS)]
+        attested = self.bench.attest(ways, ready.want.names, act=True)
+        if attested is None:
+            return False
+        self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), _BOWL)
+        return True
 
     def rinse(self, ready: Ready, state: str) -> bool:
         """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""

@@ -56,7 +56,8 @@ class _Dough:
         solid = [j for j in joins if j.want.facts.is_a("fat") and not j.want.facts.is_a("liquid")]
         self.fat = next((join for join in solid if join.want.asked not in word_list("runs")), None)
         self.base = self._base()
-        self.inside = [join for join in joins if self._is_inside(join)]
+        mash = not word_list("is covered with mash").isdisjoint(told)
+        self.inside = [join for join in joins if self._is_inside(join)] if not mash else []
 
     def _is_inside(self, join: Join) -> bool:
         """Whether a food is no part of any such dough."""

@@ -21,6 +21,7 @@ from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.called import Called, as_it_is_called
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
+from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed_within, is_formed
@@ -265,6 +266,8 @@ class _Question:
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
             line, joins = garnished(*stirred(line, joins), told)
+        if dish_type not in word_list("is drunk"):
+            line, joins = wedges_last(line, joins)
         line, joins = unmixed(line, joins)
         joins = fat_in_the_heat(joins)
         if not tin and word_list("is called battered").isdisjoint(told):
@@ -276,7 +279,7 @@ class _Question:
         elif one_pot:
             line, joins = stewed(joins)
         stacked = any(dish.stacked for dish in named)
-        if is_formed(named):
+        if is_formed(named, joins):
             line, joins = formed_within(line, joins, self.known)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
