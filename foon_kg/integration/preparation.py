@@ -315,6 +315,8 @@ class Preparer:
         due = self._due(want)
         cut = self._cut_state(want, form, due, divided=divided)
         pieces = self._comes_in_pieces(want, cut)
+        worked = pieces and self._way_so(want, cut) is not None
+        pieces = pieces and not worked
         ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], "" if pieces else want.storage))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
@@ -326,6 +328,8 @@ class Preparer:
         if pieces:
             self._assume(ready, cut)
             self._advise(ready)
+            return ready
+        if worked and self._worked_so(ready, cut):
             return ready
         self._clean(ready, due)
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
@@ -408,13 +412,16 @@ class Preparer:
 
     def _worked_so(self, ready: Ready, state: str) -> bool:
         """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""
+        attested = self._way_so(ready.want, state)
+        if attested is not None:
+            self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), _BOWL)
+        return attested is not None
+
+    def _way_so(self, want: Want, state: str) -> Attested | None:
+        """Return how hands bring a food into a state otherwise than by cutting it (sifted); ``None`` where none do."""
         does = {way: self.known.motion(way[0]).does for way in self.operators.making(state)}
-        ways = [way for way, done in does.items() if not (done & _NOT_BY_HAND or done <= _BRINGS)]
-        attested = self.bench.attest(ways, ready.want.names, act=True)
-        if attested is None:
-            return False
-        self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), _BOWL)
-        return True
+        ways = [way for way, done in does.items() if not (done & (_NOT_BY_HAND | _CUTS) or done <= _BRINGS)]
+        return self.bench.attest(ways, want.names, act=True)
 
     def rinse(self, ready: Ready, state: str) -> bool:
         """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""
