@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
@@ -40,6 +40,23 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     return line, replace(plan, joins=joins)
 
 
+def wedges_last(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place."""
+    found = [join for join in joins if _is_wedge(join.want) and join.spot.heats_later]
+    if not found or len(found) == len(joins):
+        return line, tuple(joins)
+    top = Stage((), "", frozenset(), (), "plate", "on", "", "", "", (), line.stages[-1].step)
+    ending = (_ending(join, top, on_top=join in found) for join in joins)
+    joins = [replace(join, slot=None) if join.on_top else join for join in ending]
+    return Line((*line.stages, top)), tuple(joins)
+
+
+def _is_wedge(want: Want) -> bool:
+    """Whether a fruit is called or asked in wedges, of which everyone presses the juice out."""
+    wedge = word_list("is cut so by name") & {want.make, *words(want.label)[-1:]}
+    return bool(wedge) and want.facts.is_a(*word_list("is a wedge beside it"))
+
+
 def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:
     """Return a food that joins before ``top``, or there."""
     spot = join.spot
@@ -65,7 +82,8 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
-    if facts.is_a(*word_list("lies on what is cooked")):
+    noodles = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
+    if facts.is_a(*word_list("lies on what is cooked")) or (noodles and facts.is_a(*word_list("is strewn on noodles"))):
         return True
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)

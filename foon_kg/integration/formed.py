@@ -12,14 +12,17 @@ from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
 from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import as_mash
 
 _FINE = 3
 """As finely as this (chopped, grated) vegetables are cut that go into a mass."""
 
 
-def is_formed(dishes: Collection[Dish]) -> bool:
+def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
     """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
-    return any(dish.formed for dish in dishes) and not any(dish.stacked or dish.dressed for dish in dishes)
+    bread = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    other = any(dish.dressed or (dish.stacked and bread) for dish in dishes)
+    return any(dish.formed for dish in dishes) and not other
 
 
 def formed(
@@ -27,8 +30,9 @@ def formed(
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
 
-    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: they say that it comes out of an oven. Nothing changes where
-    nothing is there to be shaped, or where they are but a part of the dish: with pasta, in a soup.
+    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: it comes out of
+    an oven. Nothing changes where there is nothing to be shaped, or where balls are but a part of the dish: with pasta,
+    in a soup.
     """
     mass = _Mass(joins, known)
     part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
@@ -47,7 +51,9 @@ def formed(
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
     places = [(own, mix), (fats, heat), (tops, top), (wet, sauce)]
-    return put_at(whole, joins, lambda join: next((stage for some, stage in places if join in some), mix))
+    at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
+    joins = [replace(join, want=as_mash(join.want, known)) if at[join.want.number] is mix else join for join in joins]
+    return put_at(whole, joins, lambda join: at[join.want.number])
 
 
 def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
@@ -96,7 +102,7 @@ class _Mass:
             return True
         if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
             return False
-        if facts.is_a("flour", "starch"):
+        if facts.is_a(*word_list("binds a mass or a sauce")):
             return not self.wet
         if facts.is_a(*word_list("is bound with it")):
             return not self.bound and not alone
@@ -115,5 +121,5 @@ class _Mass:
     def lies_on_it(self, join: Join) -> bool:
         """Whether a food comes on what is done, or beside it."""
         facts = join.want.facts
-        wedge = facts.is_a("lemon") and not join.want.squeezed
+        wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
         return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")

@@ -70,18 +70,18 @@ def rolled(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Li
 
     Nothing changes where no such bread is there, or nothing to fill it with.
     """
-    bread = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
+    thin = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
     over = [join for join in joins if join.want.facts.is_a(*word_list("is baked on what is rolled"))]
-    tops = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), "soured dairy")]
-    tops = [join for join in tops if join not in over]
-    inside = [join for join in joins if join not in (*bread, *over, *tops)]
-    if len(bread) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
+    late = word_list("lies on flesh") | word_list("is spooned onto it")
+    tops = [join for join in joins if join.want.facts.is_a(*late) and join not in over]
+    inside = [join for join in joins if join not in (*thin, *over, *tops)]
+    if len(thin) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
         return line, tuple(joins)
     raw = any(_is_raw(join) for join in inside)
     mix, laid, bake, top = fresh(STIR if raw else MIX, replace(LAID, vessel="plate", relation="on"), BAKE, LAID)
-    roll = replace(laid, adds=(Line((mix,)),), motion="roll", does=frozenset({"shape"}))
-    places = [(bread, laid), (over, bake), (tops, top)]
-    stages = (laid, roll, bake, top) if tops else (laid, roll, bake)
+    closed = replace(laid, adds=(Line((mix,)),), motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
+    places = [(thin, laid), (over, bake), (tops, top)]
+    stages = (laid, closed, bake, top) if tops else (laid, closed, bake)
     return put_at(Line(stages), joins, lambda join: next((stage for some, stage in places if join in some), mix))
 
 
@@ -113,7 +113,9 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
         place = next(place for place, one in enumerate(stages) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
         want = _in_one_piece(join.want) if join in whole else join.want
-        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
+        apart = _is_raw(join) and not join.want.cooked
+        fried = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        found.append(Join(want, spot, min(join.fit, NATURAL), fried, on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
 

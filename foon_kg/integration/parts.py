@@ -202,9 +202,17 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
 
 
 def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
-    """Let cheese come on what is baked last of all, where there is something below."""
+    """Let cheese and crumbs come on what is baked last of all, where there is something below.
+
+    Where flour makes a sauce for pasta, the cheese belongs to that.
+    """
     spot = _spot_of(bakes, stages)
-    tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("melts on top"))]
+    facts = [one.want.facts for one in joins]
+    sauce = any(one.is_a("flour") for one in facts) and any(
+        one.is_a(*word_list("is eaten with a sauce")) for one in facts
+    )
+    tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("is browned on top"))]
+    tops = [one for one in tops if not (sauce and one.want.facts.is_a(*word_list("melts on top")))]
     return tuple(replace(one, spot=spot, slot=None) if one in tops and len(tops) < len(joins) else one for one in joins)
 
 

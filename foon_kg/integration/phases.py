@@ -67,10 +67,11 @@ def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
 
 
 def phase_of(facts: Food) -> str:
-    """Return in which phase a food joins a vessel over the heat: by its very kind, else by the broader ones."""
-    for name in _MOST_TELLING:
-        if facts.kind in word_list(name):
-            return name
+    """Return in which phase a food joins a vessel over the heat: by its name or kind, else by the broader ones."""
+    for own in (facts.taken_for, facts.kind):
+        for name in _MOST_TELLING:
+            if own in word_list(name):
+                return name
     return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), _WET)
 
 

@@ -36,6 +36,7 @@ def in_portions(
     hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
     ovens = any(stage.appliance == "oven" for stage in hot)
     fried = not word_list("is fried on both sides").isdisjoint(told) or (portions.bath and not baked)
+    fried = fried and word_list("is baked on a sheet").isdisjoint(told)
     return portions.fried() if fried or not (baked or ovens) else portions.baked()
 
 
@@ -65,7 +66,7 @@ class _Portions:
         seared = not word_list("is fried on both sides").isdisjoint(told)
         flesh = [join for join in joins if self._is_flesh(join)]
         flesh = flesh or [join for join in joins if seared and self._is_all_that_cooks(join)]
-        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or self._is_all_that_cooks(flesh[0]))
+        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or (seared and self._is_all_that_cooks(flesh[0])))
         self.main = flesh[0] if whole else None
         self.bath = any(join.want.facts.is_a("cooking liquid") for join in joins)
 
@@ -77,7 +78,8 @@ class _Portions:
     def _is_all_that_cooks(self, join: Join) -> bool:
         """Whether a food is a mouthful that is turned piece by piece, and nothing else has to be cooked."""
         others = (one for one in self.joins if one is not join and {"cook", "boil"} & owed(one.want, self.known))
-        return join.want.facts.is_a(*word_list("is a mouthful")) and "cook" in owed(join.want, self.known) and not any(others)
+        raw = "cook" in owed(join.want, self.known)
+        return raw and join.want.facts.is_a(*word_list("is a mouthful")) and not any(others)
 
     def baked(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that lays all in a dish, pours over it what is mixed for it, and bakes it."""
@@ -112,6 +114,7 @@ class _Portions:
 
     def _is_on_top(self, join: Join) -> bool:
         lies = join.want.facts.is_a(*word_list("is served with what is fried"), *word_list("lies on flesh"))
+        lies = lies and not (join.want.squeezed or not word_list("runs").isdisjoint({join.want.asked}))
         return lies and not join.want.facts.is_a(*word_list("is cooked with flesh"))
 
     def _line(

@@ -66,9 +66,12 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
     """Return the joins with fat as hard as it is sold where things are heated, and not where they are mixed cold.
 
-    Nothing changes where fat is creamed or rubbed in: with sugar or flour.
+    Nothing changes where fat is creamed or rubbed in: with sugar, or with flour that is not fried.
     """
-    if any(join.want.facts.is_a("dough", "flour", "sugar") for join in joins):
+    if any(join.want.facts.is_a("dough", "leaven", *word_list("sweetens a batter")) for join in joins):
+        return tuple(joins)
+    hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
+    if hot is not None and "dry" in hot.does and any(join.want.facts.is_a("flour") for join in joins):
         return tuple(joins)
     return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
 

@@ -111,6 +111,13 @@ def read_fully(line: str) -> RecipeLine:
     return replace(answer, text=line, quantity=str(quantity))
 
 
+_A_LITTLE = re.compile(
+    r"(?:an? )?(dash|drizzle|few|glug|handful|knob|pat|sleeve|splash|sprinkle|sprinkling|squeeze)(?: of)? (?=\w)",
+    re.IGNORECASE,
+)
+"""So a little of a food is called, in front of its name; of what is squeezed it is the juice."""
+
+
 @lru_cache(maxsize=_REMEMBERED)
 def _parse(text: str) -> RecipeLine:
     if not any(letter.isalpha() for letter in text):
@@ -128,7 +135,12 @@ def _parse(text: str) -> RecipeLine:
         name, preparation = f"{before} {name}", after
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
+    name, _, aside = name.partition(" (")
+    few = _A_LITTLE.match(name)
+    name = name[few.end() :] if few else name
+    prepared = (*prepared, "juice") if few and few[1].lower() == "squeeze" else prepared
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
+    remarks += [f"({aside}"] if aside else []
     states = tuple(dict.fromkeys((*in_name, *prepared)))
     answer = RecipeLine(
         text,
