@@ -177,7 +177,7 @@ def test_what_is_called_sheet_pan_comes_out_of_the_oven(steps):
 def test_scallops_are_seared_in_one_layer_and_mussels_are_not_turned(steps):
     told = steps("seafood", "Seared Scallops", "scallops:raw", "butter:stick", "garlic:minced")
     assert "flip" in motions(told)
-    told = steps("seafood", "Mussels in Cider", "mussels:raw", "butter:stick", "shallots:chopped", "cider:liquid")
+    told = steps("seafood", "Mussels in Cider", "mussels:raw", "butter:stick", "shallots:chopped", "white wine:liquid")
     assert "flip" not in motions(told)
     assert comes(told, "shallots", "cooking pan") < comes(told, "mussels", "cooking pan")
 
