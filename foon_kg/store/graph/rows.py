@@ -195,7 +195,6 @@ class EquivalentsRow:
     name: str
     equal: list[str]
     nearest: list[tuple[str, bool, float]]
-    all_placed: bool
 
 
 @dataclass(frozen=True)
