@@ -204,9 +204,7 @@ def _report_nothing(judged: Judged, weights: np.ndarray) -> None:
     rows = told(judged, answer(judged, weights))
     like = len({row for _, row, _ in rows})
     most = max((value for value, _, _ in rows), default=0.0)
-    print(
-        f"no foods: {len(judged.foods) - like} of {len(judged.foods)} have nothing like them; most that is said {most:.2f}"
-    )
+    print(f"no foods: nothing is like {len(judged.foods) - like} of {len(judged.foods)}; most that is said {most:.2f}")
 
 
 def _report_half(judged: Judged, weights: np.ndarray, known: list[str], part: str) -> np.ndarray:

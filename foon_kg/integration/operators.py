@@ -179,15 +179,16 @@ class Operators:
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
         """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
 
-        Where none is alike at all (:data:`LIKE_AT_ALL`) it is the food to which it is done most often.
+        Where none is alike at all (:data:`LIKE_AT_ALL`) the motion alone is attested, by the food to which it is done
+        most often, and no food is named that stands for another.
         """
         evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None or not foods or not evidence.foods:
             return None
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
         if sure < LIKE_AT_ALL:
-            food, known = foods[0], min(evidence.often, key=lambda name: (-evidence.often[name], name))
-            sure = alike(food, known)
+            usual = min(evidence.often, key=lambda name: (-evidence.often[name], name))
+            return Attested(way, Nearness.MOTION, _few(evidence.foods[usual]))
         return Attested(way, Nearness.LIKE, _few(evidence.foods[known]), (food, known, sure))
 
     @cached_property

@@ -144,8 +144,10 @@ def _marked(told: str, unseen: frozenset[str]) -> str:
 
 
 def _with_source(text: Text, unit: PlannedUnit) -> Text:
-    adapted = unit.origin != "foon" and unit.seen_in
-    return text.append(f"  [like {unit.seen_in[0].video}]", ASIDE) if adapted else text
+    if unit.origin == "foon" or not unit.seen_in:
+        return text
+    how = "only the motion, as in" if unit.grounding == "motion" else "like"
+    return text.append(f"  [{how} {unit.seen_in[0].video}]", ASIDE)
 
 
 def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
