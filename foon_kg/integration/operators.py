@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import cached_property
 
 from foon_kg.food import Tables, tables
 from foon_kg.food.lists import word_list
-from foon_kg.model import FunctionalUnit, KnownUnit, Sighting
+from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Sighting
 from foon_kg.world.reading import Reader, Said, reader
 
 MOST_SIGHTINGS = 3
@@ -94,7 +94,10 @@ class Operators:
             self._add(known_unit)
 
     def _add(self, known_unit: KnownUnit) -> None:
-        unit, seen = known_unit.unit, known_unit.seen_in[:MOST_SIGHTINGS]
+        unit = known_unit.unit
+        seen = [
+            replace(one, measures=UNMEASURED) if one.measures else one for one in known_unit.seen_in[:MOST_SIGHTINGS]
+        ]
         inputs = [self._reader.read(node) for node in unit.input_nodes]
         outputs = [self._reader.read(node) for node in unit.output_nodes]
         tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS

@@ -235,9 +235,9 @@ def test_c7_c8_where_nothing_is_like_a_food_the_step_says_that_the_motion_alone_
     text = sliced(tool="hand", motion="TEAR", seen="breads 0", grounding="motion")
     assert found("C7", text, FOON) == found("C8", text, FOON) == []
     assert found("C8", text.replace("TEAR", "GRATE"), FOON) == ["C8 step 1: the unit it names does “tear”"]
-    assert found("C8", text.replace("hand", "knife").replace("breads 0", "peppers 0").replace("TEAR", "DICE"), FOON) == [
-        "C8 step 1: the unit it names uses no knife"
-    ]
+    assert found(
+        "C8", text.replace("hand", "knife").replace("breads 0", "peppers 0").replace("TEAR", "DICE"), FOON
+    ) == ["C8 step 1: the unit it names uses no knife"]
 
 
 def test_c8_the_foods_of_another_kind_are_told_in_order():

@@ -30,6 +30,7 @@ from foon_kg.store.graph.rows import (
     GoalValue,
     SeenUnit,
     SubgraphRow,
+    measures_of,
     node_of,
     timing_of,
     unit_of,
@@ -350,4 +351,5 @@ def subgraph_of(row: SubgraphRow) -> Subgraph:
 
 def _annotation(unit: SeenUnit) -> Annotation:
     _, verb, accepts_any, inputs, outputs, seen = unit
-    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))
+    measures = measures_of(seen.get("amounts"), seen.get("seconds"), seen.get("celsius"))
+    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen), measures)
