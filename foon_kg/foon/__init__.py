@@ -281,6 +281,8 @@ class Foon:
     def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
 
+        None where nothing is like it.
+
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """

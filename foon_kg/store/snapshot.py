@@ -217,7 +217,7 @@ def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]
     source = subgraph.sources[0] if subgraph.sources else None
     for position, annotation in enumerate(subgraph.annotations):
         start, end = annotation.timing.start, annotation.timing.end
-        yield annotation.unit, Sighting(subgraph.name, position, source, start, end)
+        yield annotation.unit, Sighting(subgraph.name, position, source, start, end, annotation.measures)
 
 
 def _known_units(subgraphs: Iterable[Subgraph]) -> Iterator[KnownUnit]:
