@@ -8,25 +8,35 @@ several words (cut open) the first stands for all.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from foon_kg.food import singular, tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.verbs import Verbs, is_verb
+from foon_kg.language.plain_speech import plain_speech
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.groups import food_groups
+from foon_kg.similarity.states import state_in
 
 VERB, FOOD, UTENSIL = "cut", "onion", "bowl"
 """Words that the parser takes for nothing else; they stand in for what it might."""
 
-_CLAUSES = re.compile(r"(?<=[.!?;])\s+|;\s*")
-_FIRST = re.compile(r"(?:(?:\d+[.)]|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
+_CLAUSES = re.compile(r"(?<=[!?;])\s+|(?<=\.)\s+(?=[^a-z])|;\s*")
+_FIRST = re.compile(r"(?:(?:\d+[.)]|step\s+\d+\W|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
+_MANNER = r"(?:[a-z]+ly\s+(?:and\s+|but\s+)?)*"
+_BEGINS = re.compile(rf"(?i:{_MANNER})([A-Za-z]+)")
 _JOINED = re.compile(
-    r"((?:,|\band|\bthen)\s+)([a-z]+)"
-    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|over|with|well|together|to|off|everything|all|\w+ly)\b|,|[\s.,]*$)"
+    rf"((?:,|\band|\bthen|\bor)\s+(?:(?:and|then)\s+)?){_MANNER}([a-z]+)"
+    r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|onto|over|with|well|together|to|off|out|up|aside|again|from|your"
+    r"|between|before|everything|all|each|\w+ly)\b|,|[\s.,]*$)"
 )
+_LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BETWEEN = "_"
+_WORDS = re.compile(r"[^\W_](?:[\w'&-]*\w)?")
+_LONGEST_NAME = 5
 _NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+[\w'&-]*\w")
 
 
@@ -71,28 +81,60 @@ class Clauses:
         return [self._told(clause) for clause in clauses if any(map(str.isalpha, clause))]
 
     def _told(self, clause: str) -> Told:
-        bare = self._with_names_as_words(clause[match.end() :] if (match := _FIRST.match(clause)) else clause)
-        first = re.match(r"[A-Za-z]+", bare)
-        if first is None or not is_verb(first[0], self.verbs.motions):
-            return Told(clause, bare)
-        motion = self._motions.match(bare)
-        rest = bare[(motion or first).end() :]
-        said = f"You {first[0].lower()}{_JOINED.sub(self._with_subject, rest)}"
+        plain = plain_speech(clause[match.end() :] if (match := _FIRST.match(clause)) else clause).rstrip(" .,!?:")
+        first = _BEGINS.match(plain)
+        if first is None or not is_verb(first[1], self.verbs.motions):
+            return Told(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
+        plain = plain[first.start(1) :]
+        motion = self._motions.match(plain)
+        verb = (motion or first)[0] if motion else first[1]
+        rest = self._with_names_as_words(plain[len(verb) :])
+        let = first[1].lower() in _LEFT_TO_ITSELF
+        article = " the" if self._begins_with_a_thing(rest) and not let else ""
+        said = f"You {first[1].lower()}{article}{_JOINED.sub(self._with_subject, rest)}"
         return Told(clause, said, motion[0].lower() if motion else None)
+
+    def _begins_with_a_thing(self, rest: str) -> bool:
+        """Whether a bare noun stands behind the verb; with an article no parser takes it for a part of that."""
+        word = _WORDS.match(rest.strip())
+        name = word[0].replace(_BETWEEN, " ") if word is not None else ""
+        is_thing = Kitchen.default().is_utensil(name) or tables().foods.is_listed(name)
+        return bool(name) and is_thing and state_in(name) is None
 
     def _with_subject(self, joined: re.Match[str]) -> str:
         """Put "you" before a verb that is joined to another; not before a food (salt and butter in a bowl)."""
         word = joined[2]
-        verb = is_verb(word, self.verbs.motions) and canonical(word) not in food_groups().places
-        return f"{joined[1]}you {word}" if verb else joined[0]
+        ends = not joined.string[joined.end() :].strip(" .,").strip() or joined.string[joined.end()] == ","
+        food = canonical(word) in food_groups().places or (ends and tables().foods.is_listed(word))
+        food = food and word not in tables().unfinished  # a mix is nothing that lies in a bowl
+        return f"{joined[1]}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
 
     def _with_names_as_words(self, text: str) -> str:
-        return self._several.sub(lambda name: _BETWEEN.join(name[0].split()), text)
+        """Return ``text`` with every name of several words as one word: the longest that FOON or tables have."""
+        words = list(_WORDS.finditer(text))
+        parts: list[str] = []
+        place = end = 0
+        while place < len(words):
+            length = next(
+                (n for n in range(_LONGEST_NAME, 1, -1) if self._is_name(text, words[place : place + n], n)), 1
+            )
+            last = words[place + length - 1]
+            parts += [text[end : words[place].start()], _BETWEEN.join(text[words[place].start() : last.end()].split())]
+            place, end = place + length, last.end()
+        return "".join((*parts, text[end:]))
+
+    def _is_name(self, text: str, words: Sequence[re.Match[str]], length: int) -> bool:
+        if len(words) < length:
+            return False
+        said = text[words[0].start() : words[-1].end()]
+        return "," not in said and singular(said) in self._several
 
     @cached_property
-    def _several(self) -> re.Pattern[str]:
-        """What finds the names of several words, the longest first, in the singular or plural."""
-        return _any_of((name for name in self.names if " " in name), "(?:e?s)?")
+    def _several(self) -> frozenset[str]:
+        """The names of several words, in the singular."""
+        known = tables()
+        several = (name for name in (*known.utensils, *known.foods.kind_of) if " and " not in name)
+        return frozenset(name for name in (*map(singular, self.names), *several) if " " in name)
 
     @cached_property
     def _motions(self) -> re.Pattern[str]:

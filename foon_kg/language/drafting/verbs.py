@@ -13,12 +13,14 @@ from importlib.resources import files
 
 import numpy as np
 
+from foon_kg.food import tables
 from foon_kg.similarity.vectors import food_vectors, stem
 
 SAME, SAME_STEM, BY_TABLE = 1.0, 0.95, 0.85
 """How sure a motion is that the verb names outright, in another form, or by way of the table."""
 
 _LIKE = 0.6
+_LOOKS_ONLY = frozenset({"inspect"})
 _NO_MOTION = "-"
 _WORD = re.compile(r"[^\W\d_]+")
 
@@ -61,13 +63,25 @@ class Verbs:
         if by_stem is not None:
             return self._listed(said, by_stem)
         first, _, rest = said.partition(" ")
-        return self.reading(first) if rest else self._alike(said)
+        if rest and (of_first := self.reading(first)).motions:
+            return of_first
+        return self._of_motion_table(said) or self._alike(said)
+
+    def _of_motion_table(self, said: str) -> Reading | None:
+        """Return the verb itself as motion, where the table of motions says what that does."""
+        known = said in tables().motions or said in tables().motion_words
+        if not known or not tables().motion(said).does - _LOOKS_ONLY:
+            return None
+        why = f"no unit of the FOON has the motion “{said}”: taken as the table of motions has it"
+        return Reading((said,), BY_TABLE, why)
 
     def _listed(self, said: str, listed: tuple[str, ...]) -> Reading:
         if listed == (_NO_MOTION,):
             return Reading((), why=f"“{said}” changes no object")
         motions = tuple(motion for name in listed for motion in self._by_words.get(" ".join(_words(name)), ()))
         if not motions:
+            if (own := self._of_motion_table(said)) is not None:
+                return own
             return Reading(
                 (), why=f"“{said}” stands for {' or '.join(listed)}, and no unit of the FOON has such a motion"
             )
@@ -97,7 +111,7 @@ class Verbs:
 def is_verb(word: str, motions: Iterable[str]) -> bool:
     """Say whether ``word`` is a verb that the table lists or the first word of one of ``motions``."""
     known = {name.split()[0] for name in _table()} | {_words(motion)[0] for motion in motions if _words(motion)}
-    return word.lower() in known
+    return word.lower() in known or word.lower() in tables().motion_words
 
 
 def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:
