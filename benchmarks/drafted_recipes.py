@@ -34,12 +34,13 @@ from pathlib import Path
 import networkx as nx
 
 from foon_kg.food import singular
-from foon_kg.language.drafting import Draft, draft
+from foon_kg.language.drafting import Draft, DraftUnit, draft
 from foon_kg.language.drafting.precedents import FoonPrecedents
+from foon_kg.language.drafting.tables import thing
 from foon_kg.language.instructions import with_actions
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.lisp import Form, Symbol, read_lisp
-from foon_kg.model import FunctionalUnit, ObjectNode, Timing
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Timing
 from foon_kg.model.narration import Narration, Sentence
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
@@ -48,8 +49,8 @@ from foon_kg.world import World
 
 KITCHEN = Kitchen.default()
 CLASSES = {
-    "bring": "transfer-contents transfer-items portion-and-arrange spread sprinkle flour / add pour place put pick-and-place scoop "
-    "sprinkle spread drizzle top season insert arrange fill drop move set transfer brush garnish dust divide separate",
+    "bring": "transfer-contents transfer-items portion-and-arrange spread sprinkle / add pour place put pick-and-place scoop "
+    "sprinkle spread drizzle top season insert arrange fill drop move set transfer brush garnish dust divide separate decorate",
     "mix": "mix mingle beat shake / mix stir beat whisk combine toss blend fold cream whip knead",
     "cut": "cut / cut chop slice dice mince halve quarter shred grate cube",
     "shape": "shape flatten / shape roll flatten form press",
@@ -57,8 +58,7 @@ CLASSES = {
     "cook": "boil fry cook / boil simmer cook fry saute heat",
     "preheat": "preheat-oven / preheat turn",
     "rest": "bring-to-temperature leave-for-time refrigerate / cool chill sit leave rest refrigerate freeze stand marinate soften",
-    "grease": "grease / grease brush spread oil butter",
-    "line": "line / line cover place wrap",
+    "prepare": "grease flour line / grease flour line brush spread oil butter cover wrap place",
     "cover": "cover / cover wrap close",
     "uncover": "uncover / uncover open remove unwrap",
     "peel": "peel / peel remove",
@@ -247,7 +247,8 @@ def drafted_steps(made: Draft) -> tuple[Steps, Counter]:
         takes = [makers[node] for node in unit.input_nodes if node in makers]
         actions.append(Action(number, kind, list(dict.fromkeys(takes)), foods, vessels))
         for node in unit.output_nodes:
-            if node not in unit.input_nodes and not ("empty" in node.states and KITCHEN.is_utensil(node.label)):
+            utensil = KITCHEN.is_utensil(node.label)
+            if (node not in unit.input_nodes or (utensil and node.ingredients)) and not (utensil and "empty" in node.states):
                 makers[node] = len(actions) - 1
             if KITCHEN.is_food(node) and node not in unit.input_nodes and node.label not in members:
                 members[node.label] = set().union(*going) if node.ingredients else based(node, members)
@@ -412,6 +413,12 @@ def main() -> None:
     figures.show()
 
 
+def told(one: Annotation) -> str:
+    """Return a unit on one line, as a draft writes it."""
+    sides = ["; ".join(map(thing, side)) for side in (one.unit.inputs, one.unit.outputs)]
+    return f"{'(assumed) ' if one.timing.assumed else ''}{one.unit.motion.upper()}: {sides[0]} → {sides[1]}"
+
+
 def show(recipe: Recipe, made: Draft, faults: Sequence[str]) -> None:
     print(f"\n=== {recipe.name}")
     said = ""
@@ -419,7 +426,7 @@ def show(recipe: Recipe, made: Draft, faults: Sequence[str]) -> None:
         if row.said != said:
             said = row.said
             print(f"“{said}”")
-        print(f"    {row.annotation.unit if hasattr(row, 'annotation') else '- ' + row.reason}")
+        print(f"    {told(row.annotation) if isinstance(row, DraftUnit) else '- ' + row.reason}")
         for doubt in getattr(row, "doubts", ()):
             print(f"      ? {doubt}")
     print(*faults, sep="\n")

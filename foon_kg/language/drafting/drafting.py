@@ -28,6 +28,7 @@ _NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
 _ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
 _ROOM = word_list("belongs to the room")
 """What belongs to the room and not to the dish; no FOON has it."""
+_CHILL = "refrigerate"
 _PREPARES_A_VESSEL = frozenset({"coat", "cover"})
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
 
@@ -37,7 +38,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
-    drafter = _Drafter(precedents, frozenset(words(narration.name)))
+    drafter = _Drafter(precedents, _dish_of(narration.name))
     rows: list[DraftUnit | LeftOut] = []
     drafter.look_ahead(narration.actions)
     for action in narration.actions:
@@ -58,7 +59,7 @@ def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOu
 class _Drafter:
     """Reads the names of actions, and hands what is meant on to the drafting of units."""
 
-    def __init__(self, precedents: FoonPrecedents, title: frozenset[str]) -> None:
+    def __init__(self, precedents: FoonPrecedents, title: str) -> None:
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
@@ -77,6 +78,8 @@ class _Drafter:
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
         """Answer the units of one action."""
         reading = self._precedents.verbs.reading(action.verb)
+        if not reading.motions and self._keeps_cold(action):
+            reading = self._precedents.verbs.reading(_CHILL)
         if not reading.motions:
             if action.origin and action.objects:  # it is held until somebody says where it is put
                 origin = self._known_as(plain_name(action.origin))
@@ -96,8 +99,10 @@ class _Drafter:
 
     def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
         places = self._referents.places(action)
+        action, reading = self._with_appliances(replace(action, places=places), reading)
+        places = action.places
         objects, doubts = self._referents.objects(replace(action, places=places))
-        if not objects:
+        if not objects or (not action.objects and not places and all(map(motions.transfers, reading.motions))):
             return ()
         foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
         motion = self._precedents.motion(reading.motions, objects[0].name)
@@ -110,6 +115,25 @@ class _Drafter:
         doubts = (*doubts, *([reading.why] if reading.why else ()))
         action = replace(action, objects=tuple(foods or objects), places=places)
         return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _keeps_cold(self, action: NarratedAction) -> bool:
+        """Whether something is kept in what cools."""
+        rows = [tables().utensil(self._known_as(plain_name(place.name))) for place in action.places]
+        return any(row is not None and row.source == "cold" for row in rows)
+
+    def _with_appliances(self, action: NarratedAction, reading: Reading) -> tuple[NarratedAction, Reading]:
+        """Return the action with what heats or cools among the instruments; what is put into a fridge is chilled."""
+        rows = {place.name: tables().utensil(place.name) for place in action.places}
+        named = [name for name, row in rows.items() if row is not None and row.source in {"heat", "cold"}]
+        if not named or all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects:
+            return action, reading
+        row, motion = rows[named[0]], next(iter(reading.motions), "")
+        if row is not None and row.source == "cold" and not tables().motion(motion).source:
+            reading = self._precedents.verbs.reading(_CHILL)
+        elif not tables().motion(motion).source:
+            return action, reading
+        places = tuple(place for place in action.places if place.name not in named)
+        return replace(action, places=places, instruments=(*named, *action.instruments)), reading
 
     def _is_of_the_room(self, name: str) -> bool:
         known = canonical(name)
@@ -158,6 +182,12 @@ def _changes(row: DraftUnit) -> bool:
 def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
     reason = f"nothing is said that {row.annotation.unit.motion} would change: left out"
     return LeftOut(action.said, reason, action.timing)
+
+
+def _dish_of(name: str) -> str:
+    """Return the dish in the name of a recipe, the bread of "easy banana bread 2"; ``""`` where there is none."""
+    last = next((word for word in reversed(words(name)) if len(word) > 1), "")
+    return last if last in tables().dishes else ""
 
 
 def plain_name(name: str) -> str:

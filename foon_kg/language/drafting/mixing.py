@@ -29,12 +29,11 @@ class Mixing:
         scene = self.maker.scene
         if (told := self.maker.nodes.utensil_place(action)) is not None:
             return told
-        foods = [place.name for place in action.places if place.name in scene.foods]
-        foods += [one.name for one in action.objects if one.name in scene.foods]
-        at = [scene.foods[name].container for name in foods]
-        inside = [vessel for vessel in at if vessel is not None and self._holds(vessel)]
-        if inside:
-            return max(inside, key=lambda vessel: (len(scene.held(vessel)) > 1, vessel == scene.focus))
+        for names in ([place.name for place in action.places], [one.name for one in action.objects]):
+            at = [scene.foods[name].container for name in names if name in scene.foods]
+            inside = [vessel for vessel in at if vessel is not None and self._holds(vessel)]
+            if inside:
+                return max(inside, key=lambda vessel: (len(scene.held(vessel)) > 1, vessel == scene.focus))
         return None
 
     def members(self, action: NarratedAction, vessel: str | None) -> tuple[str, ...]:

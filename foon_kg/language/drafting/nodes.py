@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
@@ -48,7 +50,7 @@ class NodeDrafter:
             relation, container = self.precedents.relation(origin), origin
         elif at is not None:
             relation, container = self.precedents.relation(at), at
-        elif container is not None and (container == away_from or self._in_use(container)):
+        elif container is not None and (container == away_from or self._in_use(container) or _cooks(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
@@ -95,6 +97,8 @@ class NodeDrafter:
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if action.results:
             return (*action.results, *(state for state in states if state in before.states))
+        if set(states) == set(before.states) and "wait" in tables().motion(action.verb).does:
+            states, share = tuple(dict.fromkeys((*states, *sorted(word_list("is so by waiting"))))), UNSEEN
         if set(states) == set(before.states) and not like.keeps(before.states) and (told := done(action.verb)):
             states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
@@ -166,6 +170,12 @@ class NodeDrafter:
     def in_utensil(self, node: ObjectNode) -> bool:
         """Say whether a node is in or on a utensil."""
         return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
+
+
+def _cooks(container: str) -> bool:
+    """Whether a vessel stands over the heat: no food begins there, though the FOON has it so before such an action."""
+    row = tables().utensil(container)
+    return row is not None and "cook" in row.can
 
 
 def done(verb: str) -> str | None:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from foon_kg.food import singular, tables
+from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
@@ -29,26 +29,27 @@ _DETERMINERS = word_list("says nothing of a thing")
 
 @dataclass
 class Referents:
-    """Finds what is meant in ``scene``; ``title`` has the words of the recipe's name.
+    """Finds what is meant in ``scene``; ``title`` is the dish in the recipe's name (bread).
 
     ``called`` has the names by which mixtures were spoken of that nobody named when they were made.
     """
 
     precedents: FoonPrecedents
     scene: Scene
-    title: frozenset[str] = frozenset()
+    title: str = ""
     called: dict[str, str] = field(default_factory=dict)
 
     def objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
         """Return what an action is done to, and the doubts about it; nothing where nothing is at hand."""
         besides = self._things_of(action.places)
+        merged = not self._adds(action)
         named: list[Mention] = []
         doubts: list[str] = []
         for mention in action.objects:
             if is_everything(mention.name):
                 named += [Mention(label) for label in self._everything(mention.name, besides)]
                 continue
-            label = self.thing(mention.name, besides)
+            label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
             if label is not None:
                 named.append(Mention(label, mention.states))
             else:
@@ -61,6 +62,8 @@ class Referents:
 
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
+        named = (self.scene.called(one.name) for one in action.objects)
+        besides = frozenset(name for name in named if name is not None)
         found = []
         for place in action.places:
             name = place.name
@@ -68,7 +71,7 @@ class Referents:
                 found.append(Place(place.relation, self._vessel(name, action.said)))
             elif is_everything(name) or canonical(name).split()[-1] in _ON_TOP:
                 found += [Place(place.relation, label) for label in self._hand()]
-            elif (label := self.thing(name)) is not None:
+            elif (label := self.thing(name, besides) or self._merged(name)) is not None:
                 found.append(Place(place.relation, label))
             elif canonical(name).split()[-1] not in _SHAPES:
                 found.append(Place(place.relation, self._new(Mention(name)).name))
@@ -87,6 +90,19 @@ class Referents:
         if self._is_mixture(words):
             return self._mixture(words, besides)
         return self._product(words, besides)
+
+    def _merged(self, name: str) -> str | None:
+        """Return the mixture in which a food went that is by itself no more: the creamed butter."""
+        words = set(canonical(split_name(name)[1]).split())
+        for label in reversed(self.scene.made()):
+            if any(words <= set(canonical(part).split()) for part in self.scene.foods[label].ingredients):
+                return label
+        return None
+
+    def _adds(self, action: NarratedAction) -> bool:
+        """Whether something new comes to a thing: another egg, though one was mixed in before."""
+        motion = next(iter(self.precedents.verbs.reading(action.verb).motions), "")
+        return motions.transfers(motion) or motions.mixes(motion)
 
     def _is_mixture(self, words: Sequence[str]) -> bool:
         generic = words[-1] in _MIXED or words[-1] in tables().unfinished
@@ -109,7 +125,7 @@ class Referents:
         """Return what was made last, where its name is that of a dish or of a shape: the cookies, the balls."""
         name = " ".join(words)
         groups = food_groups()
-        dish = not _DISHES.isdisjoint(groups.of(name) or groups.of(words[-1])) or words[-1] in self.title
+        dish = not _DISHES.isdisjoint(groups.of(name) or groups.of(words[-1])) or words[-1] == self.title
         if not (dish or words[-1] in _SHAPES):
             return None
         made = [label for label in reversed(self.scene.made()) if label not in besides]

@@ -15,7 +15,7 @@ from foon_kg.language.drafting.mixing import Mixing
 from foon_kg.language.drafting.nodes import NodeDrafter, done, listed
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import EMPTY, Scene, emptied, filled
-from foon_kg.model import ObjectNode
+from foon_kg.model import Annotation, ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction
 
 _AWAY = frozenset({"into", "onto", "to"})
@@ -134,6 +134,9 @@ class UnitDrafter:
             self.scene.forget([before.label])
             after = replace(after, ingredients=before.ingredients or (before.label,))
             held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
+        if moved and after == before:  # spread into the pan: that is how it comes there
+            told = replace(moved[0].annotation.unit, motion=motion)
+            return [replace(moved[0], annotation=Annotation(told, action.timing), doubts=tuple(evidence.doubts))]
         made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
         return [*moved, made, *(self._maker.moved([after.label], away, action) if away is not None else [])]
 
