@@ -52,6 +52,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (rf"\b(?:of\s+)?{amount}(?=\s*(?:[,.;!]|$|each\b|apiece\b))", ""),
         (rf"\b{amount}(?:\s*(?:plus|and|\+)\s*{amount})*(?:\s+of\b)?(?:\s+(?=the\b))?", ""),
         (r"\bor\s+(?=until\b|till\b)", ""),
+        (r"(?:,\s*)?\band\s+then\s+(?=(?:the|an?|your)\b)", " and "),
         (rf"\b(?:of|{_any_of('about so much')}|for|at|plus)\s*(?=[,.;!]|$)", ""),
         (r"\s+(?=[,.;!?])", ""),
         (r",(?=[.;!?]|$)|,(?=\s*,)", ""),

@@ -99,7 +99,8 @@ class NodeDrafter:
             return (*action.results, *(state for state in states if state in before.states))
         if set(states) == set(before.states) and "wait" in tables().motion(action.verb).does:
             states, share = tuple(dict.fromkeys((*states, *sorted(word_list("is so by waiting"))))), UNSEEN
-        if set(states) == set(before.states) and not like.keeps(before.states) and (told := done(action.verb)):
+        same = set(states) == set(before.states)
+        if same and (not like.keeps(before.states) or before.ingredients) and (told := done(action.verb)):
             states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
@@ -131,8 +132,7 @@ class NodeDrafter:
     ) -> str | None:
         """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
         for place in action.places:
-            name = self.scene.called(place.name) or place.name
-            label = self.precedents.labels.get(name, name)
+            label = self._place_called(place.name)
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
         focus = self.scene.focus
@@ -156,16 +156,21 @@ class NodeDrafter:
     def utensil_place(self, action: NarratedAction) -> str | None:
         """Answer the first place that is told and that is a utensil."""
         for place in action.places:
-            name = self.scene.called(place.name) or place.name
-            label = self.precedents.labels.get(name, name)
+            label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
                 return label
         return None
 
+    def _place_called(self, name: str) -> str:
+        if self.precedents.kitchen.is_utensil(name):
+            return name
+        known = self.scene.called(name) or name
+        return self.precedents.labels.get(known, known)
+
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Answer the utensil that holds one of the objects, else the one that was used last."""
+        """Answer the utensil that holds one of the objects; none where they all come for the first time."""
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
-        return next((at for at in held if at is not None and at in self.scene.utensils), self.scene.focus)
+        return next((at for at in held if at is not None and at in self.scene.utensils), None)
 
     def in_utensil(self, node: ObjectNode) -> bool:
         """Say whether a node is in or on a utensil."""
@@ -181,8 +186,9 @@ def _cooks(container: str) -> bool:
 def done(verb: str) -> str | None:
     """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
     word = verb.split(" ", maxsplit=1)[0]
-    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", word)
-    return next((state for form in forms if (state := state_in(form))), None)
+    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", f"{word}n", word)
+    given = tables().motion(word).gives
+    return next((state for form in forms if (state := state_in(form) or (form if form in given else None))), None)
 
 
 def listed(states: Sequence[str]) -> str:

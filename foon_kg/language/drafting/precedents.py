@@ -55,8 +55,9 @@ class Precedents:
     doubt: str = ""
 
     def before(self) -> tuple[States, float]:
-        """Answer the commonest states before, and their share."""
-        return _commonest((row.before, row.weight) for row in self.rows)
+        """Answer the commonest states before, and their share: of the rows in which it was not so before already."""
+        first = [row for row in self.rows if not set(row.after) <= set(row.before)] or self.rows
+        return _commonest((row.before, row.weight) for row in first)
 
     def after(self, before: States) -> tuple[States, float]:
         """Answer the states after, of rows that begin alike where there are such, and their share."""

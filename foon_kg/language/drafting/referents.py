@@ -41,8 +41,8 @@ class Referents:
 
     def objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
         """Return what an action is done to, and the doubts about it; nothing where nothing is at hand."""
-        besides = self._things_of(action.places)
         merged = not self._adds(action)
+        besides = self._things_of(action.places, contents=not merged)
         named: list[Mention] = []
         doubts: list[str] = []
         for mention in action.objects:
@@ -87,7 +87,7 @@ class Referents:
             return known
         if len(words) > 1 and words[-1] in _SHAPES and (known := self.scene.called(" ".join(words[:-1]))) is not None:
             return known
-        if self._is_mixture(words):
+        if words[-1] in _MIXED or words[-1] in tables().unfinished:
             return self._mixture(words, besides)
         return self._product(words, besides)
 
@@ -104,10 +104,6 @@ class Referents:
         motion = next(iter(self.precedents.verbs.reading(action.verb).motions), "")
         return motions.transfers(motion) or motions.mixes(motion)
 
-    def _is_mixture(self, words: Sequence[str]) -> bool:
-        generic = words[-1] in _MIXED or words[-1] in tables().unfinished
-        return generic and (len(words) == 1 or words[-1] == MIXTURE or not tables().foods.is_listed(" ".join(words)))
-
     def _mixture(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
         """Return the mixture that has what ``words`` say in it, the latest one; of those at hand only if it must be."""
         last = [label for label in reversed(self.scene.made()) if label not in besides]
@@ -115,6 +111,8 @@ class Referents:
         having = [label for label in last if said & self._words_in(label)] if said else last
         if not having and said:
             having = [label for label in reversed(self.scene.foods) if said & set(canonical(label).split())]
+        if not having and words[-1] in {MIXTURE, "mix"} and not tables().foods.is_listed(" ".join(words)):
+            having = last
         if not having:
             return None
         if words[-1] != MIXTURE and words[-1] != "mix":
@@ -137,13 +135,13 @@ class Referents:
         node = self.scene.foods[label]
         return {word for name in (label, *node.ingredients) for word in canonical(name).split()} - {MIXTURE}
 
-    def _things_of(self, places: Sequence[Place]) -> frozenset[str]:
-        """Return the foods that are meant by places: they are not what is brought there."""
+    def _things_of(self, places: Sequence[Place], *, contents: bool) -> frozenset[str]:
+        """Return the foods that are meant by places, or are in them: they are not what is brought there."""
         found: set[str] = set()
         for place in places:
             if place.name in self.scene.foods:
                 found.add(place.name)
-            found.update(self.scene.held(place.name))
+            found.update(self.scene.held(place.name) if contents else ())
         return frozenset(found)
 
     def _at_hand(self, besides: frozenset[str]) -> tuple[str, ...]:
@@ -174,11 +172,17 @@ class Referents:
         return Mention(label or name, (*mention.states, *states))
 
     def _vessel(self, name: str, said: str) -> str:
-        """Return the label of a vessel; another one where the words before it say so ("in a separate bowl")."""
+        """Return the label of a vessel; another one where the words before it say so ("in a separate bowl").
+
+        The pan is the baking pan that was greased before, a pan is not.
+        """
         label = self.precedents.labels.get(canonical(name)) or singular(name)
         words = "|".join(sorted(_ANOTHER))
         fresh = re.search(rf"\b(?:{words})\s+(?:[\w-]+\s+){{0,2}}?{re.escape(name)}", said, re.IGNORECASE)
-        return self.scene.another(label) if fresh and self.scene.held(label) else label
+        if fresh:
+            return self.scene.another(label) if self.scene.held(label) else label
+        used = [one for one in reversed(self.scene.utensils) if one == label or one.endswith(f" {label}")]
+        return label if label in used or not used else used[0]
 
 
 def is_everything(name: str) -> bool:

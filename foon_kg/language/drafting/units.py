@@ -16,7 +16,7 @@ from foon_kg.language.drafting.nodes import NodeDrafter, done, listed
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import EMPTY, Scene, emptied, filled
 from foon_kg.model import Annotation, ObjectNode
-from foon_kg.model.narration import Mention, NarratedAction
+from foon_kg.model.narration import Mention, NarratedAction, Place
 
 _AWAY = frozenset({"into", "onto", "to"})
 
@@ -60,7 +60,10 @@ class UnitDrafter:
         if source is None:
             return self._of_foods(action, motion, evidence)
         lit = self._maker.lit(source, action)
-        put = self._into_what_cooks(action, motion) if tables().motion(motion).source == "heat" else []
+        put: list[DraftUnit] = []
+        if tables().motion(motion).source == "heat" and (at := self._what_cooks(action, motion)) is not None:
+            put = self._maker.moved([one.name for one in action.objects], at, action)
+            action = replace(action, places=(Place("in", at), *self._food_places(action)))
         told = tuple(dict.fromkeys((source, *action.instruments)))
         return (*lit, *put, *self._of_foods(replace(action, instruments=told), motion, evidence))
 
@@ -91,16 +94,21 @@ class UnitDrafter:
         self.scene.last = tuple(one.name for one in action.objects)
         return (as_one(found),) if brings and found else tuple(found)
 
-    def _into_what_cooks(self, action: NarratedAction, motion: str) -> list[DraftUnit]:
-        """Return the unit that nobody told: what is in a bowl comes into a vessel in which it can be heated."""
+    def _food_places(self, action: NarratedAction) -> tuple[Place, ...]:
+        return tuple(place for place in action.places if not self.precedents.kitchen.is_utensil(place.name))
+
+    def _what_cooks(self, action: NarratedAction, motion: str) -> str | None:
+        """Return the vessel in which food is heated: as told, where it is, else an empty one as the FOON uses."""
         at = self.nodes.utensil_place(action)
+        if at is not None and self._maker.cooks_in(at):
+            return at
         lying = [self.scene.foods.get(one.name) for one in action.objects]
-        if at is None and any(node is not None and self._maker.cooks_in(node.container) for node in lying):
-            return []
-        if at is None or not self._maker.cooks_in(at):
-            usual = self.precedents.vessel_of(motion)
-            at = usual if usual is not None and self._maker.cooks_in(usual) else "pan"
-        return self._maker.moved([one.name for one in action.objects], at, action)
+        inside = [node.container for node in lying if node is not None and self._maker.cooks_in(node.container)]
+        if inside:
+            return inside[0]
+        usual = self.precedents.vessel_of(motion)
+        vessel = usual if usual is not None and self._maker.cooks_in(usual) else "pan"
+        return self.scene.another(vessel) if self.scene.held(vessel) else vessel
 
     def _changed(
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
@@ -134,11 +142,17 @@ class UnitDrafter:
             self.scene.forget([before.label])
             after = replace(after, ingredients=before.ingredients or (before.label,))
             held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
-        if moved and after == before:  # spread into the pan: that is how it comes there
-            told = replace(moved[0].annotation.unit, motion=motion)
-            return [replace(moved[0], annotation=Annotation(told, action.timing), doubts=tuple(evidence.doubts))]
+        if after == before and not with_ and (moved or away is not None):  # spread into the pan: so it comes there
+            moved = moved or self._maker.moved([after.label], away or "", action)
+            return [self._told(one, action, motion, evidence) for one in moved]
         made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
         return [*moved, made, *(self._maker.moved([after.label], away, action) if away is not None else [])]
+
+    def _told(self, moved: DraftUnit, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
+        """Return a unit that brings food as the motion that was told."""
+        unit = replace(moved.annotation.unit, motion=motion)
+        doubts = tuple(dict.fromkeys(evidence.doubts))
+        return replace(moved, annotation=Annotation(unit, action.timing), confidence=evidence.product(), doubts=doubts)
 
     def _foods_of_places(self, action: NarratedAction, besides: str) -> list[ObjectNode]:
         """Return the foods that are told as places: the sugar in which cookies are rolled."""
@@ -192,7 +206,7 @@ class UnitDrafter:
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if heats or motion == TURN_ON:
             states, share = ("on",), max(share, IMPLIED)
-        elif set(states) == set(before.states) and (told := done(action.verb) or self._given(action.verb)) is not None:
+        elif set(states) == set(before.states) and (told := done(action.verb)) is not None:
             states = (*(state for state in states if state != EMPTY), told)
         evidence.weigh(share, f"{mention.name} taken to become {listed(states)}" if states else "")
         held = (state for state in states if state != EMPTY or not before.ingredients)
@@ -204,9 +218,3 @@ class UnitDrafter:
             after = replace(after, relation=self.precedents.relation(place), container=place)
         tools = self.nodes.tools(action, like, [place or "", mention.name])
         return self._maker.unit(action, motion, [*others, before, *tools], [*others, after], evidence)
-
-    def _given(self, verb: str) -> str | None:
-        """Return the state that a motion gives by its own name: lined by line."""
-        word = verb.split(" ", maxsplit=1)[0]
-        given = tables().motion(word).gives
-        return next((form for form in (f"{word}ed", f"{word}d") if form in given), None)
