@@ -50,14 +50,14 @@ from foon_kg.world import World
 KITCHEN = Kitchen.default()
 CLASSES = {
     "bring": "transfer-contents transfer-items portion-and-arrange spread sprinkle / add pour place put pick-and-place scoop "
-    "sprinkle spread drizzle top season insert arrange fill drop move set transfer brush garnish dust divide separate decorate",
+    "sprinkle spread drizzle top season insert arrange fill drop move set transfer brush garnish dust divide separate decorate remove take",
     "mix": "mix mingle beat shake / mix stir beat whisk combine toss blend fold cream whip knead",
     "cut": "cut / cut chop slice dice mince halve quarter shred grate cube",
     "shape": "shape flatten / shape roll flatten form press",
     "bake": "bake / bake roast broil toast",
     "cook": "boil fry cook / boil simmer cook fry saute heat",
     "preheat": "preheat-oven / preheat turn",
-    "rest": "bring-to-temperature leave-for-time refrigerate / cool chill sit leave rest refrigerate freeze stand marinate soften",
+    "rest": "bring-to-temperature leave-for-time refrigerate / cool chill sit leave rest refrigerate freeze stand marinate soften soak",
     "prepare": "grease flour line / grease flour line brush spread oil butter cover wrap place",
     "cover": "cover / cover wrap close",
     "uncover": "uncover / uncover open remove unwrap",

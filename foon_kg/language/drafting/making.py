@@ -19,7 +19,6 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, T
 from foon_kg.model.narration import NarratedAction
 
 _COOKS = frozenset({"heat", "warm"})
-_CAN_COOK = frozenset({"bake", "cook", "heat", "microwave"})
 TURN_ON = "turn on"
 
 
@@ -99,7 +98,11 @@ class Maker:
         doubt = f"nobody says that the {appliance} is turned on"
         return [self.unit(quiet, TURN_ON, [node], [after], Evidence([IMPLIED], [doubt]))]
 
-    def cooks_in(self, at: str | None) -> bool:
-        """Whether food can be heated where it is."""
-        row = tables().utensil(at) if at is not None else None
-        return row is None and at is not None or (row is not None and not row.can.isdisjoint(_CAN_COOK))
+    def cooks_in(self, at: str | None, source: str, motion: str) -> bool:
+        """Whether food can be heated where it is: in an oven, on a stove, in a microwave."""
+        row, heater = tables().utensil(at or ""), tables().utensil(source)
+        if at is None or row is None:
+            return False
+        if heater is not None and "microwave" in heater.group:
+            return "microwave" in row.can
+        return not row.can.isdisjoint({"bake"} if "dry" in tables().motion(motion).does else {"cook", "heat"})

@@ -95,7 +95,7 @@ class NodeDrafter:
     ) -> tuple[str, ...]:
         """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
-        if action.results:
+        if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
         if set(states) == set(before.states) and "wait" in tables().motion(action.verb).does:
             states, share = tuple(dict.fromkeys((*states, *sorted(word_list("is so by waiting"))))), UNSEEN

@@ -112,7 +112,7 @@ class Referents:
         if not having and said:
             having = [label for label in reversed(self.scene.foods) if said & set(canonical(label).split())]
         if not having and words[-1] in {MIXTURE, "mix"} and not tables().foods.is_listed(" ".join(words)):
-            having = last
+            having = sorted(last, key=lambda label: self.scene.foods[label].container == self.scene.focus)
         if not having:
             return None
         if words[-1] != MIXTURE and words[-1] != "mix":

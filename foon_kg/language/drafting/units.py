@@ -61,7 +61,7 @@ class UnitDrafter:
             return self._of_foods(action, motion, evidence)
         lit = self._maker.lit(source, action)
         put: list[DraftUnit] = []
-        if tables().motion(motion).source == "heat" and (at := self._what_cooks(action, motion)) is not None:
+        if tables().motion(motion).source == "heat" and (at := self._what_cooks(action, motion, source)) is not None:
             put = self._maker.moved([one.name for one in action.objects], at, action)
             action = replace(action, places=(Place("in", at), *self._food_places(action)))
         told = tuple(dict.fromkeys((source, *action.instruments)))
@@ -97,17 +97,19 @@ class UnitDrafter:
     def _food_places(self, action: NarratedAction) -> tuple[Place, ...]:
         return tuple(place for place in action.places if not self.precedents.kitchen.is_utensil(place.name))
 
-    def _what_cooks(self, action: NarratedAction, motion: str) -> str | None:
+    def _what_cooks(self, action: NarratedAction, motion: str, source: str) -> str | None:
         """Return the vessel in which food is heated: as told, where it is, else an empty one as the FOON uses."""
-        at = self.nodes.utensil_place(action)
-        if at is not None and self._maker.cooks_in(at):
-            return at
+        told = self.nodes.utensil_place(action)
+        if told is not None and self._maker.cooks_in(told, source, motion):
+            return told
         lying = [self.scene.foods.get(one.name) for one in action.objects]
-        inside = [node.container for node in lying if node is not None and self._maker.cooks_in(node.container)]
+        at = [node.container for node in lying if node is not None]
+        inside = [one for one in at if self._maker.cooks_in(one, source, motion)]
         if inside:
             return inside[0]
         usual = self.precedents.vessel_of(motion)
-        vessel = usual if usual is not None and self._maker.cooks_in(usual) else "pan"
+        fit = usual is not None and self._maker.cooks_in(usual, source, motion)
+        vessel = usual if fit and usual is not None else "pan"
         return self.scene.another(vessel) if self.scene.held(vessel) else vessel
 
     def _changed(
