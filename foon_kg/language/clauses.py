@@ -27,11 +27,12 @@ VERB, FOOD, UTENSIL = "cut", "onion", "bowl"
 _CLAUSES = re.compile(r"(?<=[!?;])\s+|(?<=\.)\s+(?=[^a-z])|;\s*")
 _FIRST = re.compile(r"(?:(?:\d+[.)]|step\s+\d+\W|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
 _MANNER = r"(?:[a-z]+ly\s+(?:and\s+|but\s+)?)*"
+_KEPT = re.compile(r"\bkeep\s+(\w+)ed\b", re.IGNORECASE)
 _BEGINS = re.compile(rf"(?i:{_MANNER})([A-Za-z]+)")
 _JOINED = re.compile(
     rf"((?:,|\band|\bthen|\bor)\s+(?:(?:and|then)\s+)?){_MANNER}([a-z]+)"
     r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|onto|over|with|well|together|to|off|out|up|aside|again|from|your"
-    r"|between|before|everything|all|each|\w+ly)\b|,|[\s.,]*$)"
+    r"|between|before|everything|all|each|\w+ly)\b|,|\s+(?:and|then)\s+[a-z]+|[\s.,]*$)"
 )
 _LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BETWEEN = "_"
@@ -81,7 +82,8 @@ class Clauses:
         return [self._told(clause) for clause in clauses if any(map(str.isalpha, clause))]
 
     def _told(self, clause: str) -> Told:
-        plain = plain_speech(clause[match.end() :] if (match := _FIRST.match(clause)) else clause).rstrip(" .,!?:")
+        plain = plain_speech(clause[match.end() :] if (match := _FIRST.match(clause)) else clause).strip(" .,!?:")
+        plain = _KEPT.sub(self._as_done, plain)
         first = _BEGINS.match(plain)
         if first is None or not is_verb(first[1], self.verbs.motions):
             return Told(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
@@ -94,6 +96,12 @@ class Clauses:
         said = f"You {first[1].lower()}{article}{_JOINED.sub(self._with_subject, rest)}"
         return Told(clause, said, motion[0].lower() if motion else None)
 
+    def _as_done(self, kept: re.Match[str]) -> str:
+        """Return "refrigerate" for "keep refrigerated", where that is a verb."""
+        stem = kept[1].lower()
+        forms = (f"{stem}e", stem, stem[:-1] if stem[-1:] == stem[-2:-1] else stem)
+        return next((form for form in forms if is_verb(form, self.verbs.motions)), kept[0])
+
     def _begins_with_a_thing(self, rest: str) -> bool:
         """Whether a bare noun stands behind the verb; with an article no parser takes it for a part of that."""
         word = _WORDS.match(rest.strip())
@@ -105,6 +113,9 @@ class Clauses:
         """Put "you" before a verb that is joined to another; not before a food (salt and butter in a bowl)."""
         word = joined[2]
         ends = not joined.string[joined.end() :].strip(" .,").strip() or joined.string[joined.end()] == ","
+        after = re.match(r"\s+(?:and|then)\s+([a-z]+)", joined.string[joined.end() :])
+        if after is not None and not is_verb(after[1], self.verbs.motions):
+            return joined[0]
         food = canonical(word) in food_groups().places or (ends and tables().foods.is_listed(word))
         food = food and word not in tables().unfinished  # a mix is nothing that lies in a bowl
         return f"{joined[1]}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
@@ -127,7 +138,7 @@ class Clauses:
         if len(words) < length:
             return False
         said = text[words[0].start() : words[-1].end()]
-        return "," not in said and singular(said) in self._several
+        return not any(map(str.isdigit, said)) and "," not in said and singular(said) in self._several
 
     @cached_property
     def _several(self) -> frozenset[str]:

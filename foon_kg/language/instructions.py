@@ -42,10 +42,13 @@ _SHAPES = word_list("shapes")
 _MIXED = word_list("called a mixture")
 _LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BY_ITSELF = word_list("without hands")
+_ROOM = word_list("belongs to the room")
 _WHEN_OR_WHY = word_list("tells when or why")
 
 AT_HAND = Place("into", "it")
 """Where a thing goes that is mixed in, or with."""
+ON_HAND = Place("on", "it")
+"""Where a thing goes with which what is at hand is covered."""
 
 Token = Any  # spaCy says nothing of its types
 
@@ -128,12 +131,12 @@ def _actions(parsed: Sequence[Token], verbs: Verbs) -> Iterator[NarratedAction]:
     for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
         if not action.objects and joined and shared:
             action = replace(action, objects=shared)  # noqa: PLW2901 - the same action, with what it shares
-        shared = tuple(one for one in action.objects if one.name.lower() not in PRONOUNS)
+        shared = tuple(one for one in action.objects if one.name.lower() not in PRONOUNS | _ROOM)
         done.append(action)
     before: tuple[Mention, ...] = ()
     for action in reversed(done):  # "chop the onion and fry": the object stands at the first
         yield replace(action, objects=before) if before and not action.objects else action
-        own = action.objects or before
+        own = tuple(one for one in action.objects if one.name.lower() not in _ROOM) or before
         before = own if _leaves_alone(action, verbs) else ()
 
 
@@ -191,6 +194,7 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     """
     said = _Said()
     said.direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
+    said.direct += [name for child in verb.children if child.dep_ == "conj" and child.pos_ in _NAMES for name in _names(child)]
     if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in _LEFT_TO_ITSELF:  # let the cookies cool
         let = [child for one in (verb, verb.head) for child in one.children]
         said.direct += [
@@ -219,7 +223,8 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     tools = [name for name in said.used if Kitchen.default().is_utensil(name.name)]
     foods = [name for name in said.used if name not in tools]
     if foods and verb.lemma_ in _COVERED_BY:
-        said.places[:0] = [Place("on", name.name) for name in said.direct]
+        on = [Place("on", name.name) for name in said.direct]
+        said.places[:0] = on or ([] if said.places else [ON_HAND])
         said.direct = foods
     elif foods:
         joins = not said.direct and not said.places  # toss with the dressing
@@ -320,7 +325,8 @@ def _product(verb: Token) -> str | None:
         if token != verb and token.lemma_ in _MAKES and any(child.lower_ == "to" for child in token.children):
             made = [name for child in token.children if child.dep_ in _OBJECTS for name in _names(child)]
             if made:
-                return made[0].name
+                last = made[0].name.split()[-1]
+                return last if canonical(last) in _MIXED else made[0].name
     return None
 
 

@@ -38,7 +38,12 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     lengths = rf"(?:{_any_of('units of length')})\b{dot}"
     level = rf"(?:{_any_of('levels of heat')})"
     heat = r"(?:\W+(?:heat|flame|speed|power|setting))?\b"
+    left = _any_of("goes on by itself when left to it")
+    boil = r"\bbring\s+((?:[\w-]+\s+){0,5}?)(?:back\s+)?to\s+(?:an?\s+|the\s+)?(?:[\w-]+\s+)?(boil|simmer)\b"
     rows = (
+        (boil, r"\2 \1"),
+        (rf"\b(?:let|allow to)\s+(?=(?:{left})\b)", ""),
+        (rf"(?:,\s*)?\b(?:{_any_of('asides in speech')})\b", ""),
         (r"\([^()]*\)?|[)\]\[*]", " "),
         (r"(?<=s)['’](?=\s)", ""),
         (r"\b(?:a little|a bit of|a lot of|plenty of|some)\s+(?=\w)", ""),
@@ -48,7 +53,8 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (rf"\b(?:to|at)\s+{about}\d+\s*[cf]\b", ""),
         (rf"\b(?:over|on|at|to|with)\s+(?:an?\s+)?(?:very\s+)?{level}(?:\W+(?:to\s+)?{level})*{heat}", ""),
         (rf"\b(?:{_any_of('says how warm')})\b[ -]?", ""),
-        (rf"{about}{several}[ -]?{lengths}(?:[ -](?:{_any_of('says where a length goes')})\b)*", ""),
+        (rf"{about}{several}\s+(?:full|of the way(?:\s+full)?)\b", ""),
+        (rf"(?:\b(?:to|into)\s+)?{about}{several}[ -]?{lengths}(?:[ -](?:{_any_of('says where a length goes')})\b)*", ""),
         (rf"\b(?:of\s+)?{amount}(?=\s*(?:[,.;!]|$|each\b|apiece\b))", ""),
         (rf"\b{amount}(?:\s*(?:plus|and|\+)\s*{amount})*(?:\s+of\b)?(?:\s+(?=the\b))?", ""),
         (r"\bor\s+(?=until\b|till\b)", ""),

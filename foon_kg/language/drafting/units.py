@@ -21,6 +21,12 @@ from foon_kg.model.narration import Mention, NarratedAction, Place
 _AWAY = frozenset({"into", "onto", "to"})
 
 
+def _covers(action: NarratedAction, motion: str) -> bool:
+    """Whether food is put onto something: with sugar cookies are coated, with water potatoes are covered."""
+    onto = any(place.relation in {"on", "over"} for place in action.places)
+    return onto and not tables().motion(motion).does.isdisjoint({"coat", "cover", "close"})
+
+
 @dataclass(frozen=True)
 class UnitDrafter:
     """Drafts units of ``nodes``, and changes their scene as these units do."""
@@ -88,7 +94,7 @@ class UnitDrafter:
         for mention in action.objects:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self.nodes.like(motion, mention, own)
-            brought = brings or (like.brings and not motions.heats(motion) and bool(action.places))
+            brought = brings or _covers(action, motion) or (like.brings and not motions.heats(motion) and bool(action.places))
             draft = self._bringing.units if brought else self._changed
             found += draft(action, mention, motion, like, own)
         self.scene.last = tuple(one.name for one in action.objects)
