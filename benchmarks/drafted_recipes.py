@@ -248,7 +248,9 @@ def drafted_steps(made: Draft) -> tuple[Steps, Counter]:
         actions.append(Action(number, kind, list(dict.fromkeys(takes)), foods, vessels))
         for node in unit.output_nodes:
             utensil = KITCHEN.is_utensil(node.label)
-            if (node not in unit.input_nodes or (utensil and node.ingredients)) and not (utensil and "empty" in node.states):
+            if (node not in unit.input_nodes or (utensil and node.ingredients)) and not (
+                utensil and "empty" in node.states
+            ):
                 makers[node] = len(actions) - 1
             if KITCHEN.is_food(node) and node not in unit.input_nodes and node.label not in members:
                 members[node.label] = set().union(*going) if node.ingredients else based(node, members)

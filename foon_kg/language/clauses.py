@@ -7,8 +7,9 @@ several words (cut open) the first stands for all.
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -27,6 +28,9 @@ VERB, FOOD, UTENSIL = "cut", "onion", "bowl"
 _CLAUSES = re.compile(r"(?<=[!?;])\s+|(?<=\.)\s+(?=[^a-z])|;\s*")
 _FIRST = re.compile(r"(?:(?:\d+[.)]|step\s+\d+\W|then|next|now|finally|first|and|-|\*)[\s,]*)*", re.IGNORECASE)
 _MANNER = r"(?:[a-z]+ly\s+(?:and\s+|but\s+)?)*"
+_CHAIN = re.compile(r"[A-Za-z]+(?:,\s*[A-Za-z]+)*,?\s+(?:and|or)(?:\s+then)?\s+[A-Za-z]+(?=\s|$)")
+_OF_A_THING = re.compile(r"[A-Za-z]+\s+(?:an?|the|all|both|each|it|them|your)\b")
+_YOU = re.compile(r"\b([Yy]ou) \w+")
 _KEPT = re.compile(r"\bkeep\s+(\w+)ed\b", re.IGNORECASE)
 _BEGINS = re.compile(rf"(?i:{_MANNER})([A-Za-z]+)")
 _JOINED = re.compile(
@@ -43,16 +47,21 @@ _NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+[\w'&-]*\w")
 
 @dataclass(frozen=True)
 class Told:
-    """A clause: ``text`` has names in one word; ``motion`` is what its second word stands for, where that is a verb."""
+    """A clause: ``text`` has names in one word; ``motion`` is what its second word stands for, where that is a verb.
+
+    ``besides`` are the verbs before the first of ``text`` that are done to the same things: "peel, core and chop".
+    """
 
     clause: str
     text: str
     motion: str | None = None
+    besides: tuple[str, ...] = ()
 
-    def with_stand_in(self) -> Told:
-        """Answer the same with a verb that no parser takes for a noun."""
-        first, _, rest = self.text.removeprefix("You ").partition(" ")
-        return replace(self, text=f"You {VERB} {rest}", motion=self.motion or first)
+    def with_stand_ins(self, places: Collection[int]) -> Told:
+        """Return the same where the verbs at these ``places`` are one that no parser takes for a noun."""
+        count = itertools.count()
+        text = _YOU.sub(lambda you: f"{you[1]} {VERB}" if next(count) in places else you[0], self.text)
+        return replace(self, text=text)
 
     def for_parser(self) -> tuple[str, dict[int, str]]:
         """Answer the sentence with plain nouns in place of names, and the names by where these nouns begin."""
@@ -88,13 +97,31 @@ class Clauses:
         if first is None or not is_verb(first[1], self.verbs.motions):
             return Told(clause, _JOINED.sub(self._with_subject, self._with_names_as_words(plain)))
         plain = plain[first.start(1) :]
+        besides, plain = self._chained(plain)
+        first = _BEGINS.match(plain) or first
         motion = self._motions.match(plain)
         verb = (motion or first)[0] if motion else first[1]
         rest = self._with_names_as_words(plain[len(verb) :])
         let = first[1].lower() in _LEFT_TO_ITSELF
         article = " the" if self._begins_with_a_thing(rest) and not let else ""
         said = f"You {first[1].lower()}{article}{_JOINED.sub(self._with_subject, rest)}"
-        return Told(clause, said, motion[0].lower() if motion else None)
+        return Told(clause, said, motion[0].lower() if motion else None, besides)
+
+    def _chained(self, plain: str) -> tuple[tuple[str, ...], str]:
+        """Split the verbs off that come before another with the same objects; of alternatives the first is told."""
+        chain = _CHAIN.match(plain)
+        verbs = re.findall(r"[A-Za-z]+", chain[0]) if chain is not None else []
+        words = [word for word in verbs if word.lower() not in {"and", "or", "then"}]
+        listed = [word.lower() for word in words]
+        if chain is None or not all(is_verb(word, self.verbs.motions) for word in listed):
+            return (), plain
+        rest = plain[chain.end() - len(words[-1]) :]
+        sure = _OF_A_THING.match(rest) or not any(tables().foods.is_listed(word) for word in listed[1:])
+        if self._motions.match(plain) or not sure:
+            return (), plain
+        if "or" in verbs[1:]:
+            return (), f"{listed[0]}{rest[len(words[-1]) :]}"
+        return tuple(listed[:-1]), rest
 
     def _as_done(self, kept: re.Match[str]) -> str:
         """Return "refrigerate" for "keep refrigerated", where that is a verb."""

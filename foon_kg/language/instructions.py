@@ -6,6 +6,7 @@ destinations, instruments and results. A clause without a verb stays as an actio
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -50,6 +51,8 @@ AT_HAND = Place("into", "it")
 ON_HAND = Place("on", "it")
 """Where a thing goes with which what is at hand is covered."""
 
+_YOU = re.compile(r"\b[Yy]ou (\w+)")
+
 Token = Any  # spaCy says nothing of its types
 
 
@@ -70,22 +73,32 @@ def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) 
 
 
 def _read(told: Told, verbs: Verbs) -> list[NarratedAction]:
-    """Answer the actions of a clause; a verb at its beginning that the parser took for a noun is put back."""
-    parsed = _parsed(told)
-    if told.text.startswith("You ") and len(parsed) > 1 and parsed[1].pos_ != "VERB":
-        told = told.with_stand_in()
-        parsed = _parsed(told)
-    found = list(_actions(parsed, verbs))
-    if found and told.motion is not None and _is_action(parsed[1]):
-        found[0] = replace(found[0], verb=told.motion)
+    """Answer the actions of a clause."""
+    found = list(_actions(_parsed(told), verbs))
+    if found:
+        found[:0] = [replace(found[0], verb=verb, results=(), product=None) for verb in told.besides]
     return _joined(found, told.clause, verbs)
 
 
 def _parsed(told: Told) -> Token:
+    """Return the clause as it is parsed; a verb that the parser took for a noun is put back by one that it knows."""
     text, names = told.for_parser()
     parsed = _pipeline()(text)
+    wrong = {place for place, token in enumerate(_after_you(parsed)) if token.pos_ != "VERB"}
+    said = dict(enumerate(found[1] for found in _YOU.finditer(text)))
+    if wrong:
+        told = told.with_stand_ins(wrong)
+        text, names = told.for_parser()
+        parsed = _pipeline()(text)
+    called = {place: said[place] for place in wrong if place in said} | ({0: told.motion} if told.motion else {})
+    after = dict(enumerate(_after_you(parsed)))
     parsed.user_data["names"] = names
+    parsed.user_data["called"] = {after[place].i: verb for place, verb in called.items() if place in after}
     return parsed
+
+
+def _after_you(parsed: Token) -> list[Token]:
+    return [parsed[token.i + 1] for token in parsed[:-1] if token.lower_ == "you"]
 
 
 def _spoken(token: Token) -> str:
@@ -194,7 +207,9 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     """
     said = _Said()
     said.direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
-    said.direct += [name for child in verb.children if child.dep_ == "conj" and child.pos_ in _NAMES for name in _names(child)]
+    said.direct += [
+        name for child in verb.children if child.dep_ == "conj" and child.pos_ in _NAMES for name in _names(child)
+    ]
     if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in _LEFT_TO_ITSELF:  # let the cookies cool
         let = [child for one in (verb, verb.head) for child in one.children]
         said.direct += [
@@ -246,6 +261,8 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
 
 def _lemma(verb: Token, verbs: Verbs) -> str:
     """Return a verb as a motion is called; the pipeline makes "shre" of "shred"."""
+    if (called := verb.doc.user_data["called"].get(verb.i)) is not None:
+        return str(called)
     lemma = str(verb.lemma_).lower()
     return lemma if is_verb(lemma, verbs.motions) or not is_verb(verb.lower_, verbs.motions) else str(verb.lower_)
 

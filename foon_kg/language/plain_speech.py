@@ -54,7 +54,10 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (rf"\b(?:over|on|at|to|with)\s+(?:an?\s+)?(?:very\s+)?{level}(?:\W+(?:to\s+)?{level})*{heat}", ""),
         (rf"\b(?:{_any_of('says how warm')})\b[ -]?", ""),
         (rf"{about}{several}\s+(?:full|of the way(?:\s+full)?)\b", ""),
-        (rf"(?:\b(?:to|into)\s+)?{about}{several}[ -]?{lengths}(?:[ -](?:{_any_of('says where a length goes')})\b)*", ""),
+        (
+            rf"(?:\b(?:to|into)\s+)?{about}{several}[ -]?{lengths}(?:[ -](?:{_any_of('says where a length goes')})\b)*",
+            "",
+        ),
         (rf"\b(?:of\s+)?{amount}(?=\s*(?:[,.;!]|$|each\b|apiece\b))", ""),
         (rf"\b{amount}(?:\s*(?:plus|and|\+)\s*{amount})*(?:\s+of\b)?(?:\s+(?=the\b))?", ""),
         (r"\bor\s+(?=until\b|till\b)", ""),

@@ -64,7 +64,9 @@ class Maker:
             return []
         motion = self.precedents.bringing(known[0].label)
         named = ", ".join(node.label for node in known)
-        evidence = Evidence([IMPLIED], [f"nobody says how {named} {'comes' if len(known) == 1 else 'come'} to the {at}"])
+        evidence = Evidence(
+            [IMPLIED], [f"nobody says how {named} {'comes' if len(known) == 1 else 'come'} to the {at}"]
+        )
         into = self.nodes.vessel(at)
         left, gone = self.nodes.sources(known)
         relation = self.precedents.relation(at)

@@ -10,10 +10,10 @@ from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
+from foon_kg.language.drafting.told_states import done
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
-from foon_kg.similarity.states import state_in
 
 
 @dataclass(frozen=True)
@@ -66,6 +66,9 @@ class NodeDrafter:
             coming = self.scene.coming.get(canonical(mention.name))
             later = self.precedents.of(coming, mention.name) if coming else like
             states, share = (later if later.rows else like).before()
+            told = done((later if later.rows else like).rows[0].motion)
+            if told in states and (sold := self.precedents.start(mention.name)) is not None:
+                states = sold[0]  # the FOON beats eggs that are beaten already
             evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
             evidence.weigh(max(at, UNSEEN))
             return states, place
@@ -75,7 +78,8 @@ class NodeDrafter:
             doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
             evidence.weigh_states(near.confidence * SOMETHING, doubt)
         if known is None:
-            states = mention.states or ("whole",)
+            made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
+            states = mention.states or (() if made else ("whole",))
             evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
             return states, (None, None)
         return mention.states or known[0], known[1]
@@ -99,8 +103,7 @@ class NodeDrafter:
             return (*action.results, *(state for state in states if state in before.states))
         if set(states) == set(before.states) and "wait" in tables().motion(action.verb).does:
             states, share = tuple(dict.fromkeys((*states, *sorted(word_list("is so by waiting"))))), UNSEEN
-        same = set(states) == set(before.states)
-        if same and (not like.keeps(before.states) or before.ingredients) and (told := done(action.verb)):
+        if set(states) == set(before.states) and (told := done(action.verb)):
             states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
@@ -114,7 +117,7 @@ class NodeDrafter:
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
         """Answer the instruments that are told, else those of the FOON; none of ``besides``."""
-        names = action.instruments or like.tools()
+        names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
 
@@ -177,18 +180,15 @@ class NodeDrafter:
         return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
 
 
+def _runs_water(name: str) -> bool:
+    row = tables().utensil(name)
+    return row is not None and row.source == "water"
+
+
 def _cooks(container: str) -> bool:
     """Whether a vessel stands over the heat: no food begins there, though the FOON has it so before such an action."""
     row = tables().utensil(container)
     return row is not None and "cook" in row.can
-
-
-def done(verb: str) -> str | None:
-    """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
-    word = verb.split(" ", maxsplit=1)[0]
-    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", f"{word}n", word)
-    given = tables().motion(word).gives
-    return next((state for form in forms if (state := state_in(form) or (form if form in given else None))), None)
 
 
 def listed(states: Sequence[str]) -> str:

@@ -62,8 +62,7 @@ class Referents:
 
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
-        named = (self.scene.called(one.name) for one in action.objects)
-        besides = frozenset(name for name in named if name is not None)
+        besides = frozenset(filter(None, (self._already(one.name) for one in action.objects)))
         found = []
         for place in action.places:
             name = place.name
@@ -73,6 +72,8 @@ class Referents:
                 found += [Place(place.relation, label) for label in self._hand()]
             elif (label := self.thing(name, besides) or self._merged(name)) is not None:
                 found.append(Place(place.relation, label))
+            elif self._is_dish(canonical(name).split()) and (vessel := self.scene.lying(besides)) is not None:
+                found.append(Place("into", vessel))
             elif canonical(name).split()[-1] not in _SHAPES:
                 found.append(Place(place.relation, self._new(Mention(name)).name))
         return tuple(dict.fromkeys(found))
@@ -121,15 +122,23 @@ class Referents:
 
     def _product(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
         """Return what was made last, where its name is that of a dish or of a shape: the cookies, the balls."""
-        name = " ".join(words)
-        groups = food_groups()
-        dish = not _DISHES.isdisjoint(groups.of(name) or groups.of(words[-1])) or words[-1] == self.title
-        if not (dish or words[-1] in _SHAPES):
+        if not (self._is_dish(words) or words[-1] in _SHAPES):
             return None
         made = [label for label in reversed(self.scene.made()) if label not in besides]
         if not made and words[-1] in _SHAPES:
             made = [label for label in reversed(self.scene.last) if label in self.scene.foods]
         return made[0] if made else None
+
+    def _is_dish(self, words: Sequence[str]) -> bool:
+        """Whether a name is that of a dish: nothing that is bought for one."""
+        groups = food_groups()
+        return words[-1] == self.title or not _DISHES.isdisjoint(groups.of(" ".join(words)) or groups.of(words[-1]))
+
+    def _already(self, name: str) -> str | None:
+        """Return what an object means whatever the places are: the same name, or what was mixed last."""
+        generic = canonical(name).split()[-1:]
+        known = self.scene.called(name)
+        return known or (self.thing(name) if generic and generic[0] in _MIXED else None)
 
     def _words_in(self, label: str) -> set[str]:
         node = self.scene.foods[label]
@@ -160,7 +169,8 @@ class Referents:
             return there or self._at_hand(besides)
         if canonical(name) == MIXTURE and (mixture := self._mixture([MIXTURE], besides)) is not None:
             return (mixture,)
-        return self._at_hand(besides)
+        last = (food for food in self.scene.last if food in self.scene.foods and food not in besides)
+        return tuple(dict.fromkeys((*self._at_hand(besides), *last)))
 
     def _new(self, mention: Mention) -> Mention:
         """Return a thing that comes for the first time by its name in the FOON, with the states that its name says."""

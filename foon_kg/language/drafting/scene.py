@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import tables
@@ -56,7 +56,13 @@ class Scene:
     def at_hand(self) -> tuple[str, ...]:
         """Answer what an action without an object is done to: all in the vessel of the last one, else its foods."""
         held = tuple(food for food in self.held(self.focus or "") if food in self.foods)
-        return held or tuple(food for food in self.last if food in self.foods)
+        last = tuple(food for food in self.last if food in self.foods)
+        return held if set(last) <= set(held) else last
+
+    def lying(self, besides: Collection[str] = ()) -> str | None:
+        """Return the vessel with several foods in it that was touched last, none of them among ``besides``."""
+        vessels = (label for label in reversed(self.utensils) if len(self.held(label)) > 1)
+        return next((label for label in vessels if set(self.held(label)).isdisjoint(besides)), None)
 
     def made(self) -> tuple[str, ...]:
         """Return the foods that are made of several, in the order in which they were last touched."""

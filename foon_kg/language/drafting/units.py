@@ -12,9 +12,10 @@ from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import IMPLIED, UNSEEN, Evidence, as_one
 from foon_kg.language.drafting.making import TURN_ON, Maker
 from foon_kg.language.drafting.mixing import Mixing
-from foon_kg.language.drafting.nodes import NodeDrafter, done, listed
+from foon_kg.language.drafting.nodes import NodeDrafter, listed
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import EMPTY, Scene, emptied, filled
+from foon_kg.language.drafting.told_states import done
 from foon_kg.model import Annotation, ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
@@ -94,7 +95,9 @@ class UnitDrafter:
         for mention in action.objects:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self.nodes.like(motion, mention, own)
-            brought = brings or _covers(action, motion) or (like.brings and not motions.heats(motion) and bool(action.places))
+            brought = (
+                brings or _covers(action, motion) or (like.brings and not motions.heats(motion) and bool(action.places))
+            )
             draft = self._bringing.units if brought else self._changed
             found += draft(action, mention, motion, like, own)
         self.scene.last = tuple(one.name for one in action.objects)
@@ -115,7 +118,8 @@ class UnitDrafter:
             return inside[0]
         usual = self.precedents.vessel_of(motion)
         fit = usual is not None and self._maker.cooks_in(usual, source, motion)
-        vessel = usual if fit and usual is not None else "pan"
+        plain = "bowl" if "microwave" in source else "pan"
+        vessel = usual if fit and usual is not None else plain
         return self.scene.another(vessel) if self.scene.held(vessel) else vessel
 
     def _changed(

@@ -63,6 +63,8 @@ class Verbs:
         if by_stem is not None:
             return self._listed(said, by_stem)
         first, _, rest = said.partition(" ")
+        if said in tables().motions and (own := self._of_motion_table(said)) is not None:
+            return own
         if rest and (of_first := self.reading(first)).motions:
             return of_first
         return self._of_motion_table(said) or self._alike(said)
