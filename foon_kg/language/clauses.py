@@ -31,6 +31,7 @@ _MANNER = r"(?:[a-z]+ly\s+(?:and\s+|but\s+)?)*"
 _CHAIN = re.compile(r"[A-Za-z]+(?:,\s*[A-Za-z]+)*,?\s+(?:and|or)(?:\s+then)?\s+[A-Za-z]+(?=\s|$)")
 _OF_A_THING = re.compile(r"[A-Za-z]+\s+(?:an?|the|all|both|each|it|them|your)\b")
 _YOU = re.compile(r"\b([Yy]ou) \w+")
+_SEASONS = frozenset({"coat", "scatter", "whip"})
 _KEPT = re.compile(r"\bkeep\s+(\w+)ed\b", re.IGNORECASE)
 _BEGINS = re.compile(rf"(?i:{_MANNER})([A-Za-z]+)")
 _JOINED = re.compile(
@@ -129,6 +130,10 @@ class Clauses:
         forms = (f"{stem}e", stem, stem[:-1] if stem[-1:] == stem[-2:-1] else stem)
         return next((form for form in forms if is_verb(form, self.verbs.motions)), kept[0])
 
+    def _is_seasoning(self, word: str) -> bool:
+        """Whether a word at the end of a list is a food that may be a verb: salt and pepper."""
+        return tables().foods.is_listed(word) and not tables().motion(word).does.isdisjoint(_SEASONS)
+
     def _begins_with_a_thing(self, rest: str) -> bool:
         """Whether a bare noun stands behind the verb; with an article no parser takes it for a part of that."""
         word = _WORDS.match(rest.strip())
@@ -143,7 +148,7 @@ class Clauses:
         after = re.match(r"\s+(?:and|then)\s+([a-z]+)", joined.string[joined.end() :])
         if after is not None and not is_verb(after[1], self.verbs.motions):
             return joined[0]
-        food = canonical(word) in food_groups().places or (ends and tables().foods.is_listed(word))
+        food = canonical(word) in food_groups().places or (ends and self._is_seasoning(word))
         food = food and word not in tables().unfinished  # a mix is nothing that lies in a bowl
         return f"{joined[1]}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
 

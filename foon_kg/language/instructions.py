@@ -355,8 +355,11 @@ def _results(verb: Token) -> Iterator[str]:
         if until or clause:
             start = child.i if until else min(mark.i for mark in child.children if mark.lower_ in _UNTIL)
             for token in (one for one in child.subtree if one.i > start and one.pos_ in {"ADJ", "VERB"}):
+                bare = token.pos_ == "ADJ" and (token.head.i == start or token.dep_ in {"acomp", "advcl"})
                 if (state := state_in(token.lower_)) is not None:
                     yield state
+                elif bare and token.is_alpha and not any(other.dep_ == "prep" for other in token.children):
+                    yield token.lower_
 
 
 def _names(token: Token) -> Iterator[Mention]:

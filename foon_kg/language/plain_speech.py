@@ -36,6 +36,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     spans = rf"(?:{_any_of('units of time')})\b{dot}"
     after = r"(?:\s+(?:longer|more|each|per side|on each side|or so|or more|apart))*"
     lengths = rf"(?:{_any_of('units of length')})\b{dot}"
+    where = _any_of("says where a length goes")
     level = rf"(?:{_any_of('levels of heat')})"
     heat = r"(?:\W+(?:heat|flame|speed|power|setting))?\b"
     left = _any_of("goes on by itself when left to it")
@@ -54,11 +55,9 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (rf"\b(?:over|on|at|to|with)\s+(?:an?\s+)?(?:very\s+)?{level}(?:\W+(?:to\s+)?{level})*{heat}", ""),
         (rf"\b(?:{_any_of('says how warm')})\b[ -]?", ""),
         (rf"{about}{several}\s+(?:full|of the way(?:\s+full)?)\b", ""),
-        (
-            rf"(?:\b(?:to|into)\s+)?{about}{several}[ -]?{lengths}(?:[ -](?:{_any_of('says where a length goes')})\b)*",
-            "",
-        ),
-        (rf"\b(?:of\s+)?{amount}(?=\s*(?:[,.;!]|$|each\b|apiece\b))", ""),
+        (rf"\b(?:to|into)\s+{about}{several}[ -]?{lengths}(?:[ -](?:{where})\b)+", ""),
+        (rf"{about}{several}[ -]?{lengths}(?:[ -](?:{where})\b)*", ""),
+        (rf"\b(?:of\s+)?{amount}(?=\s*(?:[,;!]|\.(?!\s*(?-i:[a-z]))|$|each\b|apiece\b))", ""),
         (rf"\b{amount}(?:\s*(?:plus|and|\+)\s*{amount})*(?:\s+of\b)?(?:\s+(?=the\b))?", ""),
         (r"\bor\s+(?=until\b|till\b)", ""),
         (r"(?:,\s*)?\band\s+then\s+(?=(?:the|an?|your)\b)", " and "),

@@ -11,6 +11,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.words import words
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.language.drafting.naming import rename, renamed
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.referents import Referents
@@ -39,11 +40,11 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
     drafter = _Drafter(precedents, _dish_of(narration.name))
-    rows: list[DraftUnit | LeftOut] = []
     drafter.look_ahead(narration.actions)
     for action in narration.actions:
-        rows += drafter.rows(action)
-    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in rows]
+        drafted = drafter.rows(action)  # it may name anew what was told before
+        drafter.told += drafted
+    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in drafter.told]
     if dish_type in DISH_TYPES:
         _mark_goal(rows, dish_type, precedents)
     return Draft(narration.name, tuple(rows), narration.source, dish_type)
@@ -60,6 +61,7 @@ class _Drafter:
     """Reads the names of actions, and hands what is meant on to the drafting of units."""
 
     def __init__(self, precedents: FoonPrecedents, title: str) -> None:
+        self.told: list[DraftUnit | LeftOut] = []
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
@@ -79,7 +81,7 @@ class _Drafter:
         """Answer the units of one action."""
         reading = self._precedents.verbs.reading(action.verb)
         if not reading.motions and self._keeps_cold(action):
-            reading = self._precedents.verbs.reading(_CHILL)
+            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         if not reading.motions:
             if action.origin and action.objects:  # it is held until somebody says where it is put
                 origin = self._known_as(plain_name(action.origin))
@@ -102,6 +104,12 @@ class _Drafter:
         action, reading = self._with_appliances(replace(action, places=places), reading)
         places = action.places
         objects, doubts = self._referents.objects(replace(action, places=places))
+        for label, name in self._referents.called.items():
+            self.told = renamed(self.told, label, name)
+            rename(self._scene, label, name)
+            objects = tuple(replace(one, name=name) if one.name == label else one for one in objects)
+            places = tuple(replace(one, name=name) if one.name == label else one for one in places)
+        self._referents.called.clear()
         if not objects or (not action.objects and not places and all(map(motions.transfers, reading.motions))):
             return ()
         foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
@@ -135,7 +143,7 @@ class _Drafter:
             return action, reading
         row, motion = rows[named[0]], next(iter(reading.motions), "")
         if row is not None and row.source == "cold" and not tables().motion(motion).source:
-            reading = self._precedents.verbs.reading(_CHILL)
+            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         elif not tables().motion(motion).source:
             return action, reading
         places = tuple(place for place in action.places if place.name not in named)

@@ -101,8 +101,10 @@ class NodeDrafter:
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
-        if set(states) == set(before.states) and "wait" in tables().motion(action.verb).does:
-            states, share = tuple(dict.fromkeys((*states, *sorted(word_list("is so by waiting"))))), UNSEEN
+        known = tables().motion(action.verb)
+        if set(states) == set(before.states) and "wait" in known.does:
+            so = word_list("is so by cooling" if known.source == "cold" else "is so by waiting")
+            states, share = tuple(dict.fromkeys((*states, *sorted(so)))), UNSEEN
         if set(states) == set(before.states) and (told := done(action.verb)):
             states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")

@@ -62,7 +62,7 @@ class Referents:
 
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
-        besides = frozenset(filter(None, (self._already(one.name) for one in action.objects)))
+        besides = frozenset(filter(None, (self._already(one.name, action) for one in action.objects)))
         found = []
         for place in action.places:
             name = place.name
@@ -116,8 +116,9 @@ class Referents:
             having = sorted(last, key=lambda label: self.scene.foods[label].container == self.scene.focus)
         if not having:
             return None
-        if words[-1] != MIXTURE and words[-1] != "mix":
-            self.called.setdefault(having[0], " ".join(words))
+        name = " ".join(words)
+        if words[-1] in _MIXED and words[-1] != MIXTURE and having[0].endswith(MIXTURE) and not self.scene.called(name):
+            self.called.setdefault(having[0], name)
         return having[0]
 
     def _product(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
@@ -134,11 +135,19 @@ class Referents:
         groups = food_groups()
         return words[-1] == self.title or not _DISHES.isdisjoint(groups.of(" ".join(words)) or groups.of(words[-1]))
 
-    def _already(self, name: str) -> str | None:
-        """Return what an object means whatever the places are: the same name, or what was mixed last."""
-        generic = canonical(name).split()[-1:]
-        known = self.scene.called(name)
-        return known or (self.thing(name) if generic and generic[0] in _MIXED else None)
+    def _already(self, name: str, action: NarratedAction) -> str | None:
+        """Return what an object means whatever the places are: the same name, or what was mixed last.
+
+        With a dressing what is at hand is tossed, so it is none of that.
+        """
+        words = canonical(name).split()
+        if (known := self.scene.called(name)) is not None or not words or words[-1] not in _MIXED:
+            return known
+        called = dict(self.called)
+        joins = all(is_everything(place.name) for place in action.places)
+        found = self.thing(name, frozenset(self._hand()) if joins else frozenset())
+        self.called = called
+        return found
 
     def _words_in(self, label: str) -> set[str]:
         node = self.scene.foods[label]
