@@ -28,8 +28,8 @@ def plain_speech(text: str) -> str:
 def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     """Return what is taken out of a sentence, in its order: the longer phrases first."""
     numbers = _any_of("numbers in speech")
-    number = rf"(?:\d[\dO]*(?:[.,/⁄]\d+)?(?:\s+\d+[/⁄]\d+)?\s*[½¼¾⅓⅔⅛]?|[½¼¾⅓⅔⅛]|\b(?:{numbers})\b)"
-    several = rf"{number}(?:\s*(?:-|–|to|or)\s*{number})?"
+    number = rf"(?:\d[\dO]*(?:[.,/\u2044]\d+)?(?:\s+\d+[/\u2044]\d+)?\s*[½¼¾⅓⅔⅛]?|[½¼¾⅓⅔⅛]|\b(?:{numbers})\b)"
+    several = rf"{number}(?:\s*(?:-|\u2013|to|or)\s*{number})?"
     dot = r"(?:\.(?=\s+(?-i:[a-z])))?"
     about = rf"(?:\b(?:{_any_of('about so much')})\s+)*"
     amount = rf"{about}{several}\s*-?\s*(?:{_any_of('units of food')})\b{dot}"
@@ -46,7 +46,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
         (rf"\b(?:let|allow to)\s+(?=(?:{left})\b)", ""),
         (rf"(?:,\s*)?\b(?:{_any_of('asides in speech')})\b", ""),
         (r"\([^()]*\)?|[)\]\[*]", " "),
-        (r"(?<=s)['’](?=\s)", ""),
+        (r"(?<=s)['\u2019](?=\s)", ""),
         (r"\b(?:a little|a bit of|a lot of|plenty of|some)\s+(?=\w)", ""),
         (rf"(?:,\s*)?(?:\b(?:for|after|every|within|in)\s+)?{about}{several}\s*-?\s*(?:more\s+)?{spans}{after}", ""),
         (r"\b(?:for|over)?\s*overnight\b|(?:,\s*)?\b(?:for|after)\s+(?:a|some)\s+(?:while|time)\b", ""),

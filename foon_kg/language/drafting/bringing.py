@@ -34,7 +34,8 @@ class Bringing:
             after = replace(before, relation=None, container=None)
             return [self.maker.unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
         if target in scene.foods:
-            return [self._onto(action, motion, [before, *left, *tools], gone, target, evidence)]
+            inputs, outputs = self._onto(target, [before, *left, *tools], gone)
+            return [self.maker.unit(action, motion, inputs, outputs, evidence)]
         into = nodes.vessel(target)
         after = replace(before, relation=self.maker.precedents.relation(target), container=target)
         scene.focus = target
@@ -43,15 +44,9 @@ class Bringing:
         return [self.maker.unit(action, motion, inputs, outputs, evidence)]
 
     def _onto(
-        self,
-        action: NarratedAction,
-        motion: str,
-        inputs: Sequence[ObjectNode],
-        gone: Sequence[ObjectNode],
-        target: str,
-        evidence: Evidence,
-    ) -> DraftUnit:
-        """Return the unit that brings a food onto another, which has it on it then."""
+        self, target: str, inputs: Sequence[ObjectNode], gone: Sequence[ObjectNode]
+    ) -> tuple[Sequence[ObjectNode], Sequence[ObjectNode]]:
+        """Return what goes in and comes out where a food is brought onto another, which has it on it then."""
         scene = self.maker.scene
         onto, brought = scene.foods[target], inputs[0]
         added = tuple(one for one in (brought.ingredients or (brought.label,)) if one not in onto.ingredients)
@@ -59,4 +54,4 @@ class Bringing:
         scene.forget([brought.label])
         if onto.container is not None and self.maker.nodes.in_utensil(onto):
             scene.focus = onto.container
-        return self.maker.unit(action, motion, [onto, *inputs], [covered, *gone], evidence)
+        return [onto, *inputs], [covered, *gone]

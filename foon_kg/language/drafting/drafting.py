@@ -133,13 +133,13 @@ class _Drafter:
         """Return the action with what heats or cools among the instruments; what is put into a fridge is chilled."""
         source = tables().motion(next(iter(reading.motions), "")).source
         listed = [tables().utensil(one.name) for one in action.objects]
-        if source and listed and all(row is not None and row.source == source for row in listed):
-            if "heat" in tables().motion(reading.motions[0]).does:  # "bake the oven" is said of nothing
-                places = (*action.places, *(Place("in", one.name) for one in action.objects))
-                action = replace(action, objects=(), places=places)
+        heats = bool(source) and "heat" in tables().motion(reading.motions[0]).does
+        if heats and listed and all(row is not None and row.source == source for row in listed):
+            places = (*action.places, *(Place("in", one.name) for one in action.objects))
+            action = replace(action, objects=(), places=places)  # "bake the oven" is said of nothing
         rows = {place.name: tables().utensil(place.name) for place in action.places}
         named = [name for name, row in rows.items() if row is not None and row.source in {"heat", "cold"}]
-        if not named or all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects:
+        if not named or (all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects):
             return action, reading
         row, motion = rows[named[0]], next(iter(reading.motions), "")
         if row is not None and row.source == "cold" and not tables().motion(motion).source:

@@ -59,7 +59,7 @@ class Maker:
     def moved(self, foods: Sequence[str], at: str, action: NarratedAction) -> list[DraftUnit]:
         """Return the unit that nobody told: foods that are elsewhere must have come to where they are changed."""
         known = [self.scene.foods[food] for food in foods if food in self.scene.foods]
-        known = [node for node in known if node.container != at and node.label != at]
+        known = [node for node in known if at not in {node.container, node.label}]
         if not known:
             return []
         motion = self.precedents.bringing(known[0].label)

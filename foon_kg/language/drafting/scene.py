@@ -72,7 +72,7 @@ class Scene:
         """Return the name of an empty vessel like ``vessel``: another of its group, else the same with a number."""
         row = tables().utensil(vessel)
         alike = [one.name for one in tables().utensils.values() if row is not None and one.group == row.group]
-        head = vessel.split()[-1]
+        head = vessel.rsplit(maxsplit=1)[-1]
         named = [name for name in alike if name.split()[-1] == head and not self.held(name)]
         return named[0] if named else f"other {vessel}"
 

@@ -53,6 +53,10 @@ class Verbs:
         said = " ".join(_words(verb))
         if not said:
             return Reading((), why="there is no verb in it")
+        return self._of_foon(said) or self._of_parts(said) or self._of_motion_table(said) or self._alike(said)
+
+    def _of_foon(self, said: str) -> Reading | None:
+        """Return the motions of the FOON that are called so, by the table or by their stems."""
         if said in self._by_words:
             return Reading(self._by_words[said], SAME)
         if (listed := _table().get(said)) is not None:
@@ -60,14 +64,15 @@ class Verbs:
         if (stems := _stems(said)) in self._by_stems:
             return Reading(self._by_stems[stems], SAME_STEM)
         by_stem = next((listed for other, listed in _table().items() if _stems(other) == stems), None)
-        if by_stem is not None:
-            return self._listed(said, by_stem)
+        return self._listed(said, by_stem) if by_stem is not None else None
+
+    def _of_parts(self, said: str) -> Reading | None:
+        """Return the reading of the first of several words, unless they mean another thing together (turn out)."""
         first, _, rest = said.partition(" ")
-        if said in tables().motions and (own := self._of_motion_table(said)) is not None:
-            return own
-        if rest and (of_first := self.reading(first)).motions:
-            return of_first
-        return self._of_motion_table(said) or self._alike(said)
+        if not rest or said in tables().motions:
+            return None
+        found = self.reading(first)
+        return found if found.motions else None
 
     def _of_motion_table(self, said: str) -> Reading | None:
         """Return the verb itself as motion, where the table of motions says what that does."""
