@@ -5,8 +5,8 @@
 
 Of the recipes in their sorted order the even ones (the first is number 0) are for development and may be read
 (``--show``); the odd ones are for the figure alone, and nothing of them is ever printed but figures. Drafts are made
-from the instructions, with the FOON of the second path, which holds none of these recipes. ``--with-ingredients`` puts
-the lines of ingredients before them, as a recipe in a file has them.
+from the instructions, with the FOON of the second path, which holds none of these recipes. ``--with-ingredients`` gives
+the lines of ingredients as well, as a recipe in a file has them.
 
 A step is all that one sentence does of one class (mix, cut, bake ...), on both sides. Bringing is a step of its own
 only where nothing else in its sentence is done with what was brought. Measured are:
@@ -38,6 +38,7 @@ from foon_kg.language.drafting import Draft, DraftUnit, draft
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.tables import thing
 from foon_kg.language.instructions import with_actions
+from foon_kg.language.recipe_text import ingredients
 from foon_kg.loaders import read_paths
 from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Timing
 from foon_kg.model.narration import Narration, Sentence
@@ -216,7 +217,7 @@ def main() -> None:
     parser.add_argument("muhai", type=Path)
     parser.add_argument("foon", type=Path)
     parser.add_argument("--half", choices=("development", "figure"), default="development")
-    parser.add_argument("--with-ingredients", action="store_true", help="put the lines of ingredients before the text")
+    parser.add_argument("--with-ingredients", action="store_true", help="draft with the lines of ingredients, too")
     parser.add_argument("--show", action="store_true", help="show drafts and faults (of the development half alone)")
     parser.add_argument("--only", default="", help="recipes with this in their names")
     asked = parser.parse_args()
@@ -226,13 +227,10 @@ def main() -> None:
     paths = sorted(asked.muhai.glob("*.lisp"))[asked.half == "figure" :: 2]
     for path in (path for path in paths if asked.only in path.stem):
         recipe = Recipe.read(path)
-        told = [*enumerate(recipe.sentences)]
-        if asked.with_ingredients:
-            told = [*((-1, line) for line in recipe.ingredients), *told]
-        sentences = tuple(Sentence(text, Timing(((max(n, 0), max(n, 0) + 1),))) for n, text in told)
-        made = draft(
-            with_actions(Narration(recipe.name, (), sentences), precedents.verbs, precedents.names), precedents
-        )
+        sentences = tuple(Sentence(text, Timing(((n, n + 1),))) for n, text in enumerate(recipe.sentences))
+        listed = ingredients(recipe.ingredients) if asked.with_ingredients else ()
+        narration = Narration(recipe.name, (), sentences, ingredients=listed)
+        made = draft(with_actions(narration, precedents.verbs, precedents.names), precedents)
         faults = list(figures.add(recipe, made))
         if asked.show and asked.half == "development":
             show(recipe, made, faults)

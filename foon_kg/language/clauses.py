@@ -101,7 +101,7 @@ class Clauses:
         besides, plain = self._chained(plain)
         first = _BEGINS.match(plain) or first
         motion = self._motions.match(plain)
-        verb = (motion or first)[0] if motion else first[1]
+        verb = motion[0] if motion else first[1]
         rest = self._with_names_as_words(plain[len(verb) :])
         let = first[1].lower() in _LEFT_TO_ITSELF
         article = " the" if self._begins_with_a_thing(rest) and not let else ""

@@ -11,6 +11,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.words import words
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.language.drafting.larder import Larder
 from foon_kg.language.drafting.naming import rename, renamed
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents
@@ -39,7 +40,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
-    drafter = _Drafter(precedents, _dish_of(narration.name))
+    drafter = _Drafter(precedents, _dish_of(narration.name), Larder.of(narration.ingredients))
     drafter.look_ahead(narration.actions)
     for action in narration.actions:
         drafted = drafter.rows(action)  # it may name anew what was told before
@@ -60,13 +61,13 @@ def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOu
 class _Drafter:
     """Reads the names of actions, and hands what is meant on to the drafting of units."""
 
-    def __init__(self, precedents: FoonPrecedents, title: str) -> None:
+    def __init__(self, precedents: FoonPrecedents, title: str, larder: Larder) -> None:
         self.told: list[DraftUnit | LeftOut] = []
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
         self._units = UnitDrafter(NodeDrafter(precedents, self._scene))
-        self._referents = Referents(precedents, self._scene, title)
+        self._referents = Referents(precedents, self._scene, title, larder=larder)
 
     def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
         """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""

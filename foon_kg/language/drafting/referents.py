@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
+from foon_kg.language.drafting.larder import Larder
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
 from foon_kg.language.line_words import split_name
@@ -24,6 +25,8 @@ _SHAPES = word_list("shapes")
 _DISHES = word_list("groups of dishes")
 _ON_TOP = word_list("is the outside of what is at hand")
 _ANOTHER = word_list("is another vessel")
+_INGREDIENTS = word_list("speaks of ingredients")
+_REMAINING = word_list("speaks of what remains")
 _DETERMINERS = word_list("says nothing of a thing")
 
 
@@ -38,6 +41,7 @@ class Referents:
     scene: Scene
     title: str = ""
     called: dict[str, str] = field(default_factory=dict)
+    larder: Larder = field(default_factory=Larder)
 
     def objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
         """Return what an action is done to, and the doubts about it; nothing where nothing is at hand."""
@@ -47,7 +51,7 @@ class Referents:
         doubts: list[str] = []
         for mention in action.objects:
             if is_everything(mention.name):
-                named += [Mention(label) for label in self._everything(mention.name, besides)]
+                named += self._ingredients(mention.name) or map(Mention, self._everything(mention.name, besides))
                 continue
             label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
             if label is not None:
@@ -133,6 +137,9 @@ class Referents:
     def _is_dish(self, words: Sequence[str]) -> bool:
         """Whether a name is that of a dish: nothing that is bought for one."""
         groups = food_groups()
+        name = " ".join(words)
+        if self.larder.listed and words[-1] in tables().dishes and self.larder.take(name) is None:
+            return True
         return words[-1] == self.title or not _DISHES.isdisjoint(groups.of(" ".join(words)) or groups.of(words[-1]))
 
     def _already(self, name: str, action: NarratedAction) -> str | None:
@@ -181,8 +188,20 @@ class Referents:
         last = (food for food in self.scene.last if food in self.scene.foods and food not in besides)
         return tuple(dict.fromkeys((*self._at_hand(besides), *last)))
 
+    def _ingredients(self, name: str) -> list[Mention]:
+        """Return what the recipe lists and nobody used: all, where nothing is at hand yet, else what remains."""
+        words = set(canonical(name).split())
+        if words.isdisjoint(_INGREDIENTS) or (words.isdisjoint(_REMAINING) and self._hand()):
+            return []
+        return [self._new(one) for one in self.larder.left()]
+
     def _new(self, mention: Mention) -> Mention:
-        """Return a thing that comes for the first time by its name in the FOON, with the states that its name says."""
+        """Return a thing that comes for the first time by its name in the FOON, with the states that its name says.
+
+        An ingredient has the name and the states under which the recipe lists it.
+        """
+        if (listed := self.larder.take(mention.name) or self.larder.take(split_name(mention.name)[1])) is not None:
+            mention = Mention(listed.name, mention.states or listed.states)
         label = self.precedents.labels.get(canonical(mention.name))
         if label is not None or self.precedents.kitchen.is_utensil(mention.name):
             return Mention(label or mention.name, mention.states)
