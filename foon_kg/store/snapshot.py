@@ -54,6 +54,10 @@ class Snapshot:
         """A snapshot keeps no reference trees: it is gone with the program that has it."""
         return
 
+    def moved(self) -> bool:
+        """Return that it stays as it is."""
+        return False
+
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
         return self._vocabulary

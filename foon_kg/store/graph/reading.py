@@ -268,6 +268,19 @@ class GraphView:
         self._edition = known.still(state.edition if state else None)
         return self._edition
 
+    def moved(self) -> bool:
+        """Return whether somebody wrote since the view began; then it begins anew.
+
+        Neo4j shows a transaction what others commit meanwhile. Where nothing but the edition was asked nothing moved.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None) if self.round_trips > 1 else None
+        if state is None or state.edition == self._edition.name:
+            return False
+        self._edition = Edition(state.edition)
+        self.retrieved.clear()
+        self._fetched.clear()
+        return True
+
     def keep(self) -> None:
         """Keep on disk what was fetched for good, where the graph is still of the edition with which this view began.
 
