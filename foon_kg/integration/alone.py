@@ -132,8 +132,19 @@ class Alone:
         pan = bool(heats) and "dry" not in heats[0].does and not self.course.has_liquid(heats[:1])
         if pan and self._is_thick(want):
             return ("boil",)  # it would be brown outside and raw within
+        if isinstance(spot.stage, Phase) and self._takes_longer(want):
+            return ("boil",)  # the grain would be mush when it is done
         whole = self.plan.in_pieces and is_portion(want, self.known)
         return ("cook",) if whole and not self.course.has_liquid([spot.stage]) else ()
+
+    def _takes_longer(self, want: Want) -> bool:
+        """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
+        facts = [join.want.facts for join in self.plan.joins]
+        grain = any(
+            one.is_a(*word_list("is toasted")) and not one.is_a(*word_list("takes longer than grain")) for one in facts
+        )
+        pulse = want.facts.is_a(*word_list("takes longer than grain")) and "boil" in want.facts.owes
+        return pulse and grain and not self.plan.spooned
 
     def _is_thick(self, want: Want) -> bool:
         """Whether a food is asked in such large pieces that it takes very long in a pan."""

@@ -13,7 +13,7 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Want
 
 _MELTS = word_list("melts on what is hot")
-_MILKY = word_list("is beaten with eggs")
+_THICKENS = word_list("thickens what is boiled")
 _POWDER = 5
 
 
@@ -101,5 +101,5 @@ def _floats(facts: Food, others: Sequence[Food]) -> bool:
     floats = word_list("floats on top")
     if facts.is_a(*floats) or (facts.is_a(*_MELTS) and any(one.is_a(*floats) for one in others)):
         return True
-    thick = any(one.is_a("flour", *_MILKY) for one in others)
+    thick = any(one.is_a("flour", *_THICKENS) for one in others)
     return not thick and facts.is_a(*word_list("is spooned onto it"))

@@ -45,6 +45,7 @@ from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult
 from foon_kg.plans.shortage import nearest_first, shortage
@@ -151,7 +152,14 @@ class Planner:
         best = question.best
         ready = best.cooking.ready
         foods = [(RequiredIngredient(w.label, w.asked), ready[w.number].stuff.number) for w in question.wants]
-        return replace(best.result, progress_lines=lines_of_things(best.result.units, best.result.goal, foods))
+        frame = best.fit.frame
+        goal = question.methods.goal_of(frame)
+        recorded = self.references.tree(goal, question.wanted(goal.ingredients)).units
+        return replace(
+            best.result,
+            units=with_measures(best.result.units, recorded, frame.video),
+            progress_lines=lines_of_things(best.result.units, best.result.goal, foods),
+        )
 
 
 class _Question:
