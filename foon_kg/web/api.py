@@ -175,6 +175,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         chosen,
         tuple(asked.avoid),
         tuple(asked.kitchen),
+        asked.after,
         explain=asked.explain,
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
@@ -189,12 +190,13 @@ async def plan_again(
     dish_type: asking.DishType = "",
     avoid: Annotated[list[asking.Words], _AVOIDED] = [],  # noqa: B006 - FastAPI copies it
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
+    after: asking.After = "",
     *,
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
     return await _answered(
-        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), explain=explain)
+        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), after, explain=explain)
     )
 
 

@@ -40,6 +40,7 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, f
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:
+        told["considered"] = [one.to_json() for one in answer.considered]
         told["explanations"] = list(map(explanation_to_json, answer.explanations))
         told["judged"] = check(TaskTree.from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]

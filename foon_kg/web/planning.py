@@ -59,9 +59,9 @@ class PlanningDesk:
     def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
         asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients)
         chosen, avoided = question.substitutes, question.avoided
-        if not (chosen or avoided or question.kitchen):
+        if not (chosen or avoided or question.kitchen or question.after):
             return self._foon.answer(asked, _NO_WISHES, explain=question.explain)
-        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, explain=question.explain)
+        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, question.after, explain=question.explain)
         with self._foon.answers([asked], settings) as answers:  # nothing is kept ready for what others do not wish
             return next(iter(answers))
 

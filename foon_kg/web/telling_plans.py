@@ -56,6 +56,17 @@ class GoalPassedOver(BaseModel):
     why: str
 
 
+class ConsideredTold(BaseModel):
+    """Another dish that was considered, how near its foods are (0..1; ``nearer`` than the one taken), why it was not."""
+
+    goal: Node
+    video: str
+    dish_type: str
+    similarity: float
+    nearer: bool
+    why: str
+
+
 class SubstitutionTold(BaseModel):
     """What stood in the FOON (``equivalent``) where the recipe wants ``required``."""
 
@@ -210,8 +221,8 @@ class PlanTold(BaseModel):
 
     ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
     second in which it is seen, or null, and ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
-    the recipe was asked, or "". Explanations with the judge's findings, schedules and pictures are there where they
-    are asked.
+    the recipe was asked, or "". Explanations with the dishes considered and the judge's findings, schedules and
+    pictures are there where they are asked.
     """
 
     recipe: RecipeTold
@@ -225,6 +236,7 @@ class PlanTold(BaseModel):
     passed_over: list[GoalPassedOver]
     notes: list[str]
     explanations: list[ExplanationTold] | None = None
+    considered: list[ConsideredTold] | None = None
     judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
     shopping: list[Node]

@@ -20,7 +20,7 @@ from foon_kg.similarity.groups import food_groups
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
-Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish"]
+Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish", "goal"]
 
 MOST_UNITS = 40
 """How many of the units that make an object, and of those that take it, are told; the rest is counted."""
@@ -49,13 +49,15 @@ class FoonWords:
         """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
 
         An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
-        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food.
+        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food. A goal is a dish
+        that some video makes.
         """
         if kind == "ingredient":
             return self._ingredients(text, limit)
         names = {
             "food": self.foods, "avoidable": (*food_groups().groups, *self.foods), "object": self._objects,
             "thing": self._objects, "state": self.states, "dish": self.dish_types,
+            "goal": self._goals,
         }[kind]  # fmt: skip
         found = _matching(dict.fromkeys(names), text.strip().lower())
         if kind == "thing":
@@ -107,6 +109,10 @@ class FoonWords:
         seen = [row.label for row in self.snapshot.vocabulary().foods if row.state == state]
         foods = dict.fromkeys((*_matching(sorted(seen), rest), *_matching(self.foods, rest)))
         return [f"{state} {food}" for food in foods][:limit]
+
+    @cached_property
+    def _goals(self) -> list[str]:
+        return sorted({goal.node.label for goal in self.snapshot.goals()})
 
     @cached_property
     def _objects(self) -> list[str]:

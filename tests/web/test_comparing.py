@@ -32,7 +32,8 @@ def test_an_address_shows_every_step_of_both_plans_in_its_order(compared, addres
     rows = compared.execute_script("""
         return [...[...document.querySelectorAll('.compared')].at(-1).children].map(li => [li.className,
             ...[...li.children].map(cell => [...cell.childNodes]
-                .filter(one => !['number', 'sign'].includes(one.className)).map(one => one.textContent).join('').trim())])""")
+                .filter(one => !['number', 'sign'].includes(one.className))
+                .map(one => one.textContent).join('').trim())])""")
     plans = sentences(address), sentences(address, avoid=["onion"])
     for side, told in enumerate(plans, 1):
         assert [row[side] for row in rows if row[side]] == told
@@ -118,7 +119,8 @@ def test_a_plan_of_this_browser_is_offered_and_going_back_is_another_choice(page
 def test_on_a_phone_there_is_one_column_and_the_same_is_told_once(compared):
     on_screen(compared, 375, 720, touch=True)
     tops = compared.execute_script("""
-        return [...document.querySelector('.compared > .changed').children].map(cell => cell.getBoundingClientRect().left)""")
+        return [...document.querySelector('.compared > .changed').children]
+            .map(cell => cell.getBoundingClientRect().left)""")
     assert len(set(tops)) == 1
     second = "return document.querySelector('.compared > .both').lastChild.checkVisibility()"
     assert not compared.execute_script(second)
@@ -163,3 +165,15 @@ def test_rows_have_each_place_once_and_as_much_as_can_be_side_by_side(laid):
         assert [row for row in rows if None not in row and first[row[0]] == second[row[1]]] == pairs
 
     holds()
+
+
+def test_a_candidate_dish_is_laid_beside_the_one_that_was_taken(page, address):
+    page.get(f"{address}/#{ASKED}&view=compare")
+    until(page, "return !!document.getElementById('compare-avoid')")
+    page.find_element("xpath", "//a[text()='made after the winter salad of video winter_salad']").send_keys(ENTER)
+    until(page, COMPARED)
+    first, second = page.find_elements("css selector", ".sides .card")
+    assert "Made like the greek salad" in first.text
+    assert "Made like the winter salad" in second.text
+    moved = page.find_element("xpath", "//ul[@class='compared'][last()]/li[contains(., 'Peel the onion')]")
+    assert moved.text.endswith("in B as step 3")

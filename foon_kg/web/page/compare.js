@@ -44,7 +44,7 @@ const apart = (one, other) => {
   const likes = ({ substitutes }) => substitutes.map(({ food, like }) => `${food} like ${like}`);
   const kitchen = String(one.kitchen) === String(other.kitchen) ? [] : [one.kitchen.length ? `with ${one.kitchen.slice(0, 6).join(", ")}${one.kitchen.length > 6 ? ", …" : ""} at hand` : "with everything at hand"];
   return [...(one.dish_type === other.dish_type ? [] : [`as ${one.dish_type || "any dish"}`]), ...only("ingredients", "with"), ...only("avoid", "without"),
-    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen].join(", ") || "as asked";
+    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen, ...(one.after === other.after ? [] : [one.after ? `after ${one.after}` : "after the dish that suits best"])].join(", ") || "as asked";
 };
 
 const heads = (sides, to) => [
@@ -96,7 +96,8 @@ const marked = (one, other) => {
 
 const steps = (a, b) => {
   const [first, second] = [a, b].map((plan) => plan.sentences);
-  const found = beside(first, second, (x, y) => x === y, alike);
+  const changed = (x, y) => alike(x, y) && !second.includes(x) && !first.includes(y); // what is done elsewhere is no other step
+  const found = beside(first, second, (x, y) => x === y, changed);
   const alone = [0, 1].map((side) => new Map(found.filter((pair) => pair[1 - side] === null).map((pair) => [[first, second][side][pair[side]], pair[side]])));
   return found.map(([i, j]) => {
     const [one, other] = [first[i], second[j]];
@@ -104,7 +105,7 @@ const steps = (a, b) => {
     const numbered = (place, content) => content && [element("span", { class: "number" }, `${place + 1}. `), ...content];
     const elsewhere = one && !other ? alone[1].get(one) : other && !one ? alone[0].get(other) : undefined;
     const made = row(numbered(i, left), numbered(j, right), kindOf(one, other, one === other));
-    if (elsewhere !== undefined) made.querySelector(".sign").textContent = one ? `A, and step ${elsewhere + 1} of B` : `B, and step ${elsewhere + 1} of A`;
+    if (elsewhere !== undefined) made.querySelector(".sign").textContent = `in ${one ? "B" : "A"} as step ${elsewhere + 1}`;
     return made;
   });
 };

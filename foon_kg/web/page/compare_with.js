@@ -14,6 +14,8 @@ export const rivals = (plan, asked, to) => {
     ...asked.avoid.map((food) => [`with ${food} allowed`, { avoid: without(asked.avoid, food) }]),
     ...(asked.kitchen.length ? [["with everything at hand", { kitchen: [] }]] : []),
     ...asked.substitutes.map((one) => [`with ${one.food} handled as the FOON thinks best`, { substitutes: without(asked.substitutes, one) }]),
+    ...(asked.after ? [["after the dish that suits best", { after: "" }]] : []),
+    ...plan.considered.map((one) => [`made after the ${one.goal.label} of video ${one.video}`, { after: one.video }]),
   ].map(([words, changes]) => element("a", { href: address(changes) }, words));
   const own = toAddress(asked);
   const others = recent().filter((one) => one.address !== own).map((one) => element("a", { href: to("compare", null, one.address) }, `${one.name}: ${one.words}`));
