@@ -190,8 +190,8 @@ async def plan_again(
     dish_type: asking.DishType = "",
     avoid: Annotated[list[asking.Words], _AVOIDED] = [],  # noqa: B006 - FastAPI copies it
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
-    after: asking.After = "",
     *,
+    after: asking.After = "",
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""

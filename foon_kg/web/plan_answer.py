@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
 from foon_kg.formats.exports.sentences import sentence
@@ -10,6 +10,7 @@ from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.language.plain_lines import amount_in_front
+from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
 from foon_kg.planning.batch import Answer
@@ -20,14 +21,22 @@ from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
 from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.web.evidence import Place, stands_in
 from foon_kg.web.questions import PlanQuestion
 from foon_kg.web.words import seen_at
 
 
-def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, foon: KnownFoon) -> JsonObject:
+def plan_to_json(
+    answer: Answer,
+    question: PlanQuestion,
+    durations: Durations,
+    foon: KnownFoon,
+    places: Mapping[Place, KnownUnit],
+) -> JsonObject:
     """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
 
-    Why has what the judge says of the plan, who compares it with ``foon``.
+    Why has what the judge says of the plan, who compares it with ``foon``. ``places`` are its units by where they are
+    seen.
     """
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
@@ -36,6 +45,7 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, f
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
         "videos": [seen_at(unit.seen_in) for unit in plan.units],
+        "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
         "sentences": [sentence(unit.as_unit(), kitchen) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }

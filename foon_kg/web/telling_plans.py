@@ -56,8 +56,16 @@ class GoalPassedOver(BaseModel):
     why: str
 
 
+class StandsTold(BaseModel):
+    """A food of a step, the one that a video shows in its place, and how sure it is (0..1) that a cook accepts it."""
+
+    object: str
+    equivalent: str
+    confidence: float
+
+
 class ConsideredTold(BaseModel):
-    """Another dish that was considered, how near its foods are (0..1; ``nearer`` than the one taken), why it was not."""
+    """Another dish that was considered: how near its foods are (0..1; ``nearer`` than the taken one's), why not it."""
 
     goal: Node
     video: str
@@ -220,7 +228,7 @@ class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
     ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null, and ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
+    second in which it is seen, or null, ``stands`` its foods that stand for others there, ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
     the recipe was asked, or "". Explanations with the dishes considered and the judge's findings, schedules and
     pictures are there where they are asked.
     """
@@ -241,6 +249,7 @@ class PlanTold(BaseModel):
     schedules: list[ScheduleTold] | None = None
     shopping: list[Node]
     videos: list[str | None]
+    stands: list[list[StandsTold]]
     sentences: list[str]
     amounts: list[str]
     pictures: Pictures | None = None

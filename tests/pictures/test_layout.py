@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
@@ -105,7 +105,17 @@ def in_bands(draw):
     return sizes, arrows, list(itertools.accumulate(steps))
 
 
-@settings(max_examples=60)
+ONE_SALAD = (
+    [(60.0, 30.0)] * 15,
+    [(0, 1), (2, 3), (3, 4), (4, 5), (1, 6), (6, 7), (7, 8), (5, 9), (8, 10), (9, 10), (7, 11), (10, 12), (11, 13)]
+    + [(12, 13), (13, 14)],
+    [0] * 7 + [1, 1, 0] + [1] * 5,
+)
+"""The lower band has a long arrow and numbers that are not the first ones."""
+
+
+@settings(max_examples=100)
+@example(ONE_SALAD)
 @given(in_bands())
 def test_all_of_a_band_stands_above_all_of_the_next(graph):
     sizes, arrows, bands = graph

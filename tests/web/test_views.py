@@ -149,7 +149,9 @@ def test_why_names_nearer_dishes_that_were_passed_over(page, address):
 
 def test_another_dish_is_followed_from_why_and_the_wish_stands_in_the_form(page, address):
     go(page, address, f"{SALAD}&view=why")
-    page.find_element("css selector", "[aria-label='Make it after the winter salad of winter_salad']").send_keys(ENTER)
+    page.find_element("css selector", "[aria-label='make it so, after the winter salad of winter_salad']").send_keys(
+        ENTER
+    )
     until(page, "return document.querySelector('#view-why')?.innerText.includes('made like the winter salad')")
     assert page.execute_script("return document.getElementById('after').value") == "winter_salad"
     assert "after winter_salad" in page.execute_script("return document.getElementById('wishes-told').textContent")

@@ -113,14 +113,16 @@ def _in_layers(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], layers:
 
 def _heights(boxes: Sequence[int], arrows: Sequence[tuple[int, int]]) -> dict[int, int]:
     """Return how many layers above the lowest of its band each box stands, by network simplex within the band."""
-    own = set(boxes)
-    inside = [arrow for arrow in arrows if own.issuperset(arrow)]
     heights = dict.fromkeys(boxes, 0)
+    inside = [arrow for arrow in arrows if heights.keys() >= set(arrow)]
     if not inside:
         return heights
-    for positions, _, _, _ in cast("list[_Drawn]", fast_sugiyama.from_edges(inside, dummy_vertices=True)):
+    names = list(dict.fromkeys(itertools.chain.from_iterable(inside)))  # the library adds numbers after these
+    numbers = {box: number for number, box in enumerate(names)}
+    links = [(numbers[one], numbers[other]) for one, other in inside]
+    for positions, _, _, _ in cast("list[_Drawn]", fast_sugiyama.from_edges(links, dummy_vertices=True)):
         rows = sorted({y for _, (_, y) in positions})
-        heights.update({number: rows.index(y) for number, (_, y) in positions if number in own})
+        heights.update({names[number]: rows.index(y) for number, (_, y) in positions if number < len(names)})
     return heights
 
 

@@ -35,7 +35,7 @@ export const seenWords = (places, address) => {
   const seen = seenAt(places);
   if (!seen) return null;
   const when = seen.start === null ? "" : ` at ${minutes(seen.start)}`;
-  if (!address) return element("span", { class: "seen aside" }, seen.video + when);
+  if (!address) return element("span", { class: "seen aside" }, `video ${seen.video}${when}`);
   const link = { href: address, target: "_blank", rel: "noreferrer noopener" };
   return element("span", { class: "seen" }, element("a", link, `video ${seen.video}${when}`));
 };

@@ -31,14 +31,18 @@ export const amountOf = (plan, label) => plan.amounts[plan.recipe.ingredients.fi
 
 export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(plan, node.label), " ", ...words(node)]);
 
-// How near what a video shows is to what this step does.
+// How near what a video shows is to what this step does, where nothing of it stands for anything else.
 const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
 
-// The evidence of a step: where it is seen, and how near that is.
+// The evidence of a step: “as in the video at 1:05” where it does what that shows, else “like it, onion for leek, 0.95”.
 export const evidence = (plan, i) => {
   const unit = plan.units[i];
-  const near = unit.origin === "adapted" && NEAR[unit.grounding];
-  return [seenWords(unit.seen_in, plan.videos[i]), near ? ` · ${near}` : ""];
+  const seen = seenWords(unit.seen_in, plan.videos[i]);
+  if (!seen) return ["Seen in no video"];
+  if (unit.origin === "foon") return ["As in ", seen];
+  const stands = plan.stands[i].map((one) => `${one.equivalent} for ${one.object}, ${one.confidence.toFixed(2)}`);
+  const near = stands.length ? stands.join("; ") : NEAR[unit.grounding];
+  return ["Like ", seen, near ? `, ${near}` : ""];
 };
 
 const step = (plan, i, { unseen, to }) => {

@@ -26,8 +26,8 @@ const titled = (title, items) => (items.length ? [heading(2, title), list(items)
 const others = ({ considered }, nearer, asked, to) => considered.filter((one) => one.nearer === nearer).map((one) => {
   const rival = { ...asked, after: one.video };
   return [element("strong", {}, one.goal.label), ` of video ${one.video} `, sure(one.similarity), nearer ? `: ${one.why}` : "",
-    element("span", { class: "jumps" }, " · ", element("a", { href: toAddress(rival, "why"), "aria-label": `Make it after the ${one.goal.label} of ${one.video}` }, "make it so"),
-      " · ", element("a", { href: to("compare", null, toAddress(rival)), "aria-label": `Compare with ${one.goal.label} of ${one.video}` }, "compare"))];
+    element("span", { class: "jumps" }, " · ", element("a", { href: toAddress(rival, "why"), "aria-label": `make it so, after the ${one.goal.label} of ${one.video}` }, "make it so"),
+      " · ", element("a", { href: to("compare", null, toAddress(rival)), "aria-label": `compare with the ${one.goal.label} of ${one.video}` }, "compare"))];
 });
 
 const after = (plan, { recipe, reference } = plan) => [
