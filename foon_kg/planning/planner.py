@@ -51,7 +51,7 @@ from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult
+from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import Finding, Report, TaskTree, check
@@ -220,7 +220,7 @@ class _Question:
             elif attempt.missing:
                 attempts.append(attempt)
             else:
-                return attempt
+                return self._searched(attempt)
         if attempts:
             least = min(attempts, key=lambda one: len(one.missing))
             raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.stands_for)
@@ -325,10 +325,9 @@ class _Question:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
         goal = self.methods.goal_of(frame)
-        summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
-            summary,
+            ReferenceSummary(goal.node, 0, 0, exact=False, videos=(frame.video,), core=core),  # see _searched
             tree.goal,
             tree.units,
             tree.kitchen,
@@ -339,6 +338,12 @@ class _Question:
                 for one in nearer_goals(self.fits, fit, self.recipe.dish_type)
             ),
         )
+
+    def _searched(self, attempt: Attempt) -> Attempt:
+        """Return the attempt that is taken with its reference tree: only for that one it is searched (algorithm 3)."""
+        goal, told = self.methods.goal_of(attempt.fit.frame), attempt.result.reference
+        found = self.planner.references.summary(goal, self.wanted(goal.ingredients), told.videos, told.core)
+        return replace(attempt, result=replace(attempt.result, reference=found))
 
     def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
         """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""

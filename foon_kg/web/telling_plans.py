@@ -228,9 +228,9 @@ class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
     ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null, ``stands`` its foods that stand for others there, ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
-    the recipe was asked, or "". Explanations with the dishes considered and the judge's findings, schedules and
-    pictures are there where they are asked.
+    second in which it is seen, or null, ``stands`` its foods that stand for others there, ``sentences`` what a cook
+    does; ``amounts`` how much of each ingredient of the recipe was asked, or "". Explanations with the dishes
+    considered and the judge's findings, schedules and pictures are there where they are asked.
     """
 
     recipe: RecipeTold

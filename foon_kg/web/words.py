@@ -49,8 +49,8 @@ class FoonWords:
         """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
 
         An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
-        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food. A goal is a dish
-        that some video makes.
+        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food. A goal is a
+        dish that some video makes.
         """
         if kind == "ingredient":
             return self._ingredients(text, limit)
