@@ -105,10 +105,10 @@ def in_bands(draw):
     return sizes, arrows, list(itertools.accumulate(steps))
 
 
+LINKS = "0-1 2-3 3-4 4-5 1-6 6-7 7-8 5-9 8-10 9-10 7-11 10-12 11-13 12-13 13-14"
 ONE_SALAD = (
     [(60.0, 30.0)] * 15,
-    [(0, 1), (2, 3), (3, 4), (4, 5), (1, 6), (6, 7), (7, 8), (5, 9), (8, 10), (9, 10), (7, 11), (10, 12), (11, 13)]
-    + [(12, 13), (13, 14)],
+    [tuple(map(int, one.split("-"))) for one in LINKS.split()],
     [0] * 7 + [1, 1, 0] + [1] * 5,
 )
 """The lower band has a long arrow and numbers that are not the first ones."""

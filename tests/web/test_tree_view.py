@@ -98,7 +98,8 @@ def test_a_food_is_followed_from_the_kitchen_into_the_dish(tree):
     of_leek = "return [...document.querySelectorAll('.stage g[data-foods]')].filter(g => g.dataset.foods.split('\\n')"
     assert len(followed(tree)) == tree.execute_script(f"{of_leek}.includes('leek')).length")
     ways = tree.execute_script("""
-        const [leek, other] = ['.followed', ':not(.followed)'].map(one => document.querySelector(`.stage path.way${one}`));
+        const [leek, other] = ['.followed', ':not(.followed)'].map(
+            one => document.querySelector(`.stage path.way${one}`));
         return [getComputedStyle(leek).stroke, getComputedStyle(other).opacity]""")
     assert ways == ["rgb(137, 87, 229)", "0.3"]
     follow(tree, "~leek")
