@@ -169,7 +169,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     batter = False
     if is_unbaked(title):
         own = layout.spots[-1].stage.motion in word_list("sets in the cold")
-    elif any(dish.tin for dish in known.dishes_named(dish_type)):
+    elif any(dish.tin for dish in named_so):
         if is_of_batter(wants):
             own = batter = layout.batter is not None
             score += _batter_score(layout, wants, title, known)
@@ -440,7 +440,8 @@ def _against_heat(layout: Layout, joins: Sequence[Join], dish_type: str, title: 
     if stacked and _base_is_heated_alone(layout, known):
         yield f"what it is laid on is heated by itself in {frame.goal.label}"
     in_a_pan = not word_list("is cooked in a pan").isdisjoint(words(title)) and not is_baked(dish_type, "", known)
-    if (unbaked or in_a_pan) and bakes:
+    flat = any(dish.is_no and not dish.baked for dish in dishes)
+    if (unbaked or in_a_pan or flat) and bakes:
         yield f"it is not to be baked, and {frame.goal.label} is"
     for dish in known.dishes_named(dish_type, title) if not unbaked else ():
         unheated = (join.want for join in joins if not join.spot.heats_later and join.want.facts.is_a(*_BAKED_ON))

@@ -63,6 +63,34 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
     return Line((fresh, *rest)), tuple(found)
 
 
+def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Return the joins with fat as hard as it is sold where things are heated, and not where they are mixed cold.
+
+    Nothing changes where fat is creamed or rubbed in: with sugar, or with flour that is not fried.
+    """
+    if any(join.want.facts.is_a("dough", "leaven", *word_list("sweetens a batter")) for join in joins):
+        return tuple(joins)
+    hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
+    if hot is not None and "dry" in hot.does and any(join.want.facts.is_a("flour") for join in joins):
+        return tuple(joins)
+    return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
+
+
+def _is_mixed_hard(join: Join) -> bool:
+    facts, stage = join.want.facts, join.spot.stage
+    hard = facts.is_a("fat") and not facts.is_a("creamy", "liquid") and join.want.asked not in word_list("runs")
+    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES
+
+
+def _in_the_heat(join: Join) -> Join:
+    spot = join.spot
+    place = next((n for n, stage in enumerate(spot.after) if not stage.does.isdisjoint(HEATS)), None)
+    if place is None:
+        return join
+    spot = replace(spot, stage=spot.after[place], after=spot.after[place + 1 :], side=False)
+    return replace(join, spot=spot, slot=None)
+
+
 def _heats(line: Line) -> bool:
     return any(not stage.does.isdisjoint(HEATS) for stage in line.all_stages())
 
