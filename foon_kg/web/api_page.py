@@ -10,6 +10,8 @@ from typing import Any
 Described = Mapping[str, Any]
 """A part of an OpenAPI document."""
 
+_TYPES = {"string": "text", "integer": "whole number", "boolean": "true or false", "object": "fields"}
+
 _HEAD = """<!doctype html>
 <html lang="en">
 <head>
@@ -130,11 +132,8 @@ def _type_of(field: Described) -> str:
         return f"<code>{escape(json.dumps(field['const']))}</code>"
     if field.get("type") == "array":
         return f"list of {_type_of(field.get('items', {}))}"
-    return escape(
-        {"string": "text", "integer": "whole number", "boolean": "true or false"}.get(
-            field.get("type", ""), field.get("type", "any")
-        )
-    )
+    name = str(field.get("type", "any"))
+    return escape(_TYPES.get(name, name))
 
 
 def _name_of(field: Described) -> str:

@@ -16,6 +16,7 @@ BUCKETS = (0.005, 0.025, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 20.0)
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "OPTIONS", "PUT", "DELETE", "PATCH"})
 _BROKEN = 500
+_ESCAPED = {ord("\\"): "\\\\", ord('"'): '\\"', ord("\n"): "\\n"}
 
 
 class Metrics:
@@ -27,7 +28,7 @@ class Metrics:
         self.started = time.time()
         self._requests: Counter[tuple[str, str, int]] = Counter()
         self._buckets: defaultdict[str, list[int]] = defaultdict(lambda: [0] * (len(BUCKETS) + 1))
-        self._seconds: Counter[str] = Counter()
+        self._seconds: defaultdict[str, float] = defaultdict(float)
 
     def count(self, path: str, method: str, status: int, seconds: float) -> None:
         """Count a request that was answered; what is no path of the service counts as ``other``, whatever was asked."""
@@ -106,5 +107,4 @@ def _info(labels: Mapping[str, str]) -> Iterator[str]:
 
 
 def _labelled(**labels: str) -> str:
-    escaped = {"\\": "\\\\", '"': '\\"', "\n": "\\n"}
-    return "{" + ",".join(f'{name}="{value.translate(str.maketrans(escaped))}"' for name, value in labels.items()) + "}"
+    return "{" + ",".join(f'{name}="{value.translate(_ESCAPED)}"' for name, value in labels.items()) + "}"

@@ -12,7 +12,7 @@ from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.language.plain_lines import amount_in_front
 from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import node_to_json
+from foon_kg.model.node_json import node_to_json, sighting_to_json
 from foon_kg.planning.batch import Answer
 from foon_kg.planning.explanation import Explanation
 from foon_kg.plans.durations import Durations
@@ -23,7 +23,7 @@ from foon_kg.plans.shopping import shopping_list
 from foon_kg.validation import KnownFoon, TaskTree, check
 from foon_kg.web.evidence import Place, stands_in
 from foon_kg.web.questions import PlanQuestion
-from foon_kg.web.words import seen_at
+from foon_kg.web.words import place_to_see, seen_at
 
 
 def plan_to_json(
@@ -41,10 +41,12 @@ def plan_to_json(
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
+    looked_at = [place_to_see(unit.seen_in, plan.reference.videos) for unit in plan.units]
     told: JsonObject = plan.to_json() | {
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
-        "videos": [seen_at(unit.seen_in) for unit in plan.units],
+        "seen": [seen and sighting_to_json(seen) for seen in looked_at],
+        "videos": [seen and seen_at([seen]) for seen in looked_at],
         "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
         "sentences": [sentence(unit.as_unit(), kitchen) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],

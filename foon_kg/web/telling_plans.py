@@ -227,9 +227,10 @@ class JudgedTold(BaseModel):
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
-    ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null, ``stands`` its foods that stand for others there, ``sentences`` what a cook
-    does; ``amounts`` how much of each ingredient of the recipe was asked, or "". Explanations with the dishes
+    ``shopping`` are the foods of the kitchen as one buys them; ``seen`` has for each unit the place to look at, in the
+    video that the plan is made after where that shows it, ``videos`` the web address of its second, or null, ``stands``
+    the foods that stand for others in what was seen, ``sentences`` what a cook does; ``amounts`` how much of each
+    ingredient of the recipe was asked, or "". Explanations with the dishes
     considered and the judge's findings, schedules and pictures are there where they are asked.
     """
 
@@ -248,6 +249,7 @@ class PlanTold(BaseModel):
     judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
     shopping: list[Node]
+    seen: list[SeenIn | None]
     videos: list[str | None]
     stands: list[list[StandsTold]]
     sentences: list[str]

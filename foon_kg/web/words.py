@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
@@ -128,9 +128,18 @@ class FoonWords:
         return units
 
 
-def seen_at(sightings: Sequence[Sighting]) -> str | None:
-    """Answer the web address of the second in which a unit is seen (at the first place with a time), or ``None``."""
-    seen = next((one for one in sightings if one.start is not None), sightings[0] if sightings else None)
+def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> Sighting | None:
+    """Return of all places where a unit is seen the one to look at, or ``None`` where there is none.
+
+    It is in one of ``videos``, where one of them shows it; of those the first that has a time.
+    """
+    own = [one for one in sightings if one.video in videos] or sightings
+    return next((one for one in own if one.start is not None), own[0] if own else None)
+
+
+def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str | None:
+    """Return the web address of the second in which a unit is seen, as :func:`place_to_see` says, or ``None``."""
+    seen = place_to_see(sightings, videos)
     if seen is None or seen.source is None or urlsplit(seen.source).scheme not in {"http", "https"}:
         return None
     return video_address(seen.source, seen.start)
