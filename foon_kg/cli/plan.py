@@ -75,6 +75,9 @@ Avoided = Annotated[
     list[str] | None,
     typer.Option("--avoid", metavar="FOOD", help="Leave out this food, or all foods of this kind (nuts, dairy)."),
 ]
+After = Annotated[
+    str, typer.Option("--after", metavar="DISH|VIDEO", help="Make it after this recorded dish, or after this video.")
+]
 Output = Annotated[
     Path | None,
     typer.Option(
@@ -110,6 +113,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     method: Method = "frames",
     substitute: Substitutes = None,
     avoid: Avoided = None,
+    after: After = "",
     output: Output = None,
     jobs: Jobs = None,
     files: Files = None,
@@ -131,6 +135,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
     What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
+    --after says which recorded dish to follow, instead of the one that suits best.
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
@@ -146,12 +151,12 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     say = sayer(quiet=quiet)
     if method == "paper":
         own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
-        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid)})
+        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid), "--after": bool(after)})
     if recipes is not None:
         _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
         _alone(wanted or recipe or dish)
         chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(substitutes=chosen, avoided=tuple(avoid or ()), method=method)
+        settings = PlanSettings(substitutes=chosen, avoided=tuple(avoid or ()), after=after, method=method)
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, say, quiet)))
         return
     questions = _questions(wanted or [], dish, recipe or [], say)
@@ -159,7 +164,9 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     with front_door(files, say) as door:
         at_hand = kitchen_of(kitchen, door, say)
         chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(at_hand, substitutes=chosen, avoided=tuple(avoid or ()), explain=explain, method=method)
+        settings = PlanSettings(
+            at_hand, substitutes=chosen, avoided=tuple(avoid or ()), after=after, explain=explain, method=method
+        )
         if enumerate_all:
             show_candidates(questions[0], door, settings, most, as_json=as_json, say=say)
             return

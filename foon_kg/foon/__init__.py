@@ -193,12 +193,14 @@ class Foon:
         avoid: Sequence[str] = (),
         substitute: Mapping[str, str] | None = None,
         kitchen: Kitchen | None = None,
+        after: str = "",
     ) -> Plan:
         """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
 
         ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
         is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
-        asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
+        asked one is handled, ``kitchen`` what is at hand, ``after`` the recorded dish or the video to make it after.
+        Algorithms 1 to 4 of the paper.
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
         :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
@@ -215,7 +217,7 @@ class Foon:
         from foon_kg.plans.result import PlanResult
 
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
-        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid))
+        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid), after=after)
         asked = list(ingredients)
         words = [one for one in asked if isinstance(one, str)]
         pairs = [one for one in asked if not isinstance(one, str)]
