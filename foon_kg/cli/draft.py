@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import draft_recipes
 from foon_kg.cli.console import (
     ErrorsAtTheEdge,
     Files,
@@ -196,6 +197,9 @@ def accept(
         print_json({"accepted": list(loaded), "units": sum(len(one.annotations) for one in subgraphs)})
     else:
         typer.echo("\n".join(f"{name}: in the FOON" for name in loaded))
+
+
+app.command(epilog=draft_recipes.EXAMPLES)(draft_recipes.recipes)
 
 
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:

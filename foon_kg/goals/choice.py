@@ -17,6 +17,7 @@ from foon_kg.integration.outlines import Outlines, Sought
 from foon_kg.integration.places import Join, Matcher
 from foon_kg.integration.poured_over import is_poured_over
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.model.drafted import is_draft
 from foon_kg.world.becoming import meets
 
 _CARRIES = word_list("a dish is built on")
@@ -98,6 +99,9 @@ _GROUND = 0.6
 
 _HEATED = 0.6
 """What a frame is less worth that heats the whole of what is only stacked."""
+
+_DRAFTED = 0.25
+"""What a frame is less worth that nobody has watched: it was drafted from the words of a recipe."""
 
 _MEANS = frozenset({"blend", "dry", "fat", "knead", "liquid", "mash", "whip"})
 """What tells ways of making a dish from each other."""
@@ -190,6 +194,7 @@ def _fit(layout: Layout, wants: Sequence[Want], dish_type: str, title: str, matc
     laid = any(dish.laid for dish in named_so)
     score -= _MIXED if laid and layout.laid is None else 0.0
     score -= 0.15 if missing_core(frame, wants, known) else 0.0
+    score -= _DRAFTED if is_draft(frame.video) else 0.0
     score += _AS_RECORDED * _same_foods(frame, joins, weights)
     alike = sum(join.slot is not None for join in joins) / len(joins)
     return Fit(frame, joins, vetoes, score - 0.05 * len(frame.weak), alike)
