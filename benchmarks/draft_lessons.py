@@ -4,10 +4,11 @@
 
 The instructions of MUHAI's recipes (the quoted comments in its files, never the networks) are drafted with the FOON of
 the second path. Then each recipe is planned, with its title, dish type and lines of ingredients: from the FOON alone;
-with the drafts of all other recipes (its own is left out, and so are those of the same dish: "almond crescent cookies"
-teach no other almond crescent cookies); and, for comparison, with MUHAI's networks in place of the drafts, of the same
-recipes. A plan is accepted where there is a tree and the judge finds nothing that is not minor. A plan "after a draft"
-was made after one. Dish types without a goal in the FOON are told apart.
+with the drafts of the other recipes (its own is left out, and so are those of the same title: almond crescent cookies
+teach no other almond crescent cookies); and, for comparison, with MUHAI's networks of the same recipes in place of the
+drafts. The FOON has videos of nearly every dish type, so all of this is done twice: with the whole FOON, and with one
+from which every video with a goal of the asked dish type is taken out ("lacking"). Then drafts are made with that FOON,
+too. A plan is accepted where there is a tree and the judge finds nothing against it.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from foon_kg.loaders import read_paths
 from foon_kg.loaders.lessons import lesson_of
 from foon_kg.loaders.muhai import read_muhai
 from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.model.collected import CollectedLine, CollectedRecipe
+from foon_kg.model.collected import CollectedLine, CollectedRecipe, UnderstoodRecipe
 from foon_kg.model.drafted import Lesson, is_draft
 from foon_kg.model.errors import FoonError
 from foon_kg.planning.planner import Planner
@@ -69,6 +70,19 @@ def outcome(view: object, known: KnownFoon, asked: Asked) -> tuple[bool, bool, s
     return report.accepted, any(map(is_draft, result.reference.videos)), result.goal.label
 
 
+def without(foon: Snapshot, dish_type: str) -> Snapshot:
+    """Return a FOON without the videos that make a dish of a type."""
+    goals = {video for goal in foon.goals(dish_type) for video in goal.videos}
+    return Snapshot.of([one for one in foon.subgraphs if one.name not in goals], foon.kitchen)
+
+
+def lessons_from(foon: Snapshot, recipes: Sequence[CollectedRecipe]) -> dict[str, Lesson]:
+    """Return what each recipe teaches, drafted with a FOON."""
+    drafter = RecipeDrafter(foon.units, foon.kitchen)
+    found = {recipe.id: lesson_of(drafter.draft(recipe)) for recipe in recipes}
+    return {name: lesson for name, lesson in found.items() if lesson is not None}
+
+
 def main() -> None:
     """Print the figures."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -79,48 +93,47 @@ def main() -> None:
     kitchen = Kitchen.default()
     foon = Snapshot.of([one.subgraph for one in read_paths([given.foon]) if one.subgraph], kitchen)
     recipes = list(collected(sorted(given.muhai.glob("*.lisp"))))
-    drafter = RecipeDrafter(foon.units, kitchen)
-    reader = CollectionReader(labels_of(foon.vocabulary()))
-    lessons: dict[str, Lesson] = {}
-    problems = Counter()
-    for recipe in recipes:
-        made = drafter.draft(recipe)
-        lesson = lesson_of(made)
-        if lesson is not None:
-            lessons[recipe.id] = lesson
-        else:
-            problems[made.problem or ("no dish type" if not made.dish_type else "no dish")] += 1
     networks = {one.subgraph.name: one.subgraph for one in read_muhai([given.muhai]) if one.subgraph}
-    print(f"{len(recipes)} recipes, {len(lessons)} of them give a lesson; {dict(problems)}")
-    frames = WithDrafts.of(foon, lessons.values()).drafts.methods().frames
-    print(f"{len(frames)} frames, {sum(bool(frame.weak) for frame in frames)} of them weak")
-    types = {goal.dish_type for goal in foon.goals()}
-    figures: dict[str, Counter] = {"lacking": Counter(), "there": Counter()}
-    for understood in reader.understand(recipes):
-        recipe = understood.recipe
-        dish_type = next((dish.name for dish in understood.dish_classes if dish.sure), "")
-        if not dish_type or not understood.ingredients:
-            continue
-        wanted = tuple(RequiredIngredient(one.object, one.state) for one in understood.ingredients)
-        asked = Asked(Recipe(dish_type, wanted, recipe.id, recipe.title), recipe.title)
-        others = [one for one in recipes if one.title != recipe.title]
-        taught = [lessons[one.id] for one in others if one.id in lessons]
-        with_drafts = WithDrafts.of(foon, taught)
-        shown = [networks[one.id] for one in others if one.id in networks]
-        with_networks = Snapshot.of([*foon.subgraphs, *shown], kitchen)
-        row = figures["there" if dish_type in types else "lacking"]
-        row["recipes"] += 1
-        told = [f"{recipe.id} ({dish_type})"]
-        for name, view in (("alone", foon), ("drafts", with_drafts), ("networks", with_networks)):
-            accepted, drafted, why = outcome(view, KnownFoon.of(view.units, view.goals()), asked)
-            row[name] += accepted
-            row["after a draft"] += drafted
-            row["after a draft, accepted"] += drafted and accepted
-            told.append(f"{name}: {'accepted' if accepted else 'no'}{' (draft)' if drafted else ''}, {why}")
-        if given.show:
-            print("\n  ".join(told))
+    reader = CollectionReader(labels_of(foon.vocabulary()))
+    asked = [one for one in map(asked_of, reader.understand(recipes)) if one is not None]
+    types = sorted({one.recipe.dish_type for one in asked})
+    foons = {"": foon} | {dish_type: without(foon, dish_type) for dish_type in types}
+    lessons = {name: lessons_from(one, recipes) for name, one in foons.items()}
+    print(
+        f"{len(recipes)} recipes, {len(lessons[''])} of them give a lesson; asked are {len(asked)}: {', '.join(types)}"
+    )
+    figures: dict[str, Counter[str]] = {"lacking": Counter(), "whole": Counter()}
+    for one in asked:
+        others = [recipe.id for recipe in recipes if recipe.title != one.dish]
+        for case, name in (("whole", ""), ("lacking", one.recipe.dish_type)):
+            taught = [lessons[name][other] for other in others if other in lessons[name]]
+            shown = [networks[other] for other in others if other in networks]
+            views = {
+                "alone": foons[name],
+                "with drafts": WithDrafts.of(foons[name], taught),
+                "with networks": Snapshot.of([*foons[name].subgraphs, *shown], kitchen),
+            }
+            figures[case]["recipes"] += 1
+            for told, view in views.items():
+                accepted, drafted, why = outcome(view, KnownFoon.of(view.units, view.goals()), one)
+                figures[case][told] += accepted
+                figures[case]["after a draft"] += drafted
+                figures[case]["after a draft, accepted"] += drafted and accepted
+                if given.show:
+                    verdict = f"{'accepted' if accepted else 'no'}{' (draft)' if drafted else ''}"
+                    print(f"{one.recipe.id} ({one.recipe.dish_type}) {case}, {told}: {verdict}, {why}", flush=True)
     for name, row in figures.items():
         print(name, dict(row))
+
+
+def asked_of(understood: UnderstoodRecipe) -> Asked | None:
+    """Return what is asked of a recipe; ``None`` where its dish type or its foods are not understood."""
+    recipe = understood.recipe
+    dish_type = next((dish.name for dish in understood.dish_classes if dish.sure), "")
+    if not dish_type or not understood.ingredients:
+        return None
+    wanted = tuple(RequiredIngredient(one.object, one.state) for one in understood.ingredients)
+    return Asked(Recipe(dish_type, wanted, recipe.id, recipe.title), recipe.title)
 
 
 if __name__ == "__main__":

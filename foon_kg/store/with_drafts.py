@@ -1,8 +1,8 @@
 """A FOON in memory with what drafts of recipes teach, for whoever asks to plan with them.
 
 Taken from drafts are whole dishes: goals, the units that lead to them, and the frames after which recipes are made. How
-each step is done, with which tools and to which foods (operators), and what foods are called is what the annotated
-videos say: of that a draft knows nothing that it was not told by them.
+each step is done, with which tools and to which foods, is what the annotated videos say, wherever they say anything
+(:mod:`foon_kg.integration.drafted_operators`); and so are the words by which foods are known.
 """
 
 from __future__ import annotations
@@ -13,14 +13,16 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from foon_kg.food import tables
 from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.integration.drafted_operators import DraftedOperators
 from foon_kg.integration.frames import Frame
 from foon_kg.integration.methods import Methods
 from foon_kg.loaders.lessons import subgraphs_of
 from foon_kg.model import Goal, KnownUnit, ObjectNode, Sighting
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.knowledge import KnowledgeView, LikelyGoals, Neighbour, Vocabulary
-from foon_kg.store.snapshot import Snapshot
+from foon_kg.store.snapshot import Snapshot, in_plain_order
 from foon_kg.store.vocabulary import FoodState
 
 
@@ -97,7 +99,9 @@ class WithDrafts:
     def _methods(self) -> Methods:
         taught = self.videos.methods()
         frames = sorted((*taught.frames, *self.drafts.methods().frames), key=_in_order)
-        found = Methods(taught.operators, tuple(frames), self.goals())
+        videos, drafts = (map(in_plain_order, one.units) for one in (self.videos, self.drafts))
+        operators = DraftedOperators(videos, drafts, tables())
+        found = Methods(operators, tuple(frames), self.goals())
         if taught.frames:
             vars(found)["posts"] = taught.posts
         return found

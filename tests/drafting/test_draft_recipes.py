@@ -60,7 +60,8 @@ def test_what_drafts_teach_bears_their_name_and_makes_the_dish(collection, tmp_p
     for lesson in lessons:
         outputs = [output for one in lesson.subgraph.annotations for output in one.unit.outputs]
         assert [output.dish_type for output in outputs if output.dish_type] == ["salad"]
-        assert lesson.subgraph.sources == (f"{collection / 'layer1.json'}: element {int(lesson.subgraph.name[-1]) + 1}",)
+        (source,) = lesson.subgraph.sources
+        assert source == f"{collection / 'layer1.json'}: element {int(lesson.subgraph.name[-1]) + 1}"
 
 
 @pytest.mark.slow
