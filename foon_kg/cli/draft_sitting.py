@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from foon_kg.cli.console import data
+from foon_kg.cli.keys import Keys
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.written_files import write_file
 
@@ -35,7 +36,8 @@ def review_in_person(path: Path, output: Path | None) -> bool:
     from foon_kg.language.reviewing import Review
 
     sitting = Sitting(path, Review.of(read_table(path), path.stem, str(path)))
-    sitting.ask()
+    with sitting.keys.open():
+        sitting.ask()
     if sitting.review.decisions:
         left = len(sitting.review.decisions)
         typer.echo(f"{path}: {left} of its rows are to be decided; foon draft review {path} goes on there.")
@@ -95,6 +97,7 @@ class Sitting:
     review: Review
     before: list[Review] = field(default_factory=list)
     number: int = 0
+    keys: Keys = field(default_factory=Keys)
 
     def ask(self) -> None:
         """Show one decision after another, and do what each key says, until nothing is left to ask."""
@@ -114,7 +117,7 @@ class Sitting:
             decision = self.review.decisions[self.number]
             data().print(decision_view(decision, self.number + 1, len(self.review.decisions)))
             data().print(_KEYS, style="dim")
-            while (way := ways.get(_key())) is None:
+            while (way := ways.get(self._key())) is None:
                 pass
             if not way(decision):
                 return
@@ -147,13 +150,21 @@ class Sitting:
         cells = {name: decision.cells.get(name, "") for name in ASKED if name in self.review.columns}
         while True:
             try:
-                cells = {name: _typed(name, text) for name, text in cells.items()}
+                with self.keys.closed():
+                    cells = {name: _typed(name, text) for name, text in cells.items()}
                 return self._decided(self.review.edited(decision.place, cells), "edited")
             except UsageError as error:
                 typer.echo(f"{error.message} — {error.hint} (Ctrl-C leaves it as it was)")
             except (KeyboardInterrupt, EOFError):
                 typer.echo("\nas it was")
                 return True
+
+    def _key(self) -> str:
+        """Return the next key; Ctrl-C and the end of the input quit."""
+        try:
+            return self.keys.next().lower()
+        except (KeyboardInterrupt, EOFError):
+            return "q"
 
     def _decided(self, review: Review, what: str) -> bool:
         self.before.append(self.review)
@@ -200,14 +211,6 @@ def _unit_words(decision: Decision) -> RenderableType:
         if text := decision.cells.get(name, ""):
             table.add_row(Text(name, "dim"), Text(text))
     return Group(Text(sentence(decision.unit, Kitchen.default()), "bold"), table)
-
-
-def _key() -> str:
-    """Return the next key; Ctrl-C and the end of the input quit."""
-    try:
-        return typer.getchar().lower()
-    except (KeyboardInterrupt, EOFError):
-        return "q"
 
 
 def _typed(name: str, text: str) -> str:
