@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,6 +13,8 @@ from typing import Any
 import typer
 
 _AT_ONCE = 64
+_SEQUENCE = re.compile(r"\x1b(?:\[[0-9;?]*[@-~]|O.|.)?")
+"""What arrows and other keys without a letter send."""
 
 
 @dataclass
@@ -63,6 +66,5 @@ class Keys:
             data = os.read(sys.stdin.fileno(), _AT_ONCE)
             if not data:
                 raise EOFError
-            if not data.startswith(b"\x1b"):
-                self.waiting += data.decode(errors="ignore")
+            self.waiting += _SEQUENCE.sub("", data.decode(errors="ignore"))
         return self.waiting.pop(0)
