@@ -27,6 +27,8 @@ from foon_kg.plans.kitchen import Kitchen
 REVIEWED = "reviewed"
 YES = "yes"
 MOST_ROWS = 5_000
+_PLAYERS = ("youtube.com/watch", "youtu.be/")
+"""Pages of videos that take the second as a parameter; others take it as a fragment, as HTML has it."""
 
 Kind = Literal["doubt", "no unit", "from nowhere", "unknown"]
 Cells = Mapping[str, str]
@@ -44,7 +46,8 @@ class Reason:
 class Decision:
     """One row that a person should look at: where it stands, what was said, the unit made of it, and why it is asked.
 
-    ``place`` counts the rows from 0. ``unit`` is ``None`` where the row is none (yet).
+    ``place`` counts the rows from 0. ``unit`` is ``None`` where the row is none (yet). ``start`` is the second of the
+    video.
     """
 
     place: int
@@ -52,11 +55,27 @@ class Decision:
     unit: FunctionalUnit | None
     confidence: float
     reasons: tuple[Reason, ...]
+    start: float | None = None
 
     @property
     def said(self) -> str:
         """What the narration says here, ``""`` where it is not known."""
         return self.cells.get("said", "")
+
+    @property
+    def is_reviewed(self) -> bool:
+        """Whether a person has decided on it."""
+        return self.cells.get(REVIEWED) == YES
+
+    @property
+    def at(self) -> str:
+        """The address of the video at that second; ``""`` where the source is none, or nobody wrote a time down."""
+        source = self.cells.get("source", "")
+        if self.start is None or not source.startswith(("https://", "http://")):
+            return ""
+        if any(name in source for name in _PLAYERS):
+            return f"{source}{'&' if '?' in source else '?'}t={int(self.start)}"
+        return f"{source}#t={self.start:g}"
 
     @property
     def moment(self) -> str:
@@ -91,10 +110,15 @@ class Review:
         columns = tuple(dict.fromkeys((*filter(None, columns_of(text)), REVIEWED)))
         return cls(name, columns, tuple({one: " ".join(row.get(one, "").split()) for one in columns} for row in rows))
 
-    @cached_property
+    @property
     def decisions(self) -> tuple[Decision, ...]:
         """What a person should decide, in the order of the rows."""
-        return tuple(self._decisions())
+        return tuple(one for one in self.all_rows if one.reasons)
+
+    @cached_property
+    def all_rows(self) -> tuple[Decision, ...]:
+        """Every row in its order; one that nobody needs to look at, or that somebody did, has no reasons."""
+        return tuple(self._looked_at())
 
     @property
     def units(self) -> int:
@@ -166,19 +190,19 @@ class Review:
         annotations = iter(self.read.subgraph.annotations if self.read.subgraph else ())
         return tuple(None if place + 2 in rejected else next(annotations, None) for place in range(len(self.rows)))
 
-    def _decisions(self) -> Iterator[Decision]:
+    def _looked_at(self) -> Iterator[Decision]:
         drafted = tuple(self._drafted())
         gaps = missing(DraftFile(self.name, drafted, None, ()), Kitchen.default())
-        told: set[str] = set()
+        told: set[tuple[str, str]] = set()
         for place, row in enumerate(drafted):
             reasons = [
                 *_own(row, self.read.notices),
                 *(Reason("from nowhere", f"{one.node}: {one.why}") for one in gaps if one.line == row.line),
                 *_unknown(row, told),
             ]
-            if reasons and self.rows[place].get(REVIEWED) != YES:
-                unit = row.annotation.unit if row.annotation else None
-                yield Decision(place, self.rows[place], unit, row.confidence, tuple(reasons))
+            open_still = reasons if self.rows[place].get(REVIEWED) != YES else ()
+            unit, start = (row.annotation.unit, row.annotation.timing.start) if row.annotation else (None, None)
+            yield Decision(place, self.rows[place], unit, row.confidence, tuple(open_still), start)
 
     def _drafted(self) -> Iterator[DraftRow]:
         for place, (cells, annotation) in enumerate(zip(self.rows, self._units, strict=True)):
@@ -203,12 +227,12 @@ def _own(row: DraftRow, notices: Sequence[Notice]) -> Iterator[Reason]:
         yield from (Reason("doubt", text) for text in row.doubts)
 
 
-def _unknown(row: DraftRow, told: set[str]) -> Iterator[Reason]:
+def _unknown(row: DraftRow, told: set[tuple[str, str]]) -> Iterator[Reason]:
     """Yield the words that no table has, each where it comes first."""
     if row.annotation is None:
         return
     unit = row.annotation.unit
     for word in unknown_words((*unit.input_nodes, *unit.output_nodes), [unit.motion]):
-        if not word.nearly and word.what not in told:
-            told.add(word.what)
+        if not word.nearly and (word.kind, word.word) not in told:
+            told.add((word.kind, word.word))
             yield Reason("unknown", str(word))
