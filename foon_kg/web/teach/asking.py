@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from foon_kg.web.asking import Asked, DishType
+from foon_kg.web.asking import Asked
 
 LONGEST_TABLE = 60_000
 LONGEST_CELL = 2_000
@@ -20,7 +20,7 @@ class CellsAsked(Asked):
     motion: Cell = Field(examples=["chop"])
     inputs: Cell = Field(examples=["onion (peeled) on cutting board; knife"])
     outputs: Cell = Field(examples=["onion (chopped) on cutting board"])
-    dish: DishType = Field("", description="Where the unit makes the dish: its type.", examples=[""])
+    dish: Cell = Field("", description="Where the unit makes the dish: its type.", examples=[""])
 
 
 class DecisionAsked(Asked):
