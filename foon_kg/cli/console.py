@@ -15,8 +15,8 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
-from typer.core import TyperGroup
 
+from foon_kg.cli.help_pages import HelpedGroup
 from foon_kg.model.errors import FoonError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
@@ -51,7 +51,7 @@ def examples(*lines: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
-class ErrorsAtTheEdge(TyperGroup):
+class ErrorsAtTheEdge(HelpedGroup):
     """The root of the commands: turns a :class:`~foon_kg.model.errors.FoonError` into a message and its exit code.
 
     Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.

@@ -46,10 +46,10 @@ def cypher(
     ] = False,
     quiet: Quiet = False,
 ) -> None:
-    """Ask the graph in Cypher. Without --write, anything but a look at the graph is refused.
+    """Ask the graph in Cypher; only --write lets a question change it.
 
-    Refused are writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL {...} IN TRANSACTIONS,
-    and procedures that do more than look at the graph.
+    Without it these are refused: writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL
+    {...} IN TRANSACTIONS, and procedures that do more than look at the graph.
     """
     from foon_kg.foon import Foon
     from foon_kg.model.errors import UsageError

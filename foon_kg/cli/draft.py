@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import (
-    ErrorsAtTheEdge,
     Files,
     Json,
     Quiet,
@@ -20,6 +19,7 @@ from foon_kg.cli.console import (
     print_json,
     sayer,
 )
+from foon_kg.cli.groups import Commanded
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -30,13 +30,7 @@ if TYPE_CHECKING:
     from foon_kg.model.narration import Narration, Sentence
     from foon_kg.plans.difference import VideoDifference
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="draft",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Draft subgraphs of narrated videos and of text.",
-)
+app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import load_recipes, load_weights
-from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.cli.groups import Commanded
 from foon_kg.cli.loading import (
     UNWRITTEN,
     BadTolerance,
@@ -32,13 +33,7 @@ if TYPE_CHECKING:
     from foon_kg.cli.files_read import FilesRead
     from foon_kg.loaders import Notice, ReadResult
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="load",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Load FOONs and collections of recipes into Neo4j.",
-)
+app = Commanded(name="load", help="Load FOONs and collections of recipes into Neo4j.")
 
 
 @dataclass(frozen=True)
