@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.cli.retrieve import Weights
 from foon_kg.model.errors import UsageError
@@ -70,6 +70,7 @@ def export(
     recipe: RecipeFile = None,
     weights: Weights = None,
     files: Files = None,
+    as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Write task trees, or the whole FOON, for other programs.
@@ -97,7 +98,9 @@ def export(
     export "foon plan --foon".
     """  # noqa: D301 - click wants the character itself before lines that it must not join
     say = sayer(quiet=quiet)
-    form = _chosen(form, output)
+    if as_json and form not in {None, "json"}:
+        raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
+    form = _chosen("json" if as_json else form, output)
     if recipe is not None and form != "markdown":
         _refuse({"--recipe": recipe}, form)
     if weights is not None and form not in _WEIGHTED:

@@ -26,7 +26,9 @@ EXAMPLES = examples(
 def similar(
     names: Annotated[list[str], typer.Argument(metavar="NAME...", help="Foods; quote those of several words.")],
     *,
-    limit: Annotated[int, typer.Option("--limit", "-n", min=1, help="How many known foods to answer a name.")] = 5,
+    limit: Annotated[
+        int, typer.Option("--limit", "-n", metavar="N", min=1, help="How many known foods to answer a name.")
+    ] = 5,
     vectors: Annotated[
         str | None,
         typer.Option("--vectors", metavar="PIPELINE", help="Compare by the cosine of a spaCy pipeline's vectors."),
