@@ -62,6 +62,7 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
     """
     from foon_kg.cli.loading import tell_unknown
+    from foon_kg.cli.runs import counting
     from foon_kg.food.unknown import unknown_words
     from foon_kg.loaders.video_tables import read_videos
     from foon_kg.plans.kitchen import Kitchen
@@ -70,7 +71,11 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     for path in paths:
         if not path.exists():
             raise UsageError(f"there is no file or folder {path}", hint="--files names subgraph files or folders.")
-    results = list(read_videos(paths))
+    with counting("Reading files", closing=False, quiet=bool(getattr(say, "quiet", False))) as advance:
+        results = []
+        for result in read_videos(paths):
+            results.append(result)
+            advance(1)
     notices = [notice for result in results for notice in result.notices]
     if notices:
         say(f"{in_short(notices)} in these files (foon load foon --report FILE lists them)")

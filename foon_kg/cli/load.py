@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli import load_recipes, load_weights
-from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.console import Json, Quiet, Say, examples, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
 from foon_kg.cli.groups import Commanded
 from foon_kg.cli.loading import (
@@ -240,18 +240,15 @@ def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
 
 def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     """Load with a progress bar, which only a terminal shows."""
-    from rich.progress import Progress
-
+    from foon_kg.cli.runs import counting
     from foon_kg.foon import Foon
 
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-    console = messages(quiet=quiet)
     with (
         Foon.connect(say=sayer(quiet=quiet)) as foon,
-        Progress(console=console, disable=not console.is_terminal) as progress,
+        counting("Loading videos", len(subgraphs), quiet=quiet) as advance,
     ):
-        task = progress.add_task("Loading", total=len(subgraphs))
-        loaded = foon.store(subgraphs, stored=lambda report: progress.advance(task, len(report)))
+        loaded = foon.store(subgraphs, stored=lambda report: advance(len(report)))
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 
 
