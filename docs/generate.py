@@ -70,7 +70,7 @@ def described(command: Any, path: tuple[str, ...]) -> Iterator[str]:  # noqa: AN
 
 def exit_codes() -> str:
     """Return the rows of the table of exit codes; whose errors end with which they know themselves."""
-    errors = [FoonError, *every(FoonError)]
+    errors: list[type[FoonError]] = [FoonError, *every(FoonError)]
     return "\n".join(
         f"| {code} | {means} | {', '.join(sorted({f'`{one.code}`' for one in errors if one.exit_code == code}))} |"
         for code, means in EXIT_CODES.items()

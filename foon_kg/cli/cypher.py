@@ -21,6 +21,8 @@ Form = Literal["table", "json", "csv"]
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
     'foon cypher "MATCH (o:Object {label: $x}) RETURN o.states" -P x=onion --json',
+    "foon cypher 'PROFILE MATCH (m:Motion {verb: \"chop\"}) RETURN count(m)'",
+    "foon cypher 'SHOW INDEXES YIELD name, type' --format csv",
     "foon cypher --list",
     "foon cypher --name motion_on_food -P food=onion -P motion=chop",
 )
@@ -54,8 +56,9 @@ def cypher(
 ) -> None:
     """Ask the graph in Cypher; only --write lets a question change it.
 
-    Without it these are refused: writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL
-    {...} IN TRANSACTIONS, and procedures that do more than look at the graph.
+    Without it these are refused: writes, changes of schema and users, LOAD CSV, SHOW (but for indexes and constraints)
+    and TERMINATE, CALL {...} IN TRANSACTIONS, and procedures that do more than look at the graph. Labels, types and
+    properties that nothing in the graph has are told. EXPLAIN and PROFILE are answered with the plan, row by row.
     """
     from foon_kg.foon import Foon
     from foon_kg.model.errors import UsageError
@@ -70,6 +73,8 @@ def cypher(
     with Foon.connect(say=say) as foon, driver_without_arrays():
         answer = foon.cypher(text, parameters, write=write, limit=limit, timeout=timeout)
     _show(answer, form)
+    for warning in answer.warnings:
+        say(f"warning: {warning}")
     if answer.columns and not answer.rows:
         say("Nothing in this graph answers that.")
     if answer.cut:

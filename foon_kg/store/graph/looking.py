@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from foon_kg.model.errors import GraphError, WriteRefused
+from foon_kg.store.graph.preface import begin, modes, shows_schema
 
 MOST_CHARACTERS = 50_000
 MOST_WORDS = 4_000
@@ -101,9 +102,10 @@ def only_looking(text: str) -> str:
     """
     pieces = _pieces(text)
     tokens = _asked(pieces)
+    schema = begin(tokens) if shows_schema(tokens) else None
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
-        if _is_of_what_is_before(tokens, number):
+        if _is_of_what_is_before(tokens, number) or number == schema:
             continue
         if not (number and tokens[number - 1].text == ":"):  # no clause begins in a label
             _refuse_clause(token, rest)
@@ -123,6 +125,15 @@ def _is_of_what_is_before(tokens: Sequence[Token], number: int) -> bool:
         return False
     owner = tokens[number - 2]
     return owner.kind in {"word", "quoted", "string"} or owner.text in _CLOSED
+
+
+def unplanned(text: str) -> tuple[str, str]:
+    """Return a question with spaces in place of ``EXPLAIN`` and ``PROFILE`` before it, and that word in lower case."""
+    pieces = _pieces(text)
+    places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
+    asked = [places[one] for one in modes([pieces[place] for place in places])]
+    mode = pieces[asked[0]].lower if asked else ""
+    return "".join(" " * len(one.text) if place in asked else one.text for place, one in enumerate(pieces)), mode
 
 
 def read(text: str) -> tuple[Token, ...]:
