@@ -110,8 +110,10 @@ def _stdout_is_terminal() -> bool:
 
 def _write(answer: Answer, write: Show, say: Say) -> int:
     """Write one answer; return the exit code that it stands for."""
+    from foon_kg.planning.recipes import NO_FOOD, NO_STATE
+
     for note in answer.notes:
-        say(note)
+        say(f"warning: {note}" if note.startswith((NO_FOOD, NO_STATE)) else note)
     write(answer)
     if answer.error is None:
         return 0

@@ -61,7 +61,7 @@ def recipes(
         Parse, typer.Option(help="quick: the full parser only where the collection names no food itself.")
     ] = Parse.QUICK,
     report: Report = None,
-    bad_tolerance: BadTolerance = 0,
+    bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -84,7 +84,7 @@ def recipes(
         usable = _check(collections, quiet=quiet)
         journal.tell(say)
         _refuse_nothing(paths, usable + journal.rejected)
-        refuse_too_many(journal.rejected, bad_tolerance, "recipe")
+        refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
         counts = {"recipes": usable, "rejected_recipes": journal.rejected}
         if not dry_run:
             stored = _load(collections, usable, journal, say, full=parse is Parse.FULL, quiet=quiet)
