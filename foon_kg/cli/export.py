@@ -32,7 +32,9 @@ _WEIGHTED = {"graphml", "behaviour-tree", "csv", "weights"}
 
 
 def _formats(incomplete: str) -> list[str]:
-    return [name for name in _FORMATS if name.startswith(incomplete)]
+    from foon_kg.model.plugins import EXPORTS, names
+
+    return [name for name in (*_FORMATS, *names(EXPORTS)) if name.startswith(incomplete)]
 
 
 Tree = Annotated[
@@ -86,6 +88,8 @@ def export(
     pddl            a planning problem: domain, problem, a tree's plan
     csv             a whole FOON for neo4j-admin database import
     weights         how hard its motions are, for foon load weights
+
+    Plug-ins of other packages add formats for trees.
 
     Without --format the ending of --output decides. The PDDL of a plan is a real problem: each thing is in one form and
     one place, steps use up and move what they take, and in the end everything is off. With --goal and, as a rule,
@@ -141,14 +145,17 @@ def _stored_costs(say: Say) -> MotionCosts:
 
 
 def _chosen(form: str | None, output: Path | None) -> str:
-    from foon_kg.formats.exports.formats import ENDINGS
+    from foon_kg.formats.exports.formats import ENDINGS, all_formats
 
+    formats = ENDINGS
+    if form not in formats and (form is not None or output is not None):
+        formats = all_formats()
     if form is None and output is not None:
-        form = next((name for name, endings in ENDINGS.items() if output.suffix.lower() in endings), None)
+        form = next((name for name, endings in formats.items() if output.suffix.lower() in endings), None)
     if form is None:
-        raise UsageError("say in which format", hint=f"--format takes {', '.join(ENDINGS)}.")
-    if form not in ENDINGS:
-        raise UsageError(f"there is no format “{form}”", hint=f"There are {', '.join(ENDINGS)}.")
+        raise UsageError("say in which format", hint=f"--format takes {', '.join(formats)}.")
+    if form not in formats:
+        raise UsageError(f"there is no format “{form}”", hint=f"There are {', '.join(formats)}.")
     return form
 
 

@@ -31,7 +31,9 @@ def similar(
     ] = 5,
     vectors: Annotated[
         str | None,
-        typer.Option("--vectors", metavar="PIPELINE", help="Compare by the cosine of a spaCy pipeline's vectors."),
+        typer.Option(
+            "--vectors", metavar="NAME", help="Compare by the cosine of a spaCy pipeline's, or a plug-in's vectors."
+        ),
     ] = None,
     files: Files = None,
     as_json: Json = False,
@@ -84,9 +86,11 @@ def _in_view(
 
 
 def _similarity(vectors: str | None) -> Similarity:
-    from foon_kg.similarity import food_similarity, spacy_similarity
+    from foon_kg.similarity import food_similarity, plugged_similarity, spacy_similarity
 
-    return food_similarity() if vectors is None else spacy_similarity(vectors)
+    if vectors is None:
+        return food_similarity()
+    return plugged_similarity(vectors) or spacy_similarity(vectors)
 
 
 def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:
