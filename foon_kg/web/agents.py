@@ -63,10 +63,10 @@ def cook_with(
     """Plan a dish from these ingredients, and tell a cook how to make it."""
     wanted = f"a {dish}" if dish else "the dish that fits best"
     return (
-        f"I have: {ingredients}. Plan {wanted} with the tool “plan” (one entry an ingredient, its state first). Tell me "
-        "the steps in order in plain sentences, with the video that shows each. Then say what was guessed: every "
-        "substitution with its confidence, every assumption, and every food that is like nothing known. Add no step "
-        "that the plan does not have. Where there is no tree, say what is missing."
+        f"I have: {ingredients}. Plan {wanted} with the tool “plan” (one entry an ingredient, its state first). "
+        "Tell me the steps in order in plain sentences, with the video that shows each. Then say what was guessed: "
+        "every substitution with its confidence, every assumption, and every food that is like nothing known. Add no "
+        "step that the plan does not have. Where there is no tree, say what is missing."
     )
 
 
@@ -76,8 +76,8 @@ def what_can_i_make(
     """Name the dishes nearest to what is at hand, and what is missing for each."""
     return (
         f"I have: {foods}. Ask the tool “suggest” what can be made of it. Name the best three dishes, what each takes "
-        "of mine, and what is missing. For what is missing ask “similar” whether something of mine can stand for it, and "
-        "say how sure that is."
+        "of mine, and what is missing. For what is missing ask “similar” whether something of mine can stand for it, "
+        "and say how sure that is."
     )
 
 
@@ -85,8 +85,8 @@ def explore_graph(question: Annotated[str, Field(description="What you want to k
     """Answer a question about the FOON with Cypher that only looks."""
     return (
         f"Answer from the graph: {question} Ask with the tool “cypher”; its description has the model of the graph. "
-        "Begin with a count, take parameters for names, show the query that gave the answer, and say so where the graph has "
-        "no answer. Labels and properties that the answer's warnings name do not exist."
+        "Begin with a count, take parameters for names, show the query that gave the answer, and say so where the "
+        "graph has no answer. Labels and properties that the answer's warnings name do not exist."
     )
 
 
