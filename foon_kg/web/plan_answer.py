@@ -36,7 +36,7 @@ def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, f
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
         "videos": [seen_at(unit.seen_in) for unit in plan.units],
-        "sentences": [sentence(unit.as_unit(), kitchen) for unit in plan.units],
+        "sentences": [sentence(unit.as_unit(), kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:

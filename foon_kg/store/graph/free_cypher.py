@@ -19,7 +19,10 @@ from neo4j import exceptions as driver_errors
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.cypher_faults import told_error, unknown_names
-from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, read, unplanned
+from foon_kg.store.graph.interruptible import interruptible
+from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking
+from foon_kg.store.graph.preface import unplanned
+from foon_kg.store.graph.question_words import read
 from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
 
 ROW_LIMIT = 1_000
@@ -71,29 +74,26 @@ def ask_freely(
     told to end it and may not heed, the caller is answered nevertheless) or answers more than ``MOST_BYTES``
     (``too-much``).
     """
-    asked = text
+    typed = endable = text
     if write:
         read(text)
     else:
-        text = only_looking(text)
+        pieces = only_looking(text, parameters)
+        text, endable = "".join(piece.text for piece in pieces), interruptible(pieces)
 
     def ask() -> Answer:
         with connection.session(writing=write, warned=True) as session:
-            question, mode = unplanned(text)
-            planning = not write or mode == "explain"
             try:
-                planned = _plan(session, question, parameters, timeout) if planning else None
-                if planned is not None and not write:
-                    _refuse_all_but_looking(planned)
+                planned = _planned(session, text, typed, parameters, timeout, write=write)
+                if planned is not None and planned.mode == "explain":
+                    return _answered_plan(planned.summary.plan, planned.warnings, limit)
+                answer = _run(session, endable, parameters, limit, timeout)
+                if planned is None:
+                    return answer
+                columns = answer.columns if planned.mode else planned.columns
+                return replace(answer, columns=columns, warnings=planned.warnings)
             except driver_errors.Neo4jError as error:
-                raise _explained(error, asked, timeout, lines_before=1) from error
-            try:
-                warnings = _warnings(session, planned)
-                if mode == "explain" and planned is not None:
-                    return _answered_plan(planned.plan, warnings, limit)
-                return replace(_run(session, text, parameters, limit, timeout), warnings=warnings)
-            except driver_errors.Neo4jError as error:
-                raise _explained(error, asked, timeout) from error
+                raise _explained(error, endable, timeout) from error
             except driver_errors.SessionExpired as error:
                 raise GraphError(
                     "the server ended while it was at this question, most likely because it needed too much memory",
@@ -135,21 +135,44 @@ def _late(timeout: float, *, stubborn: bool = False) -> GraphError:
     return GraphError(f"no answer within {timeout:g} seconds", hint=hint, code="timeout")
 
 
-def _plan(
-    session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, timeout: float
-) -> neo4j.ResultSummary:
-    # The one place where query text is put together: the person's own, behind the word that keeps it from running.
-    return session.run(_typed(_ASKED_FOR_ITS_PLAN + text, timeout), dict(parameters or {})).consume()
+@dataclass(frozen=True)
+class _Planned:
+    """How the columns of a question are called, as it is written, and what the server says of its plan.
+
+    ``mode`` is the word before it that asks for the plan, or nothing.
+    """
+
+    columns: tuple[str, ...]
+    summary: neo4j.ResultSummary
+    mode: str
+    warnings: tuple[str, ...]
 
 
-def _warnings(session: neo4j.Session, planned: neo4j.ResultSummary | None) -> tuple[str, ...]:
-    if planned is None:
-        return ()
+def _planned(
+    session: neo4j.Session, text: str, typed: str, parameters: Mapping[str, Any] | None, timeout: float, *, write: bool
+) -> _Planned | None:
+    """Return how the server goes about a question; ``None`` of one that may write and is to be run.
+
+    Raises :class:`~foon_kg.model.errors.WriteRefused` where one that may not write does more than look, and GraphError
+    in lines and columns of the text as it was ``typed``.
+    """
+    question, mode = unplanned(text)
+    if write and mode != "explain":
+        return None
+    try:
+        # The one place where query text is put together: the person's own, behind the word that keeps it from running.
+        result = session.run(_typed(_ASKED_FOR_ITS_PLAN + question, timeout), dict(parameters or {}))
+        columns, summary = tuple(result.keys()), result.consume()
+    except driver_errors.Neo4jError as error:
+        raise _explained(error, typed, timeout, lines_before=1) from error
+    if not write:
+        _refuse_all_but_looking(summary)
 
     def known(procedure: str) -> list[str]:
         return [str(record[0]) for record in session.run("CALL " + procedure)]
 
-    return tuple(unknown_names(planned.gql_status_objects, known, lines_before=1))
+    warnings = tuple(unknown_names(summary.gql_status_objects, known, lines_before=1))
+    return _Planned(columns, summary, mode, warnings)
 
 
 def _answered_plan(

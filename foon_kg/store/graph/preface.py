@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
+
+from foon_kg.store.graph.question_words import Token, read_pieces
 
 MODES = frozenset({"explain", "profile"})
 """Words before a question that ask for its plan."""
@@ -18,28 +19,21 @@ _KINDS = frozenset(
 _MOST_KINDS = 4
 
 
-class Piece(Protocol):
-    """A piece of a question, as :mod:`foon_kg.store.graph.looking` reads it."""
-
-    @property
-    def kind(self) -> str:
-        """What it is: a ``word``, a ``space``, or another."""
-
-    @property
-    def text(self) -> str:
-        """Its characters."""
-
-    @property
-    def lower(self) -> str:
-        """A word in lower case; of anything else what no keyword is."""
+def unplanned(text: str) -> tuple[str, str]:
+    """Return a question with spaces in place of ``EXPLAIN`` and ``PROFILE`` before it, and that word in lower case."""
+    pieces = read_pieces(text)
+    places = [place for place, piece in enumerate(pieces) if piece.kind != "space"]
+    found = [places[one] for one in modes([pieces[place] for place in places])]
+    mode = pieces[found[0]].lower if found else ""
+    return "".join(" " * len(one.text) if place in found else one.text for place, one in enumerate(pieces)), mode
 
 
-def modes(tokens: Sequence[Piece]) -> list[int]:
+def modes(tokens: Sequence[Token]) -> list[int]:
     """Return the places of ``EXPLAIN`` and ``PROFILE`` before the question itself."""
     return [place for place in range(begin(tokens)) if tokens[place].lower in MODES]
 
 
-def begin(tokens: Sequence[Piece]) -> int:
+def begin(tokens: Sequence[Token]) -> int:
     """Return the place of the first word of the question itself."""
     place = 0
     while place < len(tokens):
@@ -52,7 +46,7 @@ def begin(tokens: Sequence[Piece]) -> int:
     return place
 
 
-def _after_options(tokens: Sequence[Piece], place: int) -> int:
+def _after_options(tokens: Sequence[Token], place: int) -> int:
     """Return the place after a version, and after settings such as ``runtime=slotted``."""
     if place < len(tokens) and tokens[place].kind == "number":
         place += 1
@@ -61,7 +55,7 @@ def _after_options(tokens: Sequence[Piece], place: int) -> int:
     return place
 
 
-def shows_schema(tokens: Sequence[Piece]) -> bool:
+def shows_schema(tokens: Sequence[Token]) -> bool:
     """Whether the first clause of a question shows indexes or constraints, which say nothing of the server."""
     first = begin(tokens)
     if first >= len(tokens) or tokens[first].lower != "show":
