@@ -12,6 +12,7 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon
+    from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
 
@@ -20,7 +21,15 @@ def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
     """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
     from foon_kg.foon import Foon
 
-    return Foon(snapshot_of(files, say)) if files else Foon.connect(say=say)
+    return Foon(snapshot_of(files, say), lessons=lessons_in(files)) if files else Foon.connect(say=say)
+
+
+def lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
+    """Return what the files of drafted recipes among ``files`` teach."""
+    from foon_kg.loaders.lessons import is_drafts_file, lessons_of, read_drafted
+    from foon_kg.model.drafted import surest
+
+    return surest(lessons_of(read_drafted(filter(is_drafts_file, files))))
 
 
 @contextmanager
@@ -55,6 +64,7 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     from foon_kg.cli.loading import in_short
     from foon_kg.cli.runs import counting
     from foon_kg.food.unknown import unknown_words
+    from foon_kg.loaders.lessons import is_drafts_file
     from foon_kg.loaders.video_tables import read_videos
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.store.snapshot import Snapshot
@@ -62,9 +72,10 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     for path in paths:
         if not path.exists():
             raise UsageError(f"there is no file or folder {path}", hint="--files names subgraph files or folders.")
+    subgraph_paths = [path for path in paths if not is_drafts_file(path)]
     with counting("Reading files", closing=False, quiet=bool(getattr(say, "quiet", False))) as advance:
         results = []
-        for result in read_videos(paths):
+        for result in read_videos(subgraph_paths):
             results.append(result)
             advance(1)
     notices = [notice for result in results for notice in result.notices]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli import load_recipes, load_weights
+from foon_kg.cli import load_drafts, load_recipes, load_weights
 from foon_kg.cli.console import Json, Quiet, Say, examples, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
 from foon_kg.cli.groups import Commanded
@@ -150,6 +150,7 @@ def muhai(
 
 
 app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
+app.command(epilog=load_drafts.EXAMPLES)(load_drafts.drafts)
 app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.snapshot import Snapshot
+    from foon_kg.store.with_drafts import WithDrafts
 
 ALL = "all"
 
@@ -52,8 +53,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
     that is written: a collection may have millions of recipes.
     """
     from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.foon import Foon
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.server import connection_settings
 
@@ -69,9 +69,10 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
             run.say(f"{run.output} has {done.count} of {count} answers already")
         if done.count == count:
             return done.code
-        foon = whole_foon(run.files, run.say)
-        if kitchen is not None:
-            settings = replace(settings, kitchen=kitchen_of(kitchen, Foon(foon), run.say))
+        with front_door(run.files, run.say) as door:
+            foon = door.with_drafts() if settings.with_drafts else door.snapshot()
+            if kitchen is not None:
+                settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
         code = done.code
         questions = _questions(connection, done.last, dish_type)
         with _answering(questions, foon, settings, run.jobs) as answers, adding(run.output, done.size) as add:
@@ -89,7 +90,7 @@ def _questions(connection: Connection, last: str, dish_type: str) -> Iterator[Qu
 
 
 def _answering(
-    questions: Iterable[Question], foon: Snapshot, settings: PlanSettings, jobs: int | None
+    questions: Iterable[Question], foon: Snapshot | WithDrafts, settings: PlanSettings, jobs: int | None
 ) -> AbstractContextManager[Iterable[Answer]]:
     from foon_kg.planning.batch import Cook, answering, cores
 

@@ -113,7 +113,11 @@ def _reference(result: PlanResult) -> Text:
     proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
     seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
-    return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+    if reference.draft_confidence is None:
+        return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+    names = ", ".join(reference.videos)
+    told = f" ({names}: drafted from a recipe's words, not reviewed, {reference.draft_confidence:.2f} sure)"
+    return Text.assemble(reference.goal.label, (told, "yellow"), f": {covered}, {proven}")
 
 
 def _plain_header(tree: ShownTree) -> RenderableType:

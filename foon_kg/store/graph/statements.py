@@ -89,6 +89,11 @@ FORGET_METHODS = Statement("forget_methods", rows.GoneRow)
 UNITS_SHOWN = Statement("units_shown", rows.ShownRow)
 LABELS_THERE = Statement("labels_there", rows.NameRow)
 
+LOAD_DRAFTS = Statement("load_drafts", rows.Nothing)
+DRAFT_CONTENTS = Statement("draft_contents", rows.ContentRow)
+SURE_DRAFTS = Statement("surest_drafts", rows.DraftRow)
+FORGET_DRAFTS = Statement("forget_drafts", rows.KeyRow)
+
 LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
 LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
 RECIPE_CONTENTS = Statement("recipe_contents", recipe_rows.RecipeContentRow)
