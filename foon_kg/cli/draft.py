@@ -11,7 +11,6 @@ import typer
 
 from foon_kg.cli import draft_recipes, draft_review
 from foon_kg.cli.console import (
-    ErrorsAtTheEdge,
     Files,
     Json,
     Quiet,
@@ -20,6 +19,7 @@ from foon_kg.cli.console import (
     print_json,
     sayer,
 )
+from foon_kg.cli.groups import Commanded
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -29,13 +29,7 @@ if TYPE_CHECKING:
     from foon_kg.model import Subgraph
     from foon_kg.model.narration import Narration
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="draft",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Draft subgraphs of narrated videos and of text.",
-)
+app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")

@@ -27,7 +27,7 @@ EXAMPLES = examples(
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan --recipes all --output plans.jsonl.zst",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
-    "foon plan recipe.json --enumerate --most 5000",
+    "foon plan recipe.json --enumerate --limit 5000",
     "foon plan recipe.json --method paper",
 )
 
@@ -98,8 +98,8 @@ WithDrafts = Annotated[
     bool,
     typer.Option("--with-drafts", help="Plan after drafts of recipes, too (foon draft recipes); the answer says so."),
 ]
-Most = Annotated[
-    int, typer.Option("--most", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
+Limit = Annotated[
+    int, typer.Option("--limit", "-n", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
 ]
 
 
@@ -113,7 +113,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     foon: Foon = False,
     explain: Explain = False,
     enumerate_all: Enumerate = False,
-    most: Most = 1_000,
+    limit: Limit = 1_000,
     method: Method = "frames",
     substitute: Substitutes = None,
     avoid: Avoided = None,
@@ -184,7 +184,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
             with_drafts=with_drafts,
         )
         if enumerate_all:
-            show_candidates(questions[0], door, settings, most, as_json=as_json, say=say)
+            show_candidates(questions[0], door, settings, limit, as_json=as_json, say=say)
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
         code = answer_all(questions, door, settings, jobs, writing)

@@ -245,6 +245,10 @@ class Alternative:
     confidence: float
 
 
+UNLIKE = 0.1
+"""Below this confidence a food is like nothing that is known."""
+
+
 @dataclass(frozen=True)
 class Substitution:
     """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
@@ -258,6 +262,18 @@ class Substitution:
     equivalent: str
     confidence: float
     alternatives: tuple[Alternative, ...] = ()
+
+    @property
+    def for_want(self) -> bool:
+        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
+        return self.kind == "object" and self.confidence < UNLIKE
+
+    @property
+    def how(self) -> str:
+        """How a food is handled, in words that follow its name."""
+        if self.for_want:
+            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
+        return f"is handled like {self.equivalent}"
 
     def to_json(self) -> JsonObject:
         """Answer one of the ``substitutions`` of a plan result."""

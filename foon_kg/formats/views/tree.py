@@ -14,6 +14,7 @@ from rich.text import Text
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
+    ALARM,
     ASIDE,
     MOTION,
     STATE,
@@ -187,8 +188,10 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 
 def _substitution(one: Substitution) -> Text:
+    if one.for_want:
+        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {one.how}", ALARM))
     if one.kind == "object":
-        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" is handled like {one.equivalent}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {one.how}")
     else:
         text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
