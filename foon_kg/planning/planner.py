@@ -196,7 +196,7 @@ class _Question:
             self.known,
         )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.alike)
+        self.matcher = Matcher(self.methods.posts, self.likes.in_slot)
 
     @cached_property
     def best(self) -> Attempt:
