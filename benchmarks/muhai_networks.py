@@ -43,7 +43,7 @@ CLASSES = {
     "sift": "sift / sift sieve",
     "dip": "dip / dip coat roll dredge pick-and-place place",
 }
-"""For each class the primitives of networks and, behind the stroke, the first words of motions: those of the first row in
+"""For each class the primitives of networks and, behind the stroke, the first words of motions: of the first row in
 which they stand, and what else a cook may call it (to combine is to bring together, where nothing is mixed)."""
 PRIMITIVES = {name: kind for kind, row in CLASSES.items() for name in row.split(" / ")[0].split()}
 WORDS = {kind: row.split(" / ")[1].split() for kind, row in CLASSES.items()}
