@@ -133,10 +133,18 @@ def text(
     _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
 
 
-@app.command(epilog=examples("foon draft review drafts/P01_01.csv", "foon draft review drafts/*.csv --worst-first"))
+@app.command(
+    epilog=examples(
+        "foon draft review drafts/P01_01.csv --decide",
+        "foon draft review drafts/*.csv --worst-first",
+    )
+)
 def review(
     paths: Drafts,
     *,
+    decide: Annotated[
+        bool, typer.Option("--decide", help="Ask for each doubtful sentence, one key each, and write the answers down.")
+    ] = False,
     worst_first: Annotated[bool, typer.Option("--worst-first", help="Show the least sure units first.")] = False,
     files: Files = None,
     as_json: Json = False,
@@ -146,8 +154,14 @@ def review(
 
     Each row with its line, its confidence, the unit, and what was said. "?" is a doubt; "!" an input that no earlier
     row makes and no kitchen has. Then what the draft would change in the FOON. Edit the table in any editor: mend a row
-    and empty its doubt, or delete it.
+    and empty its doubt, or delete it. With --decide each doubtful sentence stands beside what was drafted of it: y or
+    Enter empties its doubts, d deletes its rows, q stops.
     """
+    if decide:
+        from foon_kg.cli.draft_decide import decide as asked
+
+        all(asked(path) for path in paths)  # until somebody stops
+        return
     from foon_kg.formats.views.difference import difference_json, difference_view
     from foon_kg.formats.views.draft import draft_json, draft_view
     from foon_kg.language.drafting.review import missing

@@ -32,8 +32,10 @@ _DETERMINERS = word_list("says nothing of a thing")
 
 @dataclass
 class Referents:
-    """Finds what is meant in ``scene``; ``title`` is the dish in the recipe's name (bread), ``None`` where things are
-    called by labels and not freely: then a name means another thing only if that was mixed.
+    """Finds what is meant in ``scene``.
+
+    ``title`` is the dish in the recipe's name (bread), ``None`` where things are called by labels and not freely: then
+    a name means another thing only if that was mixed.
 
     ``called`` has the names by which mixtures were spoken of that nobody named when they were made.
     """
