@@ -17,7 +17,7 @@ from foon_kg.loaders.recipe_collections import RecipeCollections
 from foon_kg.loaders.video_tables import read_videos
 from foon_kg.model.errors import FoonError, FormatError
 from foon_kg.planning.kitchen_file import read_kitchen
-from foon_kg.planning.recipes import IngredientWords
+from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import only_looking
@@ -64,6 +64,10 @@ def narrations(path):
 def recipes(path):
     with RecipeCollections([path], lambda _: None) as found:
         assert found.check() == sum(1 for _ in found)
+
+
+def recipe(path):
+    read_recipe(path, WORDS)
 
 
 def kitchen(path):
@@ -125,6 +129,7 @@ READERS = {
     "recipe lines": Reader(".jsonl", recipes, (LINE + b"\n" + LINE.replace(b"r1", b"r2") + b"\n",)),
     "recipe list": Reader(".json", recipes, (b"[" + LINE + b"]", LINE)),
     "recipe table": Reader(".csv", recipes, (ROWS,)),
+    "recipe": Reader(".json", recipe, tuple(path.read_bytes() for path in demo_recipes()[:MOST_SEEDS])),
     "kitchen": Reader(".txt", kitchen, (KITCHEN,)),
     "kitchen in json": Reader(".json", kitchen, (KITCHEN_JSON,)),
     "weights": Reader(".json", read_weights, (b'{"chop": 0.9, "pour": 1}',)),
