@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from foon_kg.language.drafting import Draft
     from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
-    from foon_kg.model.narration import Narration, Sentence
+    from foon_kg.model.narration import Narration
     from foon_kg.plans.difference import VideoDifference
 
 app = typer.Typer(
@@ -108,12 +108,15 @@ def text(
 ) -> None:
     """Draft recipes from their instructions.
 
-    They are read by spaCy's parser (pip install 'foon-kg[text]'), and each action becomes units as those of a narrated
+    They are read by spaCy's parser (pip install 'foon-kg[text]'), with the ingredients where lines list them (below a
+    heading, or at the top, each with its amount). Each action becomes units as those of a narrated
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
     """
+    from foon_kg.language.recipe_text import ingredients, recipe_text
     from foon_kg.loaders.narrated import is_video_name
     from foon_kg.model import DISH_TYPES
-    from foon_kg.model.narration import Narration
+    from foon_kg.model.errors import ReadError
+    from foon_kg.model.narration import Narration, Sentence
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
@@ -121,7 +124,12 @@ def text(
     for path in paths:
         if not is_video_name(path.stem):
             raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
-        narrations.append(Narration(path.stem, sentences=_sentences(path), source=path.name))
+        parts = recipe_text(_lines(path))
+        if not parts.instructions:
+            raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
+        listed = ingredients(parts.ingredients) if parts.ingredients else ()
+        sentences = tuple(map(Sentence, parts.instructions))
+        narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
     _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
 
 
@@ -263,11 +271,10 @@ def _drafts(
         yield made
 
 
-def _sentences(path: Path) -> tuple[Sentence, ...]:
+def _lines(path: Path) -> tuple[str, ...]:
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
     from foon_kg.model.errors import ReadError
-    from foon_kg.model.narration import Sentence
     from foon_kg.model.regular_files import read_bytes
 
     try:
@@ -276,7 +283,7 @@ def _sentences(path: Path) -> tuple[Sentence, ...]:
         raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
     except OSError as error:
         raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
-    found = tuple(Sentence(" ".join(line.split())) for line in lines if any(letter.isalpha() for letter in line))
+    found = tuple(" ".join(line.split()) for line in lines if any(letter.isalpha() for letter in line))
     if not found:
         raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
     return found

@@ -38,7 +38,8 @@ def similar(
     """Name the known foods that can stand for a food, the best first.
 
     The confidence is the probability that a cook would accept the known food: 0.5 is as likely as not, 1 is the
-    same food. With --vectors it is the raw cosine of the paper, which is no probability.
+    same food. What fewer than one cook in ten would accept is not named: where nothing is like a food,
+    that is said. With --vectors it is the raw cosine of the paper, which is no probability.
     """
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
@@ -47,7 +48,7 @@ def similar(
     nearest = _by_points(names, limit, say) if vectors is None and not files else None
     if nearest is None:
         nearest = _in_view(similarity if vectors else None, names, limit, files, say)
-    if not any(nearest):
+    if not any(nearest) and not _knows_foods(files, say):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
     for name, neighbours in zip(names, nearest, strict=True):
         if as_json:
@@ -81,6 +82,13 @@ def _in_view(
         return nearest_of_each(raw, names, view.vocabulary().labels, limit)
 
 
+def _knows_foods(files: Sequence[Path] | None, say: Say) -> bool:
+    from foon_kg.cli.knowledge import open_knowledge
+
+    with open_knowledge(files, say) as view:
+        return bool(view.vocabulary().labels)
+
+
 def _similarity(vectors: str | None) -> Similarity:
     from foon_kg.similarity import food_similarity, spacy_similarity
 
@@ -90,6 +98,9 @@ def _similarity(vectors: str | None) -> Similarity:
 def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:
     from rich.table import Table
 
+    if not neighbours:
+        data().print(f"{name}: nothing like it is known")
+        return
     table = Table(title=name, title_justify="left", show_header=False, box=None, pad_edge=False)
     table.add_column(no_wrap=True)
     table.add_column(justify="right")

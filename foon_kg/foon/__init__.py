@@ -18,7 +18,7 @@ from contextlib import contextmanager, nullcontext
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar
 
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -46,6 +46,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
 
 __all__ = ["Foon", "Plan", "Step"]
 
+Found = TypeVar("Found")
 Paths = str | os.PathLike[str]
 Say = Callable[[str], None]
 """Takes one line for a person."""
@@ -148,6 +149,14 @@ class Foon:
             return
         with self._graph.reading() as view:
             yield view
+
+    def _of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
+        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile."""
+        with self.reading() as view:
+            found = ask(view)
+            while view.moved():
+                found = ask(view)
+            return found
 
     def snapshot(self) -> Snapshot:
         """Return the whole FOON in memory, as it stands now."""
@@ -283,6 +292,8 @@ class Foon:
     def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
 
+        None where nothing is like it.
+
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
@@ -336,9 +347,11 @@ class Foon:
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.search.classic import retrieve_tree
 
-        with self.reading() as view:
+        def retrieved(view: Snapshot | GraphView) -> RetrievalResult:
             known = view.motion_costs() if costs is None else costs
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
+
+        return self._of_one_state(retrieved)
 
     def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
         """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
@@ -385,8 +398,7 @@ class Foon:
         """
         from foon_kg.planning.suggestion import suggest
 
-        with self.reading() as view:
-            return suggest(view, kitchen, most=most, time_limit=time_limit)
+        return self._of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.

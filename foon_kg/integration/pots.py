@@ -36,17 +36,20 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
 
 
 def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line without its stages that mix cold what is fried then, where pasta or noodles are among it.
+    """Return a line without its stages that mix cold what is fried then: noodles with a sauce, flesh with a liquid.
 
     A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
     """
     hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
     facts = [join.want.facts for join in joins]
     boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
-    bound = any(one.is_a("creamy", "dough", "egg", "flour") for one in facts)
+    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
+    wet = word_list("is cooked in for long") | word_list("is poured into the pan")
+    stewed = flesh and any(one.is_of(*wet) for one in facts)
+    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
     pan, before = line.stages[hot], line.stages[:hot]
     cold = bool(before) and all(stage.does <= _MIXES for stage in before)
-    if not boiled or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
+    if not (boiled or stewed) or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
         return line, tuple(joins)
     stages = [stage for one in before for stage in Line((one,)).all_stages()]
     kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))

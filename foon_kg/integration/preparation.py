@@ -499,6 +499,7 @@ class Preparer:
         hard = want.facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
             words(want.label)
         )
+        hard = hard or want.facts.is_a(*word_list("is a mouthful"))
         rows = [self.known.state(state) for state in want.leaf]
         if hard or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""

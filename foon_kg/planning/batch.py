@@ -10,7 +10,7 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from foon_kg.model import KnownUnit, Recipe
-from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
@@ -29,6 +29,9 @@ from foon_kg.planning.recipes import (
 from foon_kg.planning.settings import PlanSettings, Substitute
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
+
+MOST_WRITES = 20
+"""So often a question is asked anew because somebody wrote meanwhile."""
 
 MANY = 4
 """From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
@@ -101,8 +104,17 @@ class Cook:
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
         """Answer one question, and why where that, or the settings, ask it.
 
-        What is raised is not about this recipe, and ends the batch.
+        Where somebody writes to the FOON meanwhile it is answered anew, from what is there then. What is raised is not
+        about this recipe, and ends the batch.
         """
+        for _ in range(MOST_WRITES):
+            answer = self._answer(question, explain=explain)
+            if not self.view.moved():
+                return answer
+            self.planner = Planner(self.view, self.settings)
+        raise GraphError("the FOON is written to all the time", hint="Ask again when it has been loaded.")
+
+    def _answer(self, question: Question, *, explain: bool) -> Answer:
         read = ReadRecipe(question.stand_in, ())
         explanations: tuple[Explanation, ...] = ()
         considered: tuple[Considered, ...] = ()

@@ -15,9 +15,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, singular, tables
 from foon_kg.food.lists import word_list
-from foon_kg.goals.choice import Fit, fits, is_baked, is_truly, missing_core, refusals, shortlisted, unexplained
+from foon_kg.goals.asked import Asked
+from foon_kg.goals.choice import Fit, fits, is_truly, refusals, shortlisted
+from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.called import Called, as_it_is_called
 from foon_kg.integration.cooking import Cooking
@@ -29,7 +31,7 @@ from foon_kg.integration.formed import formed_within, is_formed
 from foon_kg.integration.lined import topped
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
-from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.places import Join, Joiners, Matcher
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unmixed
 from foon_kg.integration.preparation import as_there, wants_of
 from foon_kg.integration.pureed import blended_drink, blended_when_done, is_stewed, stewed
@@ -45,6 +47,7 @@ from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
@@ -93,6 +96,7 @@ class Teaching:
     def __init__(self, methods: Methods, settings: PlanSettings) -> None:
         self.methods = methods
         self.likes = FoodLikes(settings.similarity or food_similarity(), methods.operators.foods, settings.substitutes)
+        self.joiners = Joiners()
 
 
 class Planner:
@@ -161,7 +165,14 @@ class Planner:
         best = question.best
         ready = best.cooking.ready
         foods = [(RequiredIngredient(w.label, w.asked), ready[w.number].stuff.number) for w in question.wants]
-        return replace(best.result, progress_lines=lines_of_things(best.result.units, best.result.goal, foods))
+        frame = best.fit.frame
+        goal = question.methods.goal_of(frame)
+        recorded = self.references.tree(goal, question.wanted(goal.ingredients)).units
+        return replace(
+            best.result,
+            units=with_measures(best.result.units, recorded, frame.video),
+            progress_lines=lines_of_things(best.result.units, best.result.goal, foods),
+        )
 
 
 class _Question:
@@ -196,7 +207,7 @@ class _Question:
             self.known,
         )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.alike)
+        self.matcher = Matcher(self.methods.posts, self.likes.alike, self.wants, self.teaching.joiners)
 
     @cached_property
     def best(self) -> Attempt:
@@ -238,19 +249,13 @@ class _Question:
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
         avoided = self.settings.avoided
-        keys = shortlisted(
-            outlines,
-            self.baked,
-            dish_type,
-            title,
-            known=self.known,
-            likes=self.likes,
-            allowed=(lambda label: why_avoided(label, avoided) is None) if avoided else None,
-        )
+        asked = Asked(self.baked, dish_type, title, self.known)
+        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
+        keys = shortlisted(outlines, asked, self.likes, allowed)
         after = self.settings.after
         if after:
             keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
-        return fits(self.methods.layouts_of(keys), self.baked, dish_type, title, self.matcher)
+        return fits(self.methods.layouts_of(keys), asked, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
         del lacks
@@ -259,25 +264,24 @@ class _Question:
     def _attempt(self, fit: Fit) -> Attempt:
         frame = fit.frame
         dish_type = self.recipe.dish_type or frame.dish_type
-        own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
-        own = own and is_truly(fit, self.known)
-        own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
-        eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
-        named = self.known.dishes_named(dish_type, self.recipe.title or "")
+        asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
+        own = frame.dish_type == dish_type and not missing_core(fit.dish, asked) and is_truly(fit)
+        own = own and not (asked.title and unexplained(fit.dish, asked))
+        eased = frozenset(kind for dish in asked.of_type for kind in dish.eases)
+        named = asked.dishes
         tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
+        told = frozenset((*asked.type_words, *asked.told))
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
-        line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        baked = is_baked(dish_type, self.recipe.title or "", self.known)
-        made, found = topped(line, joins, words(self.recipe.title or ""))
-        called = Called(named, told, frame.goal.label, baked=baked)
+        line, joins = baked_at_last(line, joins, asked.title)
+        made, found = topped(line, joins, asked.told)
+        called = Called(named, told, frame.goal.label, baked=asked.baked)
         line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, self.known)
-        if is_folded(joins, words(self.recipe.title or frame.goal.label)):
+        if is_folded(joins, asked.told if asked.title else fit.dish.words):
             line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
@@ -290,12 +294,12 @@ class _Question:
         if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
-        one_pot = boiled or is_stewed(self.recipe.title or "", named, joins, self.known)
+        one_pot = boiled or is_stewed(asked.title, named, joins, self.known)
         if boiled:
             line, joins = blended_when_done(line, joins, told, cold=is_never_heated(named, joins, self.known))
         elif one_pot:
             line, joins = stewed(joins)
-        stacked = any(dish.stacked for dish in named)
+        stacked = asked.stacked
         if is_formed(named, joins):
             line, joins = formed_within(line, joins, self.known)
         plan = Plan(
@@ -304,9 +308,9 @@ class _Question:
             one_pot=one_pot,
             cold=not word_list("is served cold").isdisjoint(told),
             flat=not word_list("is rolled out").isdisjoint(told),
-            grilled=stacked and any(dish.grilled for dish in named),
-            in_pieces=any(dish.dressed for dish in named),
-            laid=any(dish.laid for dish in named),
+            grilled=stacked and asked.grilled,
+            in_pieces=asked.dressed,
+            laid=asked.laid,
             spooned=boiled,
             drunk=dish_type in word_list("is drunk"),
             closed_by=_closing(told, joins),

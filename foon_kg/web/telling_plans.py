@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel
 
-from foon_kg.web.telling import Near, Node, RecipeTold, SeenIn, Wanted
+from foon_kg.web.telling import MeasuresTold, Near, Node, RecipeTold, SeenIn, Wanted
 
 
 class Thing(Node):
@@ -32,6 +32,7 @@ class Step(BaseModel):
     origin: Literal["foon", "adapted"]
     grounding: Literal["food", "like", "kind", "motion"] | None = None
     seen_in: list[SeenIn]
+    measures: MeasuresTold | None = None
 
 
 class Reference(BaseModel):

@@ -46,6 +46,7 @@ _EDGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
             "position:long", "start:double", "end:double", "assumed:boolean",
             "span_starts:double[]", "span_ends:double[]",
             *(column.format(side) for side in ("inputs", "outputs") for column in _SIDE),
+            "amounts:string[]", "seconds:double", "celsius:double",
         ),
     ),
     "IS_A": ("Object", "DishType", ("video",)),

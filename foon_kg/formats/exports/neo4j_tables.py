@@ -21,6 +21,7 @@ Row = tuple[Cell, ...]
 SIGHTING = (
     "position", "start", "end", "assumed", "span_starts", "span_ends",
     "inputs", "inputs_moving", "inputs_dish", "outputs", "outputs_moving", "outputs_dish",
+    "amounts", "seconds", "celsius",
 )  # fmt: skip
 """The properties of ``SEEN_IN``, in the order of their cells."""
 

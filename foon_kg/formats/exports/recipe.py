@@ -54,9 +54,9 @@ def _utensils(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
 
 
 def _steps(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
-    for number, known in enumerate(tree.units, 1):
+    for number, (known, annotation) in enumerate(zip(tree.units, tree.subgraph.annotations, strict=True), 1):
         shown = f" {_link(known.seen_in[0])}" if known.seen_in else ""
-        yield f"{number}. {_plain(sentence(known.unit, kitchen))}{shown}"
+        yield f"{number}. {_plain(sentence(known.unit, kitchen, annotation.measures))}{shown}"
 
 
 def _notes(result: PlanResult) -> list[list[str]]:

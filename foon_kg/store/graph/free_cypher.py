@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import neo4j
@@ -18,7 +18,9 @@ from neo4j import exceptions as driver_errors
 
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
-from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, read
+from foon_kg.store.graph.interruptible import interruptible
+from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking
+from foon_kg.store.graph.question_words import read
 
 ROW_LIMIT = 1_000
 TIME_LIMIT = 30.0
@@ -62,17 +64,20 @@ def ask_freely(
     told to end it and may not heed, the caller is answered nevertheless) or answers more than ``MOST_BYTES``
     (``too-much``).
     """
+    endable = text
     if write:
         read(text)
     else:
-        text = only_looking(text)
+        pieces = only_looking(text, parameters)
+        text, endable = "".join(piece.text for piece in pieces), interruptible(pieces)
 
     def ask() -> Answer:
         with connection.session(writing=write) as session:
             try:
-                if not write:
-                    _refuse_all_but_looking(_plan(session, text, parameters, timeout))
-                return _run(session, text, parameters, limit, timeout)
+                if write:
+                    return _run(session, text, parameters, limit, timeout)
+                columns = _looked_at(session, text, parameters, timeout)
+                return replace(_run(session, endable, parameters, limit, timeout), columns=columns)
             except driver_errors.Neo4jError as error:
                 raise _explained(error, timeout) from error
             except driver_errors.SessionExpired as error:
@@ -116,11 +121,15 @@ def _late(timeout: float, *, stubborn: bool = False) -> GraphError:
     return GraphError(f"no answer within {timeout:g} seconds", hint=hint, code="timeout")
 
 
-def _plan(
+def _looked_at(
     session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, timeout: float
-) -> neo4j.ResultSummary:
+) -> tuple[str, ...]:
+    """Return how the columns of a question are called, as it is written, once its plan is found to only look."""
     # The one place where query text is put together: the person's own, behind the word that keeps it from running.
-    return session.run(_typed(f"EXPLAIN {text}", timeout), dict(parameters or {})).consume()
+    result = session.run(_typed(f"EXPLAIN {text}", timeout), dict(parameters or {}))
+    columns = tuple(result.keys())
+    _refuse_all_but_looking(result.consume())
+    return columns
 
 
 def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float) -> Answer:
