@@ -177,6 +177,11 @@ def test_a_candidate_dish_is_laid_beside_the_one_that_was_taken(page, address):
     assert "Made like the winter salad" in second.text
     moved = page.find_element("xpath", "//ul[@class='compared'][last()]/li[contains(., 'Peel the onion')]")
     assert moved.text.endswith("in B as step 3")
+    signs = page.execute_script("""
+        return [...document.querySelectorAll(".compared:last-of-type .cell")]
+            .filter(one => one.innerText.includes("Scrape the onion"))
+            .map(one => one.querySelector('.sign').innerText)""")
+    assert signs == ["in B as step 6", "in A as step 6"], "it is not laid beside another step"
 
 
 def test_what_is_no_question_is_told_in_its_column_and_another_choice_is_offered_at_once(page, address):
