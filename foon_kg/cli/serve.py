@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -53,6 +53,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     jobs: Annotated[
         int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
     ] = None,
+    as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Serve a page to plan dishes, and the same as JSON.
@@ -90,7 +91,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     token = None if token_file is None else token_from(token_file.expanduser())
     foon = served_foon(files, say)
     listener = _listening(host, port)
-    say(_address(host, listener) + (f"#token={token}" if token else ""))
+    address = _address(host, listener) + (f"#token={token}" if token else "")
+    print_json({"address": address}) if as_json else say(address)
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now

@@ -98,6 +98,7 @@ class Cook:
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
+        self.units = units
         self.asks_for_parts = units is None
         self.planner = Planner(view, settings, units)
 
@@ -128,7 +129,8 @@ class Cook:
                 result, explanations, considered = self.planner.reasons(read.recipe)
             else:
                 result = self.planner.plan(read.recipe)
-            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.settings.substitutes, result))
+            own = (*_chosen_dish(read, result), *_after_a_draft(result))
+            notes = (*read.notes, *own, *_without_effect(self.settings.substitutes, result))
             return Answer(result, notes, explanations, considered)
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
@@ -150,6 +152,14 @@ def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
     if read.recipe.dish_type:
         return ()
     return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
+
+
+def _after_a_draft(result: PlanResult) -> tuple[str, ...]:
+    """Answer a note where a tree is made after a draft."""
+    sure = result.reference.draft_confidence
+    if sure is None:
+        return ()
+    return (f"made after {', '.join(result.reference.videos)}, a draft that nobody has reviewed ({sure:.2f} sure)",)
 
 
 def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> Iterator[str]:

@@ -50,6 +50,11 @@ class Snapshot:
         return nullcontext(self)
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """Nothing: all of it are videos."""
+        return {}
+
+    @property
     def memory(self) -> None:
         """A snapshot keeps no reference trees: it is gone with the program that has it."""
         return

@@ -41,6 +41,7 @@ from foon_kg.web.questions import (
 )
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
+from foon_kg.web.teach.routes import router as teach_router
 from foon_kg.web.watching import router as watching
 from foon_kg.web.words import FoonWords, Kind
 
@@ -120,11 +121,14 @@ def web_app(
     app.include_router(explore_router, prefix="/api", responses=REFUSALS)
     app.include_router(watching)
     app.add_api_route("/api/docs", _api_described, include_in_schema=False)
+    app.include_router(teach_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
     app.add_api_route("/explore", _explore_page, include_in_schema=False)
     metrics.paths = _paths(router.routes, watching.routes, app.routes, explore_router.routes)
     app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
+    app.add_api_route("/teach", _teach_page, include_in_schema=False)
+    app.mount("/teach", StaticFiles(directory=_folder("foon_kg.web.teach")))
     app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -288,6 +292,12 @@ def _api_described(request: Request) -> Response:
 def _explore_page() -> Response:
     """Answer the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
     page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
+    return Response(page, media_type="text/html")
+
+
+def _teach_page() -> Response:
+    """Answer the page that teaches."""
+    page = resources.files("foon_kg.web.teach").joinpath("teach.html").read_text(encoding="utf-8")
     return Response(page, media_type="text/html")
 
 

@@ -177,13 +177,15 @@ class ScheduledTold(BaseModel):
 class ScheduleTold(BaseModel):
     """Who does what when, for so many pairs of hands. ``alone`` is how long the steps take one after the other.
 
-    ``shortest`` says that no schedule with these durations can be shorter.
+    ``shortest`` says that no schedule with these durations can be shorter. With ``untimed`` steps nobody knows how long
+    it takes.
     """
 
     hands: int
     length: float
     alone: float
     shortest: bool
+    untimed: int
     steps: list[ScheduledTold]
 
 
