@@ -9,6 +9,7 @@ from dataclasses import replace
 from foon_kg.food import singular
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.patterns import BAKE, LAID, MIX, STIR, fresh, put_at
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want
 
@@ -64,6 +65,26 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     return Line(stages), tuple(found)
 
 
+def rolled(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how thin bread is filled, rolled up, and baked under its sauce, where ``told`` call a dish so.
+
+    Nothing changes where no such bread is there, or nothing to fill it with.
+    """
+    thin = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
+    over = [join for join in joins if join.want.facts.is_a(*word_list("is baked on what is rolled"))]
+    late = word_list("lies on flesh") | word_list("is spooned onto it")
+    tops = [join for join in joins if join.want.facts.is_a(*late) and join not in over]
+    inside = [join for join in joins if join not in (*thin, *over, *tops)]
+    if len(thin) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
+        return line, tuple(joins)
+    raw = any(_is_raw(join) for join in inside)
+    mix, laid, bake, top = fresh(STIR if raw else MIX, replace(LAID, vessel="plate", relation="on"), BAKE, LAID)
+    closed = replace(laid, adds=(Line((mix,)),), motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
+    places = [(thin, laid), (over, bake), (tops, top)]
+    stages = (laid, closed, bake, top) if tops else (laid, closed, bake)
+    return put_at(Line(stages), joins, lambda join: next((stage for some, stage in places if join in some), mix))
+
+
 def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return how a food is baked in one piece and cut open, and the rest comes on it; ``told`` are the title's words.
 
@@ -92,7 +113,9 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
         place = next(place for place, one in enumerate(stages) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
         want = _in_one_piece(join.want) if join in whole else join.want
-        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
+        apart = _is_raw(join) and not join.want.cooked
+        fried = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        found.append(Join(want, spot, min(join.fit, NATURAL), fried, on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
 

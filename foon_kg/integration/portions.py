@@ -30,12 +30,13 @@ def in_portions(
 
     ``told`` are the words of type and title; ``baked``: they say that it comes out of an oven.
     """
-    portions = _Portions(joins, known)
+    portions = _Portions(joins, told, known)
     if portions.main is None or not word_list("is eaten with a spoon or fork").isdisjoint(told):
         return line, tuple(joins)
     hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
     ovens = any(stage.appliance == "oven" for stage in hot)
     fried = not word_list("is fried on both sides").isdisjoint(told) or (portions.bath and not baked)
+    fried = fried and word_list("is baked on a sheet").isdisjoint(told)
     return portions.fried() if fried or not (baked or ovens) else portions.baked()
 
 
@@ -59,11 +60,13 @@ def roasted(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[L
 
 
 class _Portions:
-    def __init__(self, joins: Sequence[Join], known: Tables) -> None:
+    def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known
+        seared = not word_list("is fried on both sides").isdisjoint(told)
         flesh = [join for join in joins if self._is_flesh(join)]
-        whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
+        flesh = flesh or [join for join in joins if seared and self._is_all_that_cooks(join)]
+        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or (seared and self._is_all_that_cooks(flesh[0])))
         self.main = flesh[0] if whole else None
         self.bath = any(join.want.facts.is_a("cooking liquid") for join in joins)
 
@@ -71,6 +74,12 @@ class _Portions:
         raw = "cook" in owed(join.want, self.known) and not (join.want.cooked and join.want.make)
         small = join.want.facts.is_a(*word_list("is fried rather than boiled"))
         return raw and not small and join.want.facts.is_a(*word_list("comes in portions"))
+
+    def _is_all_that_cooks(self, join: Join) -> bool:
+        """Whether a food is a mouthful that is turned piece by piece, and nothing else has to be cooked."""
+        others = (one for one in self.joins if one is not join and {"cook", "boil"} & owed(one.want, self.known))
+        raw = "cook" in owed(join.want, self.known)
+        return raw and join.want.facts.is_a(*word_list("is a mouthful")) and not any(others)
 
     def baked(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that lays all in a dish, pours over it what is mixed for it, and bakes it."""
@@ -105,6 +114,7 @@ class _Portions:
 
     def _is_on_top(self, join: Join) -> bool:
         lies = join.want.facts.is_a(*word_list("is served with what is fried"), *word_list("lies on flesh"))
+        lies = lies and not (join.want.squeezed or not word_list("runs").isdisjoint({join.want.asked}))
         return lies and not join.want.facts.is_a(*word_list("is cooked with flesh"))
 
     def _line(

@@ -18,6 +18,7 @@ from foon_kg.model.nodes import (
     Subgraph,
     Timing,
     content_key,
+    shared_node,
 )
 
 __all__ = [
@@ -35,4 +36,5 @@ __all__ = [
     "Subgraph",
     "Timing",
     "content_key",
+    "shared_node",
 ]
