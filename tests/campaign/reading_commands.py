@@ -30,9 +30,8 @@ READS = {
     ("draft accept", "paths"): ("draft", "accept", "@.csv"),
     ("draft review", "paths"): ("draft", "review", "@.csv", *FILES),
     ("draft review", "--files"): ("draft", "review", "DRAFT", "--files", "@.txt"),
-    ("draft recipes", "paths"): ("draft", "recipes", "@.json", *FILES, "--output", "OUT.jsonl"),
-    ("draft recipes", "-o"): ("draft", "recipes", "COLLECTION", *FILES, "--output", "@.jsonl"),
-    ("draft recipes", "--files"): ("draft", "recipes", "COLLECTION", "--files", "@.txt", "--output", "OUT.jsonl"),
+    ("draft recipes", "paths"): ("draft", "recipes", "@.json", *FILES, "--output", "DRAFTED"),
+    ("draft recipes", "--files"): ("draft", "recipes", "COLLECTION", "--files", "@.txt", "--output", "DRAFTED"),
     ("draft review", "paths: recipes"): ("draft", "review", "@.jsonl", "--recipe", "r1"),
     ("draft text", "paths"): ("draft", "text", "@.txt", *FILES, "--output", "OUT"),
     ("draft text", "--files"): ("draft", "text", "TEXT", "--files", "@.txt", "--output", "OUT"),
@@ -81,8 +80,12 @@ READS = {
     ("stats", "--files"): ("stats", "--files", "@.txt"),
     ("suggest", "--kitchen"): ("suggest", "onion", "--kitchen", "@.txt", *FILES),
     ("suggest", "--files"): ("suggest", "onion", "--files", "@.txt"),
+    ("draft recipes", "-o"): ("draft", "recipes", "COLLECTION", *FILES, "--output", "@.jsonl"),
 }
-"""By command and option: ``@.txt`` is the special file; PLAN, TEXT, DRAFT, NARRATED and OUT are good ones beside it."""
+"""By command and option: ``@.txt`` is the special file; words in capitals are good ones beside it (:data:`GOOD`).
+
+What would begin a file anew comes last.
+"""
 
 ONLY_WRITES = {
     "--report",
@@ -115,7 +118,15 @@ def main(folder: Path) -> None:
         print(json.dumps(told), flush=True)
 
 
-GOOD = {"PLAN": "plan.json", "TEXT": "soup.txt", "DRAFT": "draft.csv", "NARRATED": "narrated.csv", "OUT": "drafts"}
+GOOD = {
+    "PLAN": "plan.json",
+    "TEXT": "soup.txt",
+    "DRAFT": "draft.csv",
+    "NARRATED": "narrated.csv",
+    "COLLECTION": "recipes.json",
+    "DRAFTED": "drafted.jsonl",
+    "OUT": "drafts",
+}
 
 
 def _place(words: tuple[str, ...]) -> int:
