@@ -11,7 +11,6 @@ import typer
 
 from foon_kg.cli import draft_recipes, draft_review
 from foon_kg.cli.console import (
-    ErrorsAtTheEdge,
     Files,
     Json,
     Quiet,
@@ -20,6 +19,7 @@ from foon_kg.cli.console import (
     print_json,
     sayer,
 )
+from foon_kg.cli.groups import Commanded
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -27,15 +27,9 @@ if TYPE_CHECKING:
     from foon_kg.language.drafting import Draft
     from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
-    from foon_kg.model.narration import Narration, Sentence
+    from foon_kg.model.narration import Narration
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="draft",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Draft subgraphs of narrated videos and of text.",
-)
+app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")
@@ -107,12 +101,15 @@ def text(
 ) -> None:
     """Draft recipes from their instructions.
 
-    They are read by spaCy's parser (pip install 'foon-kg[text]'), and each action becomes units as those of a narrated
+    They are read by spaCy's parser (pip install 'foon-kg[text]'), with the ingredients where lines list them (below a
+    heading, or at the top, each with its amount). Each action becomes units as those of a narrated
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
     """
+    from foon_kg.language.recipe_text import ingredients, recipe_text
     from foon_kg.loaders.narrated import is_video_name
     from foon_kg.model import DISH_TYPES
-    from foon_kg.model.narration import Narration
+    from foon_kg.model.errors import ReadError
+    from foon_kg.model.narration import Narration, Sentence
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
@@ -120,7 +117,12 @@ def text(
     for path in paths:
         if not is_video_name(path.stem):
             raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
-        narrations.append(Narration(path.stem, sentences=_sentences(path), source=path.name))
+        parts = recipe_text(_lines(path))
+        if not parts.instructions:
+            raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
+        listed = ingredients(parts.ingredients) if parts.ingredients else ()
+        sentences = tuple(map(Sentence, parts.instructions))
+        narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
     _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
 
 
@@ -222,11 +224,10 @@ def _drafts(
         yield made
 
 
-def _sentences(path: Path) -> tuple[Sentence, ...]:
+def _lines(path: Path) -> tuple[str, ...]:
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
     from foon_kg.model.errors import ReadError
-    from foon_kg.model.narration import Sentence
     from foon_kg.model.regular_files import read_bytes
 
     try:
@@ -235,7 +236,7 @@ def _sentences(path: Path) -> tuple[Sentence, ...]:
         raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
     except OSError as error:
         raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
-    found = tuple(Sentence(" ".join(line.split())) for line in lines if any(letter.isalpha() for letter in line))
+    found = tuple(" ".join(line.split()) for line in lines if any(letter.isalpha() for letter in line))
     if not found:
         raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
     return found

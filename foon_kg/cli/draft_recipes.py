@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, json_line, print_json, progress_bar, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, json_line, print_json, sayer
+from foon_kg.cli.runs import progress_bar
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ def recipes(
             drafter = RecipeDrafter(foon.units, foon.kitchen)
             left = islice(collections, tally.recipes, None)
             with _drafting(left, drafter, jobs) as drafted, adding(output, size) as add:
-                for one in drafted if quiet else progress_bar(drafted, total, tally.recipes):
+                for one in progress_bar(drafted, "Drafting recipes", total, tally.recipes, quiet=quiet):
                     add(json_line(one.to_json()))
                     tally.add(one)
     tally.tell(say)

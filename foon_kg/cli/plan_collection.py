@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from foon_kg.cli.answer_file import exit_code_of, value_of
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
-from foon_kg.cli.console import Say, json_line, progress_bar
+from foon_kg.cli.console import Say, json_line
+from foon_kg.cli.runs import progress_bar
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
 
@@ -75,7 +76,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
         code = done.code
         questions = _questions(connection, done.last, dish_type)
         with _answering(questions, foon, settings, run.jobs) as answers, adding(run.output, done.size) as add:
-            for answer in answers if run.quiet else progress_bar(answers, count, done.count):
+            for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):
                 add(json_line(answer.outcome.to_json()))
                 code = max(code, 0 if answer.error is None else answer.error.exit_code)
         return code

@@ -65,7 +65,7 @@ class Food:
 
     @cached_property
     def _tags(self) -> frozenset[str]:
-        return self.kinds | self.traits | {self.name}
+        return self.kinds | self.traits | {self.name, self.taken_for}
 
     def is_a(self, *names: str) -> bool:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""

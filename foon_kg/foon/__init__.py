@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar
 
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -48,6 +48,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
 
 __all__ = ["Foon", "Plan", "Step"]
 
+Found = TypeVar("Found")
 Paths = str | os.PathLike[str]
 Say = Callable[[str], None]
 """Takes one line for a person."""
@@ -164,6 +165,14 @@ class Foon:
         with self._graph.reading() as view:
             yield view
 
+    def _of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
+        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile."""
+        with self.reading() as view:
+            found = ask(view)
+            while view.moved():
+                found = ask(view)
+            return found
+
     def snapshot(self) -> Snapshot:
         """Return the whole FOON in memory, as it stands now."""
         return self._snapshot or self._graph.snapshot()
@@ -217,15 +226,16 @@ class Foon:
         avoid: Sequence[str] = (),
         substitute: Mapping[str, str] | None = None,
         kitchen: Kitchen | None = None,
+        after: str = "",
         with_drafts: bool = False,
     ) -> Plan:
         """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
 
         ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
         is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
-        asked one is handled, ``kitchen`` what is at hand. Dishes that were only drafted from the words of recipes count
-        ``with_drafts``; what is made after one says so (``reference.draft_confidence``). Algorithms 1 to 4 of the
-        paper.
+        asked one is handled, ``kitchen`` what is at hand, ``after`` the recorded dish or the video to make it after.
+        Dishes that were only drafted from the words of recipes count ``with_drafts``; what is made after one says so
+        (``reference.draft_confidence``). Algorithms 1 to 4 of the paper.
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
         :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
@@ -243,7 +253,11 @@ class Foon:
 
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
         settings = PlanSettings(
-            kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid), with_drafts=with_drafts
+            kitchen or Kitchen.default(),
+            substitutes=chosen,
+            avoided=tuple(avoid),
+            after=after,
+            with_drafts=with_drafts,
         )
         asked = list(ingredients)
         words = [one for one in asked if isinstance(one, str)]
@@ -331,6 +345,8 @@ class Foon:
     def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
 
+        None where nothing is like it.
+
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
@@ -384,9 +400,11 @@ class Foon:
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.search.classic import retrieve_tree
 
-        with self.reading() as view:
+        def retrieved(view: Snapshot | GraphView) -> RetrievalResult:
             known = view.motion_costs() if costs is None else costs
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
+
+        return self._of_one_state(retrieved)
 
     def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
         """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
@@ -433,8 +451,7 @@ class Foon:
         """
         from foon_kg.planning.suggestion import suggest
 
-        with self.reading() as view:
-            return suggest(view, kitchen, most=most, time_limit=time_limit)
+        return self._of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.

@@ -79,7 +79,7 @@ class Plan:
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
     def _step(self, number: int, unit: PlannedUnit) -> Step:
-        text = sentence(unit.as_unit(), self._settings.kitchen)
+        text = sentence(unit.as_unit(), self._settings.kitchen, unit.measures)
         return Step(number, text, unit.motion_node, unit.input_nodes, unit.output_nodes, unit.origin, unit.seen_in)
 
     @property

@@ -43,6 +43,21 @@ class Alone:
             if attested is not None:
                 self.bench.bring([ready.stuff], cup, attested)
 
+    def boil_water_first(self, join: Join) -> None:
+        """Boil water that is asked boiling and joins what nobody heats any more."""
+        want, ready = join.want, self.ready[join.want.number]
+        hot = any(
+            not stage.does.isdisjoint(HEATS) and "dry" not in stage.does
+            for stage in (join.spot.stage, *join.spot.after)
+        )
+        if hot or not want.facts.is_a("water") or want.asked not in word_list("is boiled water"):
+            return
+        pot = self.bench.vessel("pot")
+        self.carry.bring(ready, pot, None)
+        self.bench.place(pot, "stove", "on")
+        self.carry.boil_water(pot)
+        self.bench.heat_off(pot)
+
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
         if ready.want.foamed:
@@ -290,6 +305,9 @@ class Alone:
         self.preparer.cut_now(ready)
         return True
 
+    def _runs(self, stuff: Stuff) -> bool:
+        return form_of(self.known, stuff.label, stuff.states) == "liquid"
+
     def _is_eaten_cold(self, join: Join) -> bool:
         """Whether a food is boiled for a cold dish, and is cooled under water for it."""
         cold = (self.plan.cold or self.plan.in_pieces) and not join.spot.heats_later
@@ -363,6 +381,9 @@ class Alone:
         def change() -> None:
             stuff.states = states
             pan.hot = True
+            for other in pan.contents:
+                if other is not stuff and self.known.foods.food(other.label).is_a("fat") and not self._runs(other):
+                    other.states = ("melted",)
 
         bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
-from foon_kg.integration.operators import LIKE_AT_ALL, Alike, Attested, Likes, Nearness, Operators, Way
+from foon_kg.integration.operators import Alike, Attested, Likes, Nearness, Operators, Way
 from foon_kg.model import ObjectNode, shared_node
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.world import Mention, Step
@@ -227,11 +227,9 @@ class Bench:
         Where none is like it at all the way decides, and not which food is least unlike.
         """
         found = (self.operators.farthest(way, foods, self.alike, act=act) for way in ways)
-        rows = [one for one in found if one is not None and one.like is not None]
-        if not rows:
-            return None
-        best = max(rows, key=lambda one: one.like[2] if one.like else 0.0)
-        return best if best.like is not None and best.like[2] >= LIKE_AT_ALL else rows[0]
+        return max(
+            (one for one in found if one is not None), key=lambda one: one.like[2] if one.like else 0.0, default=None
+        )
 
     # --- steps ---
 

@@ -15,7 +15,7 @@ from foon_kg.integration.layered import layered
 from foon_kg.integration.lined import lined, rolled
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions, roasted
+from foon_kg.integration.portions import in_portions, roasted, stirred_in_pieces
 from foon_kg.integration.pots import is_never_heated, unheated
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.rubbed import rubbed
@@ -51,7 +51,9 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
         line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
     elif any(dish.coated for dish in dishes) and not dressed:
         made, found = coated_alone(line, joins, told, known)
-        line, joins = in_portions(line, joins, told, known, baked=called.baked) if made is line else (made, found)
+        if made is line:
+            made, found = in_portions(line, joins, told, known, baked=called.baked)
+        line, joins = stirred_in_pieces(line, joins, known) if made is line else (made, found)
     elif not dressed:
         line, joins = roasted(*smeared_and_baked(line, joins), told)
     return dressed_apart(line, joins) if dressed else (line, joins)

@@ -61,6 +61,7 @@ class Cooking:
             self._prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
+            self.alone.boil_water_first(join)
             method = self.alone.cooked_first(join)
             if method and self._waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
                 self.boiled_late[join.want.number] = method
@@ -332,7 +333,8 @@ class Cooking:
         fresh = self.bench.vessel(label)
         row = self.known.utensil(label)
         bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
-        grease = [join for join in joins if bakes and join.want.facts.is_a("fat")]
+        under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
+        grease = [join for join in joins if bakes and join.want.facts.is_a(*under)]
         device, relation = self.utensils.device_for(stage)
         if device and relation == "on":
             self.bench.place(fresh, device, relation)

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import cached_property
 
 from foon_kg.food import Tables, tables
 from foon_kg.food.lists import word_list
-from foon_kg.model import FunctionalUnit, KnownUnit, Sighting
+from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.world.reading import Reader, Said, reader
 
@@ -118,7 +118,10 @@ class Operators:
             evidence.keep_the_first()
 
     def _add(self, known_unit: KnownUnit) -> None:
-        unit, seen = known_unit.unit, known_unit.seen_in[:MOST_SIGHTINGS]
+        unit = known_unit.unit
+        seen = [
+            replace(one, measures=UNMEASURED) if one.measures else one for one in known_unit.seen_in[:MOST_SIGHTINGS]
+        ]
         inputs = [self._reader.read(node) for node in unit.input_nodes]
         outputs = [self._reader.read(node) for node in unit.output_nodes]
         tools = {said.label for said in inputs if said.utensil is not None and said.utensil.role == "tool"} - _HANDS
@@ -203,15 +206,16 @@ class Operators:
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
         """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
 
-        Where none is alike at all (:data:`LIKE_AT_ALL`) it is the food to which it is done most often.
+        Where none is alike at all (:data:`LIKE_AT_ALL`) the motion alone is attested, by the food to which it is done
+        most often, and no food is named that stands for another.
         """
         evidence = (self.acts if act else self.evidence).get(way)
         if evidence is None or not foods or not evidence.foods:
             return None
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
         if sure < LIKE_AT_ALL:
-            food, known = foods[0], min(evidence.often, key=lambda name: (-evidence.often[name], name))
-            sure = alike(food, known)
+            usual = min(evidence.often, key=lambda name: (-evidence.often[name], name))
+            return Attested(way, Nearness.MOTION, evidence.foods[usual])
         return Attested(way, Nearness.LIKE, evidence.foods[known], (food, known, sure))
 
     @cached_property

@@ -16,6 +16,7 @@ from foon_kg.integration.preparation import owed
 _MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "bowl", "in", "", "", "mixture", (), 0)
 _COOK = replace(_MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
 _COOK = replace(_COOK, appliance="stove", source="heat")
+_STIR = replace(_COOK, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
 _TURN = replace(_COOK, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 _SIMMER = replace(_COOK, motion="simmer", does=frozenset({"heat", "liquid"}))
 _LAID = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="baking dish", label="")
@@ -38,6 +39,31 @@ def in_portions(
     fried = not word_list("is fried on both sides").isdisjoint(told) or (portions.bath and not baked)
     fried = fried and word_list("is baked on a sheet").isdisjoint(told)
     return portions.fried() if fried or not (baked or ovens) else portions.baked()
+
+
+def stirred_in_pieces(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is fried that is asked in pieces, where its video turns over a whole one: stirred with the rest.
+
+    Grain that is boiled by itself is served with it.
+    """
+    flesh = [
+        join for join in joins if join.want.facts.is_a(*word_list("is flesh")) and "cook" in owed(join.want, known)
+    ]
+    cut = [join for join in flesh if join.want.make and (known.state(join.want.make).fine or 0) > 1]
+    turns = any("turn" in stage.does for stage in line.all_stages())
+    coated = any(join.want.facts.is_a(*word_list("coats roughly")) for join in joins)
+    if not turns or not cut or len(cut) != len(flesh) or coated:
+        return line, tuple(joins)
+    pan, top = replace(_STIR), replace(_TOP)
+    stages = (pan, top)
+    found = []
+    for join in joins:
+        facts = join.want.facts
+        beside = facts.is_a(*word_list("is eaten beside what is stewed")) or facts.is_a(*word_list("lies on flesh"))
+        stage = top if beside and not join.want.squeezed else pan
+        spot = replace(join.spot, stage=stage, after=stages[_place(stages, stage) + 1 :], side=False)
+        found.append(Join(join.want, spot, min(join.fit, NATURAL)))
+    return Line(stages), tuple(found)
 
 
 def roasted(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:

@@ -480,7 +480,8 @@ class Preparer:
         """Return the way to open the food's shell over a vessel, if there is one."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
         ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
-        return self.bench.attest(ways, want.names, act=True) if "shell" in want.facts.owes else None
+        opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
+        return self.bench.attest(ways, want.names, act=True) if opens else None
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that was cooked in it, and cut it as it is asked."""

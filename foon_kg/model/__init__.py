@@ -5,10 +5,12 @@ The values themselves are here for everybody: ``from foon_kg.model import Object
 
 from foon_kg.model.nodes import (
     DISH_TYPES,
+    UNMEASURED,
     Annotation,
     FunctionalUnit,
     Goal,
     KnownUnit,
+    Measures,
     NodeSortKey,
     ObjectNode,
     Participant,
@@ -23,10 +25,12 @@ from foon_kg.model.nodes import (
 
 __all__ = [
     "DISH_TYPES",
+    "UNMEASURED",
     "Annotation",
     "FunctionalUnit",
     "Goal",
     "KnownUnit",
+    "Measures",
     "NodeSortKey",
     "ObjectNode",
     "Participant",

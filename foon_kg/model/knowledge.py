@@ -148,6 +148,13 @@ class KnowledgeView(Protocol):
         """Where the reference trees that are retrieved from this FOON are kept, if anywhere."""
         ...
 
+    def moved(self) -> bool:
+        """Return whether somebody wrote since the view began, so that its answers may be of two states.
+
+        From then on it is a view of the new state: who asked several things asks them again.
+        """
+        ...
+
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""
         ...

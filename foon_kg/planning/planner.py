@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import difflib
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from foon_kg.food import Tables, singular, tables
 from foon_kg.food.lists import word_list
@@ -40,13 +41,15 @@ from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIng
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.planning.considered import Considered, nearer_goals, other_goals
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult
+from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import Finding, Report, TaskTree, check
@@ -55,9 +58,6 @@ from foon_kg.world import Mention, Step
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
-
-MOST_PASSED = 3
-"""How many goals that were passed over are named."""
 
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
@@ -80,6 +80,14 @@ class Attempt:
     report: Report
     missing: tuple[ObjectNode, ...]
     cooking: Cooking
+
+
+class Reasons(NamedTuple):
+    """A tree, why every required food is made as it is, and the other dishes that were considered."""
+
+    result: PlanResult
+    explanations: tuple[Explanation, ...]
+    considered: tuple[Considered, ...]
 
 
 class Teaching:
@@ -133,8 +141,14 @@ class Planner:
 
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Return the tree, and why every required food is made as it is; raises as :func:`plan` does."""
+        result, why, _ = self.reasons(recipe)
+        return result, why
+
+    def reasons(self, recipe: Recipe) -> Reasons:
+        """Return what :meth:`explain` returns, and the other dishes that were considered; raises as that does."""
         question = _Question(self, recipe)
-        return self._told(question), explanations(question.best, question.likes)
+        others = other_goals(question.fits, question.best.fit, recipe.dish_type)
+        return Reasons(self._told(question), explanations(question.best, question.likes), tuple(others))
 
     def reference_tree(self, recipe: Recipe, goal: ObjectNode) -> tuple[KnownUnit, ...]:
         """Return the reference tree of ``goal`` for ``recipe``, as it was recorded.
@@ -151,7 +165,14 @@ class Planner:
         best = question.best
         ready = best.cooking.ready
         foods = [(RequiredIngredient(w.label, w.asked), ready[w.number].stuff.number) for w in question.wants]
-        return replace(best.result, progress_lines=lines_of_things(best.result.units, best.result.goal, foods))
+        frame = best.fit.frame
+        goal = question.methods.goal_of(frame)
+        recorded = self.references.tree(goal, question.wanted(goal.ingredients)).units
+        return replace(
+            best.result,
+            units=with_measures(best.result.units, recorded, frame.video),
+            progress_lines=lines_of_things(best.result.units, best.result.goal, foods),
+        )
 
 
 class _Question:
@@ -193,7 +214,7 @@ class _Question:
         """The tree of the best frame that the judge accepts; raises :class:`NoTreeError` where there is none."""
         attempts: list[Attempt] = []
         troubles: list[str] = []
-        for fit in self._fits[:MOST_TRIES]:
+        for fit in _made_after(self.fits, self.settings.after)[:MOST_TRIES]:
             try:
                 attempt = self._attempt(fit)
             except RefusedError as error:
@@ -205,14 +226,15 @@ class _Question:
             elif attempt.missing:
                 attempts.append(attempt)
             else:
-                return attempt
+                return self._searched(attempt)
         if attempts:
             least = min(attempts, key=lambda one: len(one.missing))
             raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.stands_for)
         raise self._no_way(troubles)
 
     @cached_property
-    def _fits(self) -> list[Fit]:
+    def fits(self) -> list[Fit]:
+        """How well each dish suits that may be taken, the best first; raises :class:`NoTreeError` where none may."""
         outlines = self.methods.outlines
         title = self.recipe.title or ""
         dish_type = _made_as(self.recipe.dish_type, title, self.known)
@@ -230,6 +252,9 @@ class _Question:
         asked = Asked(self.baked, dish_type, title, self.known)
         allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
         keys = shortlisted(outlines, asked, self.likes, allowed)
+        after = self.settings.after
+        if after:
+            keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
         return fits(self.methods.layouts_of(keys), asked, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
@@ -303,35 +328,25 @@ class _Question:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
         goal = self.methods.goal_of(frame)
-        summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
-            summary,
+            ReferenceSummary(goal.node, 0, 0, exact=False, videos=(frame.video,), core=core),  # see _searched
             tree.goal,
             tree.units,
             tree.kitchen,
             tree.substitutions,
             tree.assumptions,
-            passed_over=tuple(self._passed_over(fit)),
+            passed_over=tuple(
+                PassedOver(one.goal, one.similarity, one.why)
+                for one in nearer_goals(self.fits, fit, self.recipe.dish_type)
+            ),
         )
 
-    def _passed_over(self, taken: Fit) -> Iterator[PassedOver]:
-        """Yield the goals of the asked dish type that are nearer by their ingredients, and why they are not taken."""
-        rows = []
-        for fit in self._fits:
-            if fit.frame.goal == taken.frame.goal or fit.frame.dish_type not in {
-                self.recipe.dish_type,
-                taken.frame.dish_type,
-            }:
-                continue
-            if fit.similarity > taken.similarity:
-                rows.append((-fit.similarity, fit.frame.goal.sort_key, fit))
-        told: set[ObjectNode] = set()
-        for _, _, fit in sorted(rows, key=lambda row: row[:2]):
-            if fit.frame.goal not in told and len(told) < MOST_PASSED:
-                told.add(fit.frame.goal)
-                why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
-                yield PassedOver(fit.frame.goal, round(fit.similarity, 4), why)
+    def _searched(self, attempt: Attempt) -> Attempt:
+        """Return the attempt that is taken with its reference tree: only for that one it is searched (algorithm 3)."""
+        goal, told = self.methods.goal_of(attempt.fit.frame), attempt.result.reference
+        found = self.planner.references.summary(goal, self.wanted(goal.ingredients), told.videos, told.core)
+        return replace(attempt, result=replace(attempt.result, reference=found))
 
     def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
         """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""
@@ -374,6 +389,18 @@ class _Question:
             code="avoided" if self._is_all_avoided() else "no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
+
+
+def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
+    """Return those of a dish or a video called ``after`` (``""``: any); raises :class:`NoTreeError` where none is."""
+    chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
+    if after and not chosen:
+        names = ", ".join(list(dict.fromkeys(fit.frame.goal.label for fit in found))[:5]) or "none"
+        hint = f"What suits these foods best: {names}."
+        raise NoTreeError(
+            f"these foods are not made after a dish or a video called “{after}”", code="no-goal", hint=hint
+        )
+    return chosen
 
 
 def _closing(told: Collection[str], joins: Sequence[Join]) -> str:

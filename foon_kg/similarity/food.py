@@ -1,11 +1,11 @@
-"""The default similarity: evidence of twelve kinds, weighed into one probability.
+"""The default similarity: evidence of thirteen kinds, weighed into one probability.
 
 ``confidence = 0.99 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
-judged as a cook would. ``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on
-halves that they were not fitted on: of the pairs said to be 0.9 or more 91 % were accepted, of those said to be 0.5 to
-0.7 56 %, of those below 0.1 fewer than 1 %. So 0.5 means: as likely as not, a cook would accept the known food; below
-it a planner does better to say that it knows no equivalent (S5 of the contract's sense). Equal canonical names are one
-food and answer 1; nothing else reaches 0.99.
+judged as a cook would, stretched so that what is *told* (the first five of a food) is accepted as often as is said.
+``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on halves that they were not
+fitted on: of what was told at 0.9 or more 97 % were accepted, at 0.5 to 0.7 54 %, at 0.1 to 0.3 18 %. So 0.5 means: as
+likely as not, a cook would accept the known food. Below :data:`~foon_kg.similarity.answers.LEAST` nothing is like it,
+and the confidence is 0. Equal canonical names are one food and answer 1; nothing else reaches 0.99.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ import numpy.typing as npt
 
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.model.names import canonical, canonical_all
-from foon_kg.similarity.answers import DECIMALS, Confidences, best
+from foon_kg.similarity.answers import DECIMALS, LEAST, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.sparse import Table
@@ -67,7 +67,10 @@ class FoodSimilarity:
         return dict(zip(KINDS, self._weights.tolist(), strict=True))
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
+        """Answer confidences, one row for each wanted name, one column for each known one.
+
+        They are 0 where nothing speaks for it, else between ``LEAST`` and 1.
+        """
         rows = [canonical(name) for name in wanted]
         columns = canonical_all(tuple(known))
         side = self._known(columns) if len(columns) > _FEW else self._about_known(columns)
@@ -83,7 +86,10 @@ class FoodSimilarity:
         return np.array([side.answered[name] for name in rows if known]).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name."""
+        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name.
+
+        Fewer where fewer are like it, and none where nothing is.
+        """
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
@@ -110,7 +116,8 @@ class FoodSimilarity:
     def _confidences(self, wanted: Sequence[str], side: _Known) -> Confidences:
         evidence = self.evidence.between(self.evidence.about(wanted), side.about)
         confidences = np.round(confidence_of(np.tensordot(self._weights, evidence, axes=1) + self.bias), DECIMALS)
-        return np.where(np.array(wanted)[:, None] == side.names[None, :], 1.0, confidences)
+        like = np.where(confidences < LEAST, 0.0, confidences)
+        return np.where(np.array(wanted)[:, None] == side.names[None, :], 1.0, like)
 
 
 def confidence_of(odds: Table) -> Confidences:

@@ -60,6 +60,10 @@ class WithDrafts:
         """It keeps no reference trees."""
         return
 
+    def moved(self) -> bool:
+        """Return that it stays as it is."""
+        return False
+
     def vocabulary(self) -> Vocabulary:
         """Return the words of the videos; dish types that only drafts have are there too."""
         return self._vocabulary

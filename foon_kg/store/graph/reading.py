@@ -32,6 +32,7 @@ from foon_kg.store.graph.rows import (
     GoalValue,
     SeenUnit,
     SubgraphRow,
+    measures_of,
     node_of,
     timing_of,
     unit_of,
@@ -59,7 +60,7 @@ from foon_kg.store.graph.statements import (
     Statement,
     ask,
 )
-from foon_kg.store.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.store.graph.words import WordsFound, find_words, seen_as
 from foon_kg.store.server.settings import ConnectionSettings
 
 if TYPE_CHECKING:
@@ -146,12 +147,12 @@ class GraphView:
         found = self._words_found(foods)
         if found is None:
             return LikelyGoals(self.goals(dish_type), frozenset(map(singular, self.vocabulary().rows_of)))
-        near = [{"food": food, "name": name, "gain": sure - LEAST} for food, name, sure in found.pairs]
+        near = [{"food": food, "name": name, "gain": sure} for food, name, sure in found.pairs]
         asked = DISH_TYPES if dish_type is None else (dish_type,)
         (row,) = self._ask(LIKELY_GOALS, dish_types=list(asked), near=near, count=count)
         goals = tuple(map(goal_of, row.goals))
         gain = (row.least_gain or 0.0) if len({goal.node for goal in goals}) == count else 0.0
-        most = None if row.are_all else len(foods) * LEAST + gain
+        most = None if row.are_all else gain
         return LikelyGoals(goals, frozenset(row.foods_named), most)
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
@@ -283,6 +284,19 @@ class GraphView:
         self._edition = known.still(state.edition if state else None)
         return self._edition
 
+    def moved(self) -> bool:
+        """Return whether somebody wrote since the view began; then it begins anew.
+
+        Neo4j shows a transaction what others commit meanwhile. Where nothing but the edition was asked nothing moved.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None) if self.round_trips > 1 else None
+        if state is None or state.edition == self._edition.name:
+            return False
+        self._edition = Edition(state.edition)
+        self.retrieved.clear()
+        self._fetched.clear()
+        return True
+
     def keep(self) -> None:
         """Keep on disk what was fetched for good, where the graph is still of the edition with which this view began.
 
@@ -366,4 +380,5 @@ def subgraph_of(row: SubgraphRow) -> Subgraph:
 
 def _annotation(unit: SeenUnit) -> Annotation:
     _, verb, accepts_any, inputs, outputs, seen = unit
-    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))
+    measures = measures_of(seen.get("amounts"), seen.get("seconds"), seen.get("celsius"))
+    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen), measures)
