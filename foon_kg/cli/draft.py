@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import draft_recipes, draft_review
 from foon_kg.cli.console import (
-    ErrorsAtTheEdge,
     Files,
     Json,
     Quiet,
     Say,
-    data,
     examples,
     print_json,
     sayer,
 )
+from foon_kg.cli.groups import Commanded
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -28,15 +28,8 @@ if TYPE_CHECKING:
     from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
     from foon_kg.model.narration import Narration
-    from foon_kg.plans.difference import VideoDifference
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="draft",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Draft subgraphs of narrated videos and of text.",
-)
+app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")
@@ -138,58 +131,6 @@ def text(
     _write(_drafts(narrations, files, say, dish), output, force=force, as_json=as_json)
 
 
-@app.command(
-    epilog=examples(
-        "foon draft review drafts/P01_01.csv --decide",
-        "foon draft review drafts/*.csv --worst-first",
-    )
-)
-def review(
-    paths: Drafts,
-    *,
-    decide: Annotated[
-        bool, typer.Option("--decide", help="Ask for each doubtful sentence, one key each, and write the answers down.")
-    ] = False,
-    worst_first: Annotated[bool, typer.Option("--worst-first", help="Show the least sure units first.")] = False,
-    files: Files = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-) -> None:
-    """Show drafts beside their doubts.
-
-    Each row with its line, its confidence, the unit, and what was said. "?" is a doubt; "!" an input that no earlier
-    row makes and no kitchen has. Then what the draft would change in the FOON. Edit the table in any editor: mend a row
-    and empty its doubt, or delete it. With --decide each doubtful sentence stands beside what was drafted of it: y or
-    Enter empties its doubts, d deletes its rows, q stops.
-    """
-    if decide:
-        from foon_kg.cli.draft_decide import decide as asked
-
-        all(asked(path) for path in paths)  # until somebody stops
-        return
-    from foon_kg.formats.views.difference import difference_json, difference_view
-    from foon_kg.formats.views.draft import draft_json, draft_view
-    from foon_kg.language.drafting.review import missing
-    from foon_kg.language.drafting.tables import read_draft
-    from foon_kg.plans.kitchen import Kitchen
-
-    kitchen = Kitchen.default()
-    drafts = [read_draft(path) for path in paths]
-    found = {one.name: one for one in _differences(drafts, files, sayer(quiet=quiet))}
-    answers = []
-    for draft in drafts:
-        gaps = missing(draft, kitchen)
-        change = found[draft.subgraph.name] if draft.subgraph else None
-        if as_json:
-            answers.append(draft_json(draft, gaps) | {"difference": difference_json(change) if change else None})
-            continue
-        data().print(draft_view(draft, gaps, worst_first=worst_first), soft_wrap=True)
-        if change is not None:
-            data().print(difference_view(change, units=False), soft_wrap=True)
-    if as_json:
-        print_json(answers)
-
-
 @app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))
 def accept(
     paths: Drafts,
@@ -225,6 +166,10 @@ def accept(
         typer.echo("\n".join(f"{name}: in the FOON" for name in loaded))
 
 
+app.command(epilog=draft_recipes.EXAMPLES)(draft_recipes.recipes)
+app.command(epilog=draft_review.EXAMPLES)(draft_review.review)
+
+
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
     from foon_kg.language.drafting.review import unresolved
 
@@ -253,12 +198,6 @@ def _accept(subgraphs: Sequence[Subgraph], say: Say, *, replacing: bool) -> tupl
         units = sum(len(subgraph.annotations) for subgraph in subgraphs)
         report = load(connection, subgraphs, units_per_transaction=units + 1)
     return tuple(sorted((*report.inserted, *report.replaced, *report.unchanged)))
-
-
-def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say: Say) -> Sequence[VideoDifference]:
-    from foon_kg.cli.videos import found_differences
-
-    return found_differences([draft.subgraph for draft in drafts if draft.subgraph is not None], files, say)
 
 
 def _drafts(

@@ -12,6 +12,9 @@ from foon_kg.model import ObjectNode
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
 """Relations whose ``[]`` is not where a thing is, but what is on it."""
 
+MOST_READ = 1 << 16
+"""For how many nodes it is kept what they say."""
+
 _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 
@@ -64,6 +67,8 @@ class Reader:
         """Return what ``node`` says."""
         said = self._read.get(node)
         if said is None:
+            if len(self._read) >= MOST_READ:
+                self._read.clear()
             said = self._read[node] = self._said(node)
         return said
 

@@ -160,38 +160,3 @@ def test_a_draft_does_not_replace_a_video_that_has_other_units(draft_file, graph
     assert "other units of soup" in foon("draft", "accept", other, "--sure", "0", code=2).output.replace("\n", " ")
     foon("draft", "accept", other, "--anyway")
     assert videos(graph) == ["soup"]
-
-
-def decide(path, keys):
-    return CliRunner().invoke(app, ["draft", "review", str(path), "--decide"], input=keys)
-
-
-DOUBTFUL = (
-    "start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n"
-    ",,peel,onion (whole),onion (peeled),,0.30,peeled by what? | which onion?,“peel it”,x\n"
-    ",,chop,onion (peeled),onion (chopped),,0.90,sure enough,“chop it”,x\n"
-    ',,,,,,0.00,“enjoy” changes no object: left out,"“enjoy it, all”",x\n'
-    ',,mix,"onion (chopped); salt",onion mixture {onion; salt},,0.20,called so,“mix it”,x\n'
-)
-
-
-def test_what_is_doubtful_is_decided_with_one_key_each(tmp_path):
-    path = tmp_path / "x.csv"
-    path.write_text(DOUBTFUL)
-    shown = decide(path, "yyd")
-    assert "3 decisions" in shown.output
-    assert "“peel it”" in shown.output
-    assert "sure enough" not in shown.output
-    assert "3 decided, 0 left; foon draft accept" in shown.output.replace("\n", "")
-    rows = read_draft(path).rows
-    assert [(row.annotation.unit.motion, row.doubts) for row in rows] == [("peel", ()), ("chop", ("sure enough",))]
-
-
-def test_what_is_put_off_or_not_asked_any_more_stays_as_it_was(tmp_path):
-    path = tmp_path / "x.csv"
-    path.write_text(DOUBTFUL)
-    assert "0 decided, 3 left" in decide(path, "sq").output.replace("\n", "")
-    assert path.read_text() == DOUBTFUL
-    assert "1 decided, 2 left" in decide(path, "yq").output.replace("\n", "")
-    assert [bool(row.doubts) for row in read_draft(path).rows] == [False, True, True, True]
-    assert read_draft(path).rows[2].said == "“enjoy it, all”"

@@ -5,16 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
-from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.words import ASIDE, in_a_row, motion_words, node_words
-from foon_kg.language.drafting.deciding import Decision
 from foon_kg.language.drafting.drafts import DraftFile, DraftRow
 from foon_kg.language.drafting.review import SURE, Missing
 from foon_kg.model import FunctionalUnit, ObjectNode
-from foon_kg.plans.kitchen import Kitchen
 
 _FEW = 0.25
 
@@ -34,20 +30,6 @@ def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: boo
         f"{len(units) - stuck} can be executed as they stand",
     )
     return Group(*lines, Text(f"{draft.path}: {'; '.join(counts)}", "bold"))
-
-
-def decision_view(decision: Decision, number: str, kitchen: Kitchen) -> RenderableType:
-    """Return what was said beside what was drafted of it, as sentences with their doubts."""
-    drafted: list[RenderableType] = []
-    for row in decision.rows:
-        unit = row.annotation.unit if row.annotation is not None else None
-        drafted.append(Text(sentence(unit, kitchen)) if unit is not None else Text("no unit", "red"))
-        drafted += [Text(f"? {doubt}", "yellow") for doubt in row.doubts]
-    table = Table.grid(padding=(0, 2), expand=True)
-    table.add_column(ratio=1)
-    table.add_column(ratio=2)
-    table.add_row(Text(f"{number}  {decision.said}", "bold"), Group(*drafted))
-    return Group(table, Text(""))
 
 
 def draft_json(draft: DraftFile, missing: Sequence[Missing]) -> dict[str, object]:
