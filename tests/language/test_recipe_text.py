@@ -43,4 +43,5 @@ def test_an_ingredient_is_taken_by_the_words_that_people_use_of_it():
     assert larder.take("sliced red onion") == Mention("red onion")
     assert larder.take("bean sprouts") is None
     assert larder.left() == (Mention("salt"),)
+    larder.take("salt")
     assert larder.left() == ()
