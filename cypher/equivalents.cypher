@@ -1,13 +1,12 @@
 // The foods that may stand for each asked one: those of an equal name, and the nearest of the vector index with their
 // cosines. The index also holds what is only ever an ingredient of a dish; that is told apart. No row where the points
-// were made of other word lists. Where not all foods are placed, there are some of which nothing is known.
+// were made of other word lists.
 // param: words STRING
 // param: asked LIST<MAP>
 // param: count INTEGER
 // column: name
 // column: equal
 // column: nearest
-// column: all_placed
 // mode: read
 MATCH (record:Foon {name: 'foon-kg', words: $words})
 UNWIND $asked AS asked
@@ -19,4 +18,4 @@ RETURN asked.name AS name, COLLECT {
   MATCH (i:Ingredient {canonical: asked.canonical})
   WHERE EXISTS { (i)-[:SEEN_AS]->() }
   RETURN i.name
-} AS equal, nearest, coalesce(record.all_placed, false) AS all_placed
+} AS equal, nearest

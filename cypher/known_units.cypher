@@ -20,7 +20,7 @@ RETURN nodes, [m IN motions | [
   [(o)-[:INPUT_OF]->(m) | id(o)],
   [(m)-[:OUTPUTS]->(o) | id(o)],
   [(m)-[s:SEEN_IN]->(v) | [
-    v.name, s.position, v.sources[0], s.start, s.end,
+    v.name, s.position, v.sources[0], s.start, s.end, [s.amounts, s.seconds, s.celsius],
     s.inputs, s.inputs_moving, s.inputs_dish, s.outputs, s.outputs_moving, s.outputs_dish
   ]]
 ]] AS units, COLLECT {

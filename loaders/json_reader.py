@@ -7,20 +7,24 @@ node's ``relation``, ``moving`` and ``dish_type``, a unit's ``accepts_any`` and 
 
 from __future__ import annotations
 
+import math
 import re
+from dataclasses import replace
 
 from foon_kg.loaders.json_document import parse_document
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.text_lines import fold
 from foon_kg.loaders.times import is_time
-from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model import DISH_TYPES, UNMEASURED, Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Timing
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.node_json import measures_from_json
 
 _FILE_FIELDS = frozenset({"sources", "units"})
-_UNIT_FIELDS = frozenset({"accepts_any", "input_nodes", "motion_node", "output_nodes", "timing"})
+_UNIT_FIELDS = frozenset({"accepts_any", "input_nodes", "measures", "motion_node", "output_nodes", "timing"})
 _NODE_FIELDS = frozenset({"container", "dish_type", "ingredients", "label", "moving", "relation", "states"})
 _TIMING_FIELDS = frozenset({"assumed", "spans"})
+_MEASURES = frozenset({"amounts", "seconds", "celsius"})
 _UNPRINTABLE = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
@@ -106,7 +110,7 @@ class _UnitReading:
             if one.dish_type is not None:
                 message = f"{fields.where}: an input with the dish type {one.dish_type!r}"
                 self._remark(NoticeKind.CLASS_ON_INPUT, message, "kept there, makes no goal")
-        return Annotation(FunctionalUnit(inputs, motion, outputs, accepts_any), timing)
+        return Annotation(FunctionalUnit(inputs, motion, outputs, accepts_any), timing, self._measures(fields))
 
     def _participants(self, fields: Fields, side: str) -> tuple[Participant, ...]:
         return tuple(self._participant(node) for node in fields.nested_list(side))
@@ -142,6 +146,17 @@ class _UnitReading:
         if not folded:
             self._remark(NoticeKind.EMPTY_PLACE, f"{fields.where}: an empty {name}", "read as none")
         return folded or None
+
+    def _measures(self, fields: Fields) -> Measures:
+        if "measures" not in fields:
+            return UNMEASURED
+        _remark_unknown(fields.nested("measures"), _MEASURES, self._line, self._journal)
+        measures = measures_from_json(fields)
+        amounts = tuple(_printable(fold(amount), f"{fields.where}: amounts") for amount in measures.amounts)
+        odd = [name for name in ("seconds", "celsius") if not math.isfinite(getattr(measures, name) or 0)]
+        if odd or not all(amounts) or (measures.seconds or 0) < 0:
+            raise ReadError(f"{fields.where}: measures that are none", hint='Write {"seconds": 3600, "celsius": 165}.')
+        return replace(measures, amounts=amounts)
 
     def _timing(self, fields: Fields) -> Timing:
         _remark_unknown(fields, _TIMING_FIELDS, self._line, self._journal)

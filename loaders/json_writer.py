@@ -8,7 +8,7 @@ from foon_kg.loaders.json_reader import read_json
 from foon_kg.model import Annotation, Participant, Subgraph
 from foon_kg.model.errors import FormatError
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import node_to_json
+from foon_kg.model.node_json import measures_to_json, node_to_json
 
 
 def write_json(subgraph: Subgraph) -> str:
@@ -35,7 +35,7 @@ def annotation_to_json(annotation: Annotation) -> JsonObject:
         "accepts_any": unit.accepts_any,
         "output_nodes": [_participant_to_json(one) for one in unit.outputs],
         "timing": {"spans": [list(span) for span in timing.spans], "assumed": timing.assumed},
-    }
+    } | ({"measures": measures_to_json(annotation.measures)} if annotation.measures else {})
 
 
 def _participant_to_json(participant: Participant) -> JsonObject:

@@ -10,11 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 
 from foon_kg.loaders.lisp import Form, Symbol, read_lisp
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, Severity, UnreadableFile
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant
+from foon_kg.model import UNMEASURED, Annotation, FunctionalUnit, Measures, ObjectNode, Participant
 from foon_kg.model.dish_classes import dish_classes
 from foon_kg.model.errors import ReadError
 from foon_kg.model.regular_files import read_bytes
@@ -43,6 +44,11 @@ _TOOLS = {
 _STATES_IN_NAMES = frozenset({"cooked", "dried", "frozen", "canned", "ground", "shredded", "grated", "crushed"})
 _FOODS = {"white-sugar": "sugar", "all-purpose-flour": "flour", "red-onion": "onion"}
 """Names of kinds that a FOON knows by a plainer one; a second name would draw recipes away from what is known."""
+
+_SECONDS = {"second": 1, "minute": 60, "hour": 3600}
+_NUMBER = r"\d+(\.\d+)?"
+_TAKEN = "fetch-and-proportion"
+_AMOUNTS = frozenset({_TAKEN, "portion-and-arrange"})
 
 _KIND_OF_MIXTURE = ("dough", "batter", "salad", "dressing", "icing", "sauce", "filling", "glaze")
 _CUTS = {"slice": "sliced", "square": "cut", "cube": "cubed", "sliver": "sliced", "dice": "diced", "half": "halved"}
@@ -117,15 +123,18 @@ def read_muhai_text(text: str, name: str, file: str = "") -> ReadResult:
     if any(notice.severity is Severity.REJECTED for notice in journal.notices()):
         what = "steps are missing, so what the last one makes is hardly the dish"
         journal.remark(None, Remark(NoticeKind.ODD_CLASS, what, "no goal marked"))
-        return journal.result(name, [Annotation(unit) for unit in scene.units], ())
-    return journal.result(name, _with_goal(scene.units, name), ())
+        units = scene.units
+    else:
+        units = _with_goal(scene.units, name)
+    notes = (Annotation(unit, measures=measures) for unit, measures in zip(units, scene.measures, strict=True))
+    return journal.result(name, list(notes), ())
 
 
 def _networks(definition: Form) -> Iterator[Form]:
     return (form for form in definition.forms() if any(inner.head == "get-kitchen" for inner in form.forms()))
 
 
-def _with_goal(units: Sequence[FunctionalUnit], name: str) -> list[Annotation]:
+def _with_goal(units: Sequence[FunctionalUnit], name: str) -> list[FunctionalUnit]:
     """Mark the dish: the last food that the recipe makes is called by the title and gets its dish type."""
     title = re.sub(r"\s*\d+$", "", name.replace("-", " "))
     dish = next(iter(sorted(set(_DISHES_BY_WORD) & {word.rstrip("s") for word in title.split()})), "")
@@ -142,7 +151,7 @@ def _with_goal(units: Sequence[FunctionalUnit], name: str) -> list[Annotation]:
             old = last.outputs[goal].node.label
             outputs = tuple(_named(one, old, title, kind if i == goal else None) for i, one in enumerate(last.outputs))
             listed[-1] = replace(last, outputs=outputs)
-    return [Annotation(unit) for unit in listed]
+    return listed
 
 
 def _named(one: Participant, old: str, title: str, dish: str | None) -> Participant:
@@ -158,6 +167,8 @@ class _Scene:
 
     def __init__(self, journal: Journal) -> None:
         self.units: list[FunctionalUnit] = []
+        self.measures: list[Measures] = []
+        self._oven: float | None = None
         self._journal = journal
         self._held: dict[str, _Held] = {}
 
@@ -172,11 +183,32 @@ class _Scene:
             problem = Problem(NoticeKind.UNKNOWN_LINE, f"“{primitive.head}” {what}")
             self._journal.reject(primitive.line, problem)
             return
+        before = len(self.units)
         try:
             rule.act(self, words)
+            if len(self.units) > before:
+                self._measure(primitive.head, words, len(self.units) - before)
         except _NotThere as error:
             message = f"“{primitive.head}” needs {error}, which no primitive before it made"
             self._journal.reject(primitive.line, Problem(NoticeKind.UNIT_WITHOUT_INPUTS, message))
+
+    def _measure(self, primitive: str, words: Sequence[str], added: int) -> None:
+        """Note what ``words`` say of the units that were ``added``: how much, how long and how hot."""
+        pairs = [(float(n), unit) for n, unit in pairwise(words) if re.fullmatch(_NUMBER, n)]
+        seconds = next((number * _SECONDS[unit] for number, unit in pairs if unit in _SECONDS), None)
+        celsius = next((number for number, unit in pairs if unit == "degrees-celsius"), None)
+        if primitive == "preheat-oven":
+            self._oven = celsius
+        if primitive == "bake":
+            celsius = self._oven if celsius is None else celsius
+        amounts: tuple[str, ...] = ()
+        if primitive in _AMOUNTS:
+            food = next(
+                (one.node.label for one in self.units[-1].inputs if one.node.container or primitive == _TAKEN), ""
+            )
+            amounts = tuple(f"{number:g} {unit} {food}" for number, unit in pairs[:1] if food)
+        self.measures[-added:] = [Measures(celsius=celsius)] * (added - 1)  # the oven is lit for what is baked
+        self.measures.append(Measures(amounts, seconds, celsius))
 
     def bind(self, variable: str, held: _Held) -> None:
         self._held[variable] = held
@@ -203,6 +235,7 @@ class _Scene:
         self, motion: str, inputs: Iterable[ObjectNode], outputs: Iterable[ObjectNode], *, star: bool = False
     ) -> None:
         sides = (tuple(Participant(node) for node in dict.fromkeys(side)) for side in (inputs, outputs))
+        self.measures.append(UNMEASURED)
         self.units.append(FunctionalUnit(next(sides), motion, next(sides), accepts_any=star))
 
     def change(

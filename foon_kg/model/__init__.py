@@ -5,10 +5,12 @@ The values themselves are here for everybody: ``from foon_kg.model import Object
 
 from foon_kg.model.nodes import (
     DISH_TYPES,
+    UNMEASURED,
     Annotation,
     FunctionalUnit,
     Goal,
     KnownUnit,
+    Measures,
     NodeSortKey,
     ObjectNode,
     Participant,
@@ -18,14 +20,17 @@ from foon_kg.model.nodes import (
     Subgraph,
     Timing,
     content_key,
+    shared_node,
 )
 
 __all__ = [
     "DISH_TYPES",
+    "UNMEASURED",
     "Annotation",
     "FunctionalUnit",
     "Goal",
     "KnownUnit",
+    "Measures",
     "NodeSortKey",
     "ObjectNode",
     "Participant",
@@ -35,4 +40,5 @@ __all__ = [
     "Subgraph",
     "Timing",
     "content_key",
+    "shared_node",
 ]

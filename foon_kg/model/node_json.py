@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model import UNMEASURED, Measures, ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.json_fields import Fields, JsonObject
 
 
@@ -42,6 +42,28 @@ def recipe_from_json(fields: Fields) -> Recipe:
     return Recipe(fields.text("dish_type"), ingredients, fields.optional_text("id"), fields.optional_text("title"))
 
 
+def measures_to_json(measures: Measures) -> JsonObject:
+    """Answer how much, how long and how hot: what nobody says is left out."""
+    told: JsonObject = {"amounts": list(measures.amounts)} if measures.amounts else {}
+    if measures.seconds is not None:
+        told["seconds"] = measures.seconds
+    if measures.celsius is not None:
+        told["celsius"] = measures.celsius
+    return told
+
+
+def measures_from_json(fields: Fields) -> Measures:
+    """Read back what :func:`measures_to_json` wrote, from the field ``measures`` of a unit; none where it has none."""
+    if "measures" not in fields:
+        return UNMEASURED
+    told = fields.nested("measures")
+    return Measures(
+        tuple(told.texts("amounts")) if "amounts" in told else (),
+        told.optional_number("seconds"),
+        told.optional_number("celsius"),
+    )
+
+
 def sighting_to_json(sighting: Sighting) -> JsonObject:
     """Answer where a unit was seen; the place in the video is called ``unit``."""
     return {
@@ -50,7 +72,7 @@ def sighting_to_json(sighting: Sighting) -> JsonObject:
         "source": sighting.source,
         "start": sighting.start,
         "end": sighting.end,
-    }
+    } | ({"measures": measures_to_json(sighting.measures)} if sighting.measures else {})
 
 
 def sighting_from_json(fields: Fields) -> Sighting:
@@ -61,4 +83,5 @@ def sighting_from_json(fields: Fields) -> Sighting:
         fields.optional_text("source"),
         fields.optional_number("start"),
         fields.optional_number("end"),
+        measures_from_json(fields),
     )

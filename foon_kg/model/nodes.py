@@ -9,7 +9,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 DISH_TYPES: tuple[str, ...] = (
     "bread", "soup", "roast", "pizza", "sandwich", "cake", "pie", "sauce", "pudding", "drinks",
@@ -83,6 +83,18 @@ class ObjectNode:
         return self.label + (f" ({'; '.join(words)})" if words else "")
 
 
+@lru_cache(maxsize=1 << 16)
+def shared_node(
+    label: str,
+    states: tuple[str, ...] = (),
+    ingredients: tuple[str, ...] = (),
+    relation: str | None = None,
+    container: str | None = None,
+) -> ObjectNode:
+    """Return such a node: where one was asked for of late the same, which is told at a glance to be equal."""
+    return ObjectNode(label, states, ingredients, relation, container)
+
+
 @dataclass(frozen=True)
 class Participant:
     """An object node as one unit uses it: whether it moves, and which dish it completes, if any."""
@@ -150,11 +162,32 @@ class Timing:
 
 
 @dataclass(frozen=True)
+class Measures:
+    """How much, how long and how hot: what a recipe says of one action.
+
+    ``amounts`` are texts of a number, a unit and a food ("200 g flour", "3 piece egg"), ``seconds`` is how long it
+    is done, ``celsius`` how hot. What nobody says is ``None``, and no amounts.
+    """
+
+    amounts: tuple[str, ...] = ()
+    seconds: float | None = None
+    celsius: float | None = None
+
+    def __bool__(self) -> bool:
+        return bool(self.amounts) or self.seconds is not None or self.celsius is not None
+
+
+UNMEASURED = Measures()
+"""Nobody says how much, how long or how hot."""
+
+
+@dataclass(frozen=True)
 class Annotation:
-    """One functional unit at its place in one video."""
+    """One functional unit at its place in one video, with what is said there of its measures."""
 
     unit: FunctionalUnit
     timing: Timing = Timing()
+    measures: Measures = UNMEASURED
 
 
 @dataclass(frozen=True)
@@ -174,7 +207,9 @@ class Subgraph:
 def _annotation_as_json(annotation: Annotation) -> list[object]:
     unit, timing = annotation.unit, annotation.timing
     sides = [[[p.node.key, p.moving, p.dish_type] for p in side] for side in (unit.inputs, unit.outputs)]
-    return [*sides, unit.motion, unit.accepts_any, timing.spans, timing.assumed]
+    told = [*sides, unit.motion, unit.accepts_any, timing.spans, timing.assumed]
+    measures = annotation.measures
+    return [*told, measures.amounts, measures.seconds, measures.celsius] if measures else told
 
 
 @dataclass(frozen=True, order=True)
@@ -190,6 +225,7 @@ class Sighting:
     source: str | None = field(default=None, compare=False)
     start: float | None = field(default=None, compare=False)
     end: float | None = field(default=None, compare=False)
+    measures: Measures = field(default=UNMEASURED, compare=False)
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, NamedTuple, Self, cast, get_args
 
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Recipe, Sighting, Subgraph
+from foon_kg.model import (
+    UNMEASURED,
+    Annotation,
+    FunctionalUnit,
+    Measures,
+    ObjectNode,
+    Participant,
+    Recipe,
+    Sighting,
+    Subgraph,
+)
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import (
+    measures_from_json,
+    measures_to_json,
     node_from_json,
     node_to_json,
     recipe_from_json,
@@ -63,6 +75,7 @@ class ReferenceSummary:
 
     ``exact`` says that the search proved that no other tree of the goal covers more, or as much in fewer units.
     ``videos`` are those after which the final tree is made, ``core`` the foods of theirs that the recipe has too.
+    Where it is made after a draft, which nobody has watched or reviewed, ``draft_confidence`` says how sure that is.
     """
 
     goal: ObjectNode
@@ -71,10 +84,11 @@ class ReferenceSummary:
     exact: bool
     videos: tuple[str, ...] = ()
     core: tuple[str, ...] = ()
+    draft_confidence: float | None = None
 
     def to_json(self) -> JsonObject:
         """Answer the ``reference`` field of a plan result."""
-        return {
+        told: JsonObject = {
             "goal": node_to_json(self.goal),
             "units": self.units,
             "overlap": self.overlap,
@@ -82,6 +96,7 @@ class ReferenceSummary:
             "videos": list(self.videos),
             "core": list(self.core),
         }
+        return told if self.draft_confidence is None else told | {"draft_confidence": self.draft_confidence}
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
@@ -94,6 +109,7 @@ class ReferenceSummary:
             fields.truth("exact"),
             fields.texts("videos") if "videos" in fields else (),
             fields.texts("core") if "core" in fields else (),
+            fields.number("draft_confidence") if "draft_confidence" in fields else None,
         )
 
 
@@ -119,7 +135,8 @@ class PassedOver:
 class PlannedUnit:
     """One step of the final tree, and where the unit it follows was seen.
 
-    ``accepts_any`` and ``moving`` (the nodes that move in this action) are for the FOON text of the tree.
+    ``accepts_any`` and ``moving`` (the nodes that move in this action) are for the FOON text of the tree. ``measures``
+    are what the recorded dish says of such a step: how much, how long and how hot.
     """
 
     input_nodes: tuple[ObjectNode, ...]
@@ -133,6 +150,7 @@ class PlannedUnit:
     grounding: Grounding | None = None
     input_things: tuple[Thing, ...] = ()
     output_things: tuple[Thing, ...] = ()
+    measures: Measures = UNMEASURED
 
     @classmethod
     def of(cls, unit: FunctionalUnit, origin: Origin, seen_in: tuple[Sighting, ...]) -> Self:
@@ -171,6 +189,8 @@ class PlannedUnit:
         if self.grounding is not None:
             told["grounding"] = self.grounding
         told["seen_in"] = [sighting_to_json(sighting) for sighting in self.seen_in]
+        if self.measures:
+            told["measures"] = measures_to_json(self.measures)
         return told
 
     @classmethod
@@ -189,6 +209,7 @@ class PlannedUnit:
             grounding=cast("Grounding | None", grounding),
             input_things=_things_from_json(inputs),
             output_things=_things_from_json(outputs),
+            measures=measures_from_json(fields),
         )
 
 
@@ -224,6 +245,10 @@ class Alternative:
     confidence: float
 
 
+UNLIKE = 0.1
+"""Below this confidence a food is like nothing that is known."""
+
+
 @dataclass(frozen=True)
 class Substitution:
     """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
@@ -237,6 +262,18 @@ class Substitution:
     equivalent: str
     confidence: float
     alternatives: tuple[Alternative, ...] = ()
+
+    @property
+    def for_want(self) -> bool:
+        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
+        return self.kind == "object" and self.confidence < UNLIKE
+
+    @property
+    def how(self) -> str:
+        """How a food is handled, in words that follow its name."""
+        if self.for_want:
+            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
+        return f"is handled like {self.equivalent}"
 
     def to_json(self) -> JsonObject:
         """Answer one of the ``substitutions`` of a plan result."""
@@ -339,8 +376,9 @@ class PlanResult:
             units[place] = self.units[place].as_unit(self.goal, self.recipe.dish_type)
         sightings = (sighting for unit in self.units for sighting in unit.seen_in)
         sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
+        measured = (Annotation(unit, measures=one.measures) for unit, one in zip(units, self.units, strict=True))
         name = self.recipe.id or self.recipe.title or self.recipe.dish_type
-        return Subgraph(name, tuple(Annotation(unit) for unit in units), sources)
+        return Subgraph(name, tuple(measured), sources)
 
 
 def error_to_json(error: FoonError) -> JsonObject:

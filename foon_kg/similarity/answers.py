@@ -16,6 +16,9 @@ DECIMALS = 6
 """Confidences are rounded to this, so that the last bits of a matrix product, which depend on its shape, decide no
 tie (C9)."""
 
+LEAST = 0.1
+"""Less than one cook in ten takes what is at less: nothing like the wanted food. Confidences below it are 0."""
+
 
 class Similarity(Protocol):
     """Says how well known foods can stand for wanted ones."""
@@ -25,7 +28,10 @@ class Similarity(Protocol):
         ...
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name."""
+        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name.
+
+        Fewer where fewer are like it, and none where nothing is.
+        """
         ...
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
@@ -41,6 +47,7 @@ def nearest_of_each(
 
 
 def best(known: Sequence[str], confidences: Confidences, limit: int) -> tuple[Neighbour, ...]:
-    """Answer the ``limit`` greatest of one row of confidences, best first, ties by name (C9)."""
-    rows = sorted(zip(known, confidences.tolist(), strict=True), key=lambda row: (-row[1], row[0]))
+    """Answer the ``limit`` greatest of one row of confidences above 0, best first, ties by name (C9)."""
+    like = [(name, sure) for name, sure in zip(known, confidences.tolist(), strict=True) if sure > 0]
+    rows = sorted(like, key=lambda row: (-row[1], row[0]))
     return tuple(Neighbour(name, confidence) for name, confidence in rows[: max(limit, 0)])

@@ -8,6 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
+from foon_kg.food import tables
+from foon_kg.similarity.forms import plain
 from foon_kg.similarity.groups import FoodGroups
 from foon_kg.similarity.sparse import Flags, SparseRows, Table
 from foon_kg.similarity.taxonomy import FoodTaxonomy
@@ -26,6 +28,7 @@ KINDS = (
     "more general",  # the wanted one is a sort of the known: brown sugar, sugar
     "shared word",  # another word than the last is in both: almond, almond butter
     "prepared dish",  # the known one is a dish or a mixture, the wanted one is not
+    "no food",  # the wanted one is in no table of foods
 )
 """The kinds of evidence, in the order in which :meth:`Evidence.between` answers them."""
 
@@ -43,6 +46,7 @@ class Names:
     shelves: Table
     listed: Flags
     dish: Table
+    strange: Flags
     words: tuple[frozenset[str], ...]
     last_words: tuple[str, ...]
 
@@ -56,18 +60,21 @@ class Evidence:
     food_groups: FoodGroups
 
     def about(self, names: Sequence[str]) -> Names:
-        """Answer all that is known of canonical ``names``."""
+        """Answer all that is known of canonical ``names``, read without words for pieces."""
+        names = [plain(name, self.food_groups.places) for name in names]
         memberships = self.food_groups.rows(names, self._near_listed)
+        kinds = self.taxonomy.rows(names)
         groups = memberships * self._stands_for_others
         last_words = tuple(name.rpartition(" ")[2] for name in names)
         return Names(
             vectors=self.food_vectors.embed(names),
             heads=self._heads(last_words),
-            kinds=self.taxonomy.rows(names),
+            kinds=kinds,
             groups=groups,
             shelves=self.food_groups.shelves(groups),
             listed=np.array([name in self.food_groups.places for name in names], dtype=bool),
             dish=np.minimum(memberships @ self._is_dish, 1.0),
+            strange=~kinds.filled & np.array([self._is_strange(name) for name in names], dtype=bool),
             words=tuple(frozenset(name.split()) for name in names),
             last_words=last_words,
         )
@@ -88,6 +95,7 @@ class Evidence:
                 np.minimum(wanted.shelves @ known.shelves.T, 1.0),
                 *_by_words(wanted, known),
                 np.outer(1 - wanted.dish, known.dish),
+                np.outer(wanted.strange, np.ones(len(known.words))),
             ],
             dtype=np.float64,
         )
@@ -99,6 +107,10 @@ class Evidence:
     @cached_property
     def _stands_for_others(self) -> Table:
         return 1 - self.food_groups.on_shelves("apart")
+
+    def _is_strange(self, name: str) -> bool:
+        """Say whether no table lists a name or any ending of it as a food."""
+        return not self.food_groups.has_ending(name) and tables().foods.find(name)[0] == "unknown"
 
     def _heads(self, last_words: Sequence[str]) -> Table:
         """Answer the vectors of ``last_words``; many names share them."""

@@ -73,6 +73,10 @@ class FoodGroups:
             return ()
         return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
 
+    def has_ending(self, name: str) -> bool:
+        """Say whether the table lists a canonical name, or the last words of it."""
+        return name in self.places or self._place_of_ending(name) is not None
+
     def _place_of_ending(self, name: str) -> int | None:
         words = name.split()
         endings = (" ".join(words[start:]) for start in range(1, len(words)))

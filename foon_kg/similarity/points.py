@@ -91,7 +91,8 @@ def _question(name: str, similarity: FoodSimilarity) -> Question:
     by_flags = weights["prepared dish"] * (1 - float(about.dish[0])), -weights["kind unknown"] * known_kind
     point = np.array([*weighed, *by_flags, 0.0]) * LONGEST
     length = float(np.linalg.norm(point)) or 1.0
-    constant = similarity.bias + weights["kind unknown"] + _by_names(weights)
+    constant = similarity.bias + weights["kind unknown"] + weights["no food"] * float(about.strange[0])
+    constant += _by_names(weights)
     return Question(name, tuple((point / length).tolist()), length, constant)
 
 

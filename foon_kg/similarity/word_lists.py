@@ -8,9 +8,11 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
+from foon_kg.food.lists import word_list
 from foon_kg.model.names import ALIASES_VARIABLE, alias_table
+from foon_kg.similarity.forms import FORM_LISTS
 
-_FORM = "3"  # of the points and of the names beside them; a change of the code that makes them changes it
+_FORM = "4"  # of the points and of the names beside them; a change of the code that makes them changes it
 _WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vectors.npz")
 
 
@@ -28,6 +30,8 @@ def word_lists_key() -> str:
 def _word_lists_key(own_aliases: bytes) -> str:
     lists = (files("foon_kg.data").joinpath(name).read_bytes() for name in _WORD_LISTS)
     digest = hashlib.blake2b(_FORM.encode(), digest_size=16)
+    for name in FORM_LISTS:
+        digest.update("\n".join((name, *sorted(word_list(name)))).encode())
     for content in (*lists, own_aliases):
         digest.update(hashlib.blake2b(content).digest())
     return digest.hexdigest()

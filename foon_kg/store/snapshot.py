@@ -50,6 +50,11 @@ class Snapshot:
         return nullcontext(self)
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """Nothing: all of it are videos."""
+        return {}
+
+    @property
     def memory(self) -> None:
         """A snapshot keeps no reference trees: it is gone with the program that has it."""
         return
@@ -221,7 +226,7 @@ def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]
     source = subgraph.sources[0] if subgraph.sources else None
     for position, annotation in enumerate(subgraph.annotations):
         start, end = annotation.timing.start, annotation.timing.end
-        yield annotation.unit, Sighting(subgraph.name, position, source, start, end)
+        yield annotation.unit, Sighting(subgraph.name, position, source, start, end, annotation.measures)
 
 
 def _known_units(subgraphs: Iterable[Subgraph]) -> Iterator[KnownUnit]:

@@ -106,7 +106,8 @@ def _explained(case: Case, place: int, unit: TreeUnit) -> Iterator[Finding]:
 def _differs(case: Case, place: int, unit: TreeUnit, source: FunctionalUnit) -> Iterator[Finding]:
     if unit.motion != source.motion and not _declared(case, "motion", unit.motion, source.motion):
         yield Finding("C8", f"the unit it names does “{source.motion}”", place)
-    if nearness(case, unit, source) is Grounding.MOTION and _facts(case, unit).inputs:
+    alone = nearness(case, unit, source) is Grounding.MOTION and _facts(case, unit).inputs
+    if alone and unit.grounding != Grounding.MOTION.word:
         theirs = ", ".join(sorted(_facts(case, source).inputs)) or "no food"
         yield Finding("C8", f"the unit it names works on {theirs}, of another kind", place)
     for tool in sorted(_facts(case, unit).tools - _facts(case, source).tools):

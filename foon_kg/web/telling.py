@@ -15,6 +15,14 @@ class Node(BaseModel):
     container: str | None
 
 
+class MeasuresTold(BaseModel):
+    """How much ("200 g flour"), how long and how hot; what nobody says is left out."""
+
+    amounts: list[str] | None = None
+    seconds: float | None = None
+    celsius: float | None = None
+
+
 class SeenIn(BaseModel):
     """Where a unit was seen: the place in the video, from 0, and seconds from its start."""
 
@@ -23,6 +31,7 @@ class SeenIn(BaseModel):
     source: str | None
     start: float | None
     end: float | None
+    measures: MeasuresTold | None = None
 
 
 class Unit(BaseModel):

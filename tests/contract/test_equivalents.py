@@ -61,7 +61,7 @@ def by_comparing_all(names, snapshot, limit):
 def test_foods_are_answered_best_first_and_utensils_and_mere_ingredients_not_at_all(keep):
     with keep([TOSS]).reading() as view:
         caper, shallot, onions = view.equivalents(["caper", "shallot", "Onions"], limit=9)
-    assert [other.name for other in caper] == ["green olive", "onion", "salad"]
+    assert [other.name for other in caper] == ["green olive"]
     assert shallot[0].name == "onion"
     assert (onions[0].name, onions[0].confidence) == ("onion", 1.0)
 
@@ -109,8 +109,8 @@ def test_one_round_trip_finds_them_where_the_nearest_points_settle_it(connection
         before = view.round_trips
         view.equivalents(["caper", "leek", "prawn"])
         assert view.round_trips == before + 1
-        view.equivalents(["qwxyz"])
-        assert view.round_trips > before + 2
+        assert view.equivalents(["qwxyz"]) == ((),)
+        assert view.round_trips == before + 2
 
 
 @pytest.mark.neo4j

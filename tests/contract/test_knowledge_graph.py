@@ -101,13 +101,15 @@ def test_every_unit_comes_with_every_place_where_it_was_seen(subgraphs):
     with Snapshot.of(subgraphs, KITCHEN).reading() as view:
         answered = view.behind(outputs)
     places = {
-        known.unit.key: [(s.video, s.position, s.source, s.start, s.end) for s in known.seen_in] for known in answered
+        known.unit.key: [(s.video, s.position, s.source, s.start, s.end, s.measures) for s in known.seen_in]
+        for known in answered
     }
     expected: dict[str, list[object]] = {}
     for subgraph in sorted(subgraphs, key=lambda s: s.name):
         for position, annotation in enumerate(subgraph.annotations):
             time, source = annotation.timing, next(iter(subgraph.sources), None)
-            expected.setdefault(annotation.unit.key, []).append((subgraph.name, position, source, time.start, time.end))
+            place = (subgraph.name, position, source, time.start, time.end, annotation.measures)
+            expected.setdefault(annotation.unit.key, []).append(place)
     assert places == expected
 
 

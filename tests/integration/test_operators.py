@@ -134,7 +134,8 @@ def test_the_likest_food_of_all_is_taken_in_need():
 def test_where_none_is_alike_it_is_done_as_it_is_most_often():
     again = "name: more\nsalt (granulated; in shaker) + plate (empty) → SPRINKLE → salt (on plate) + plate ({salt})\n"
     found = operators_of(TOMATO, again).farthest(("sprinkle", ()), ("yeti",), Likes().alike)
-    assert found.like == ("yeti", "salt", 0.1)
+    assert (found.nearness, found.like) == (Nearness.MOTION, None)
+    assert [one.video for one in found.seen_in] == ["more", "tomatoes"]
 
 
 def test_ways_that_give_a_state_come_before_those_that_could():

@@ -5,13 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
 from foon_kg.similarity import Neighbour, cosine_similarity, food_similarity, spacy_similarity
+from foon_kg.similarity.answers import LEAST
 from foon_kg.similarity.evidence import KINDS
+from foon_kg.similarity.forms import plain
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
@@ -54,10 +56,44 @@ def test_the_raw_cosine_takes_capers_for_parsley_as_the_paper_does_and_the_defau
 
 
 @pytest.mark.parametrize("strange", ["xyzzy", "", "42", "qwert zuiop", "печень"])
-def test_a_word_that_nobody_knows_is_answered_with_low_confidence(strange):
-    answers = food_similarity().nearest(strange, KNOWN, limit=len(KNOWN))
-    assert len(answers) == len(KNOWN)
-    assert all(answer.confidence < 0.1 for answer in answers)
+def test_nothing_is_like_a_word_that_nobody_knows(strange):
+    assert food_similarity().nearest(strange, KNOWN, limit=len(KNOWN)) == ()
+    assert not food_similarity().matrix([strange], KNOWN).any()
+
+
+@pytest.mark.parametrize(
+    ("wanted", "known", "others"),
+    [
+        ("bacon piece", "bacon", ["bread", "salmon"]),
+        ("garlic", "garlic powder", ["cayenne pepper", "green olive", "clove"]),
+        ("icing", "frosting", ["ice", "sugar"]),
+        ("broccoli florets", "broccoli", ["flower", "cabbage"]),
+        ("chicken pieces", "chicken", ["turkey", "beef"]),
+        ("onion", "onion powder", ["cayenne pepper", "curry powder"]),
+    ],
+)
+def test_a_piece_or_another_form_of_a_food_is_nearer_than_another_food(wanted, known, others):
+    row = dict(zip([known, *others], food_similarity().matrix([wanted], [known, *others])[0], strict=True))
+    assert row[known] > 0.5
+    assert row[known] > max(row[other] for other in others)
+
+
+@pytest.mark.parametrize(("name", "read"), [
+    ("bacon piece", "bacon"), ("fresh basil leaf", "basil"), ("bouillon cube", "bouillon cube"), ("piece", "piece"),
+    ("grape leaf", "grape leaf"), ("baby spinach", "baby spinach"),
+])  # fmt: skip
+def test_names_are_read_without_words_for_pieces_unless_the_whole_is_another_thing(name, read):
+    assert plain(name, food_groups().places) == read
+
+
+@given(foods, st.sampled_from(["piece", "slice", "chunk"]))
+def test_a_piece_of_a_food_is_like_what_the_food_is_like(food, piece):
+    name = canonical(food)
+    assume(name and food_groups().places.get(f"{name} {piece}") is None)
+    others = [other for other in KNOWN if canonical(other) != name]
+    np.testing.assert_array_equal(
+        food_similarity().matrix([f"{name} {piece}"], others), food_similarity().matrix([name], others)
+    )
 
 
 def test_the_same_food_is_certain_and_nothing_else_is():
@@ -77,6 +113,8 @@ def test_every_similarity_answers_probabilities_and_certainty_only_for_one_food(
         matrix = similarity.matrix(wanted, known)
         assert matrix.shape == (len(wanted), len(known))
         assert ((matrix >= 0) & (matrix <= 1)).all()
+        if similarity is food_similarity():
+            assert ((matrix == 0) | (matrix >= LEAST)).all()
         for row, one in enumerate(wanted):
             for column, other in enumerate(known):
                 assert (canonical(one) != canonical(other)) or matrix[row, column] == 1
@@ -93,7 +131,7 @@ def test_an_answer_does_not_depend_on_what_else_is_asked(known, name):
 @given(st.lists(foods, min_size=1, max_size=8, unique=True), foods, st.integers(0, 9))
 def test_nearest_is_the_sorted_row_with_ties_by_name(known, name, limit):
     row = food_similarity().matrix([name], known)[0]
-    expected = sorted((-float(value), other) for value, other in zip(row, known, strict=True))[:limit]
+    expected = sorted((-float(value), other) for value, other in zip(row, known, strict=True) if value > 0)[:limit]
     assert food_similarity().nearest(name, known, limit=limit) == tuple(Neighbour(n, -v) for v, n in expected)
 
 

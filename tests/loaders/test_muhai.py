@@ -9,6 +9,7 @@ import pytest
 from foon_kg.loaders.muhai import read_muhai, read_muhai_text
 from foon_kg.loaders.notices import NoticeKind, ReadResult, Severity
 from foon_kg.loaders.paths import read_path
+from foon_kg.model import Measures
 from foon_kg.model.errors import ReadError
 
 BREAD = """(defparameter *recipe* '((get-kitchen ?k)
@@ -46,6 +47,29 @@ def test_each_primitive_is_a_unit_that_goes_on_where_the_last_one_ended() -> Non
     ]
     assert "batter (mixed; {butter, self rising flour}; in mixing bowl)" in told[4][2]
     assert "batter (mixed; {butter, self rising flour}; in mixing bowl)" in told[5][0]
+
+
+def test_how_much_how_long_and_how_hot_is_kept_on_the_units() -> None:
+    result = read_muhai_text(BREAD, "butter-bread")
+    assert result.subgraph is not None
+
+    told = [(one.unit.motion, one.measures) for one in result.subgraph.annotations if one.measures]
+    assert told == [
+        ("pour", Measures(("60 g butter",))),
+        ("pour", Measures(("200 g self rising flour",))),
+        ("turn on", Measures(celsius=165)),
+        ("bake", Measures(seconds=3600, celsius=165)),
+    ]
+
+
+def test_what_is_baked_is_baked_as_hot_as_the_oven_was_heated() -> None:
+    text = BREAD.replace("60 minute 165 degrees-celsius", "0.5 hour ?t ?u")
+    text = text.replace("(bake", "(preheat-oven ?hot ?k8 ?k6 ?oven 180 degrees-celsius)\n (bake")
+    result = read_muhai_text(text, "butter-bread")
+    assert result.subgraph is not None
+
+    told = [(one.unit.motion, one.measures) for one in result.subgraph.annotations[-2:]]
+    assert told == [("turn on", Measures(celsius=180)), ("bake", Measures(seconds=1800, celsius=180))]
 
 
 def test_the_last_food_is_the_dish_that_the_title_names() -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from foon_kg.loaders import NoticeKind, read_json, read_text, write_json, write_text
-from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph, Timing
+from foon_kg.loaders import NoticeKind, Severity, read_json, read_text, write_json, write_text
+from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Subgraph, Timing
 from foon_kg.model.errors import FormatError
 
 unhurried = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -169,6 +171,25 @@ def test_unusual_nodes_are_written_in_both_formats(node: ObjectNode):
     subgraph = subgraph_of(node)
     assert read_text(write_text(subgraph), "video").subgraph == subgraph
     assert read_json(write_json(subgraph), "video").subgraph == subgraph
+
+
+def test_json_keeps_measures_and_text_has_no_place_for_them():
+    measures = Measures(("200 g flour", "3 piece egg"), 3600.0, 165.5)
+    unit = FunctionalUnit((Participant(ObjectNode("egg")),), "bake", (Participant(ObjectNode("cake")),))
+    subgraph = Subgraph("video", (Annotation(unit, measures=measures), Annotation(unit)))
+    assert read_json(write_json(subgraph), "video").subgraph == subgraph
+    assert read_text(write_text(subgraph), "video").subgraph == replace(subgraph, annotations=(Annotation(unit),) * 2)
+    assert subgraph.content_key != replace(subgraph, annotations=(Annotation(unit),) * 2).content_key
+
+
+@pytest.mark.parametrize(
+    "measures",
+    ['{"seconds": -1}', '{"celsius": "hot"}', '{"seconds": NaN}', '{"amounts": 3}', '{"amounts": [" "]}', "7"],
+)
+def test_measures_that_are_none_are_told_with_their_unit(measures):
+    nodes = '"input_nodes": [{"label": "egg"}], "motion_node": "bake", "output_nodes": [{"label": "cake"}]'
+    result = read_json(f'{{"units": [{{{nodes}, "measures": {measures}}}]}}', "video")
+    assert [notice.severity for notice in result.notices if notice.severity is Severity.REJECTED] != []
 
 
 def test_text_is_written_in_one_way():

@@ -29,7 +29,7 @@ WORDS = IngredientWords(SNAPSHOT.vocabulary(), KITCHEN)
 RECIPES = [read_recipe(path, WORDS).recipe for path in demo_recipes()]
 SETTINGS = PlanSettings(time_limit=None)
 
-OTHERWISE = {"banana_smoothie", "fruit_punch", "mint_tea", "strawberry_milkshake"}
+OTHERWISE = {"fruit_punch", "mint_tea"}
 otherwise = pytest.mark.xfail(reason="a food is handled like another one, though its own video shows how", strict=True)
 
 

@@ -54,9 +54,9 @@ def _utensils(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
 
 
 def _steps(tree: ExportedTree, kitchen: Kitchen) -> Iterator[str]:
-    for number, known in enumerate(tree.units, 1):
+    for number, (known, annotation) in enumerate(zip(tree.units, tree.subgraph.annotations, strict=True), 1):
         shown = f" {_link(known.seen_in[0])}" if known.seen_in else ""
-        yield f"{number}. {_plain(sentence(known.unit, kitchen))}{shown}"
+        yield f"{number}. {_plain(sentence(known.unit, kitchen, annotation.measures))}{shown}"
 
 
 def _notes(result: PlanResult) -> list[list[str]]:
@@ -67,7 +67,7 @@ def _notes(result: PlanResult) -> list[list[str]]:
 
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
-        return f"{one.required} is handled like {one.equivalent} (confidence {one.confidence:.2f})"
+        return f"{one.required} {one.how} (confidence {one.confidence:.2f})"
     if one.kind == "state":
         said = f"{one.object} is {one.required}"
     else:

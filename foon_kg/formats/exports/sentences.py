@@ -12,8 +12,9 @@ from functools import cached_property
 
 from foon_kg.food import motions, tables
 from foon_kg.food.lists import word_list
-from foon_kg.model import FunctionalUnit, ObjectNode
+from foon_kg.model import UNMEASURED, FunctionalUnit, Measures, ObjectNode
 from foon_kg.plans.kitchen import Kitchen, is_place
+from foon_kg.plans.measures import measured_words
 
 _SAID_AS = {"pick-and-place": "put", "place": "put", "put inside": "put", "insert": "put", "sit": "rest"}
 _AFTER_THE_OBJECT = frozenset({"in", "with", "into"})
@@ -29,9 +30,9 @@ _FEW = 3
 _COGNATE = 3
 
 
-def sentence(unit: FunctionalUnit, kitchen: Kitchen) -> str:
-    """Answer one sentence for ``unit``, with a capital letter and a full stop."""
-    said = _Reading(unit, kitchen).said()
+def sentence(unit: FunctionalUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
+    """Answer one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    said = _Reading(unit, kitchen).said() + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
@@ -38,7 +38,12 @@ class ShownTree:
         """Look at FOON text. The goal is the last output that is marked as one, else the first of the last unit."""
         source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
-            PlannedUnit.of(note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),))
+            replace(
+                PlannedUnit.of(
+                    note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
+                ),
+                measures=note.measures,
+            )
             for i, note in enumerate(subgraph.annotations)
         )
         outputs = [one for note in subgraph.annotations for one in note.unit.outputs]

@@ -88,8 +88,9 @@ def construct_final_task_tree(
 
 
 def _nearest(name: str, known: Sequence[str], similarity: Similarity) -> list[Neighbour]:
-    """Return the nearest of ``known``, best first, ties by name; ``name`` itself comes before its other forms."""
-    return sorted(similarity.nearest(name, known, limit=_NEAREST), key=lambda near: near.name != name)
+    """Return the nearest of ``known``, however far, ties by name; ``name`` itself comes before its other forms."""
+    rows = map(Neighbour, known, similarity.matrix([name], known)[0].tolist())
+    return sorted(rows, key=lambda near: (near.name != name, -near.confidence, near.name))[:_NEAREST]
 
 
 def _substitution(
@@ -122,7 +123,7 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
         now = _changed(unit, lambda node: _renamed(node, want, food))
         if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion_node:
             now = replace(now, motion_node=min(rows)[1])
-            like = knowledge.similarity.nearest(now.motion_node, [unit.motion_node], limit=1)
+            like = _nearest(now.motion_node, [unit.motion_node], knowledge.similarity)
             found.append(_substitution("motion", want, now.motion_node, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))

@@ -8,7 +8,7 @@ from typing import Any
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
-from foon_kg.similarity.answers import nearest_of_each
+from foon_kg.similarity.answers import LEAST, nearest_of_each
 from foon_kg.similarity.points import Question, question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.connection import Connection
@@ -41,10 +41,9 @@ def equivalents(
 
 
 def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:
-    """Answer the ``limit`` best known foods of each name; ``None`` where they cannot be told by points.
+    """Answer the ``limit`` best known foods of each name; ``None`` where they are of other word lists.
 
-    That is where these are of other word lists, or where a food of which nothing is known, and which has no point, may
-    be among the best.
+    A food of which nothing is known has no point: nothing speaks for it where its name is not equal.
 
     ``ask`` takes the parameters of ``cypher/equivalents.cypher``. One round trip where 64 points settle every name.
     """
@@ -57,11 +56,9 @@ def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tu
             return None
         for row, answer in zip(rows, _best(rows, limit), strict=True):
             is_all = len(row.nearest) < count
-            if (is_all and row.all_placed) or _is_settled(answer, row, waiting[row.name], limit):
+            if is_all or _is_settled(answer, row, waiting[row.name], limit):
                 found[row.name] = answer
                 del waiting[row.name]
-            elif is_all:
-                return None
         count *= MORE
     return found
 
@@ -78,6 +75,6 @@ def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, 
 
 
 def _is_settled(answer: Sequence[Neighbour], row: EquivalentsRow, about: Question, limit: int) -> bool:
-    """Say whether nothing further away than the last point can be as good as the last of ``answer``."""
-    furthest = min((cosine for _, _, cosine in row.nearest), default=0.0)
-    return len(answer) == limit and answer[-1].confidence > about.most(furthest)
+    """Say whether nothing further away than the last point is like it, or as good as the last of ``answer``."""
+    most = about.most(min((cosine for _, _, cosine in row.nearest), default=0.0))
+    return most < LEAST or (len(answer) == limit and answer[-1].confidence > most)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator, Sequence
 from operator import itemgetter
+from typing import Any
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.store.graph.rows import KeyedNode, KnownUnitsRow, KnownUnitValue, node_of, order
+from foon_kg.store.graph.rows import KeyedNode, KnownUnitsRow, KnownUnitValue, measures_of, node_of, order
 
 _SIGHTING_FIELDS = len(dataclasses.fields(Sighting))
 
@@ -45,7 +46,7 @@ class _Writing:
             accepts_any,
         )
         vars(unit)["key"] = key  # what the graph keeps it under: hashing it again takes longer than all the rest
-        return KnownUnit(unit, tuple(Sighting(*sighting[:_SIGHTING_FIELDS]) for sighting in sightings))
+        return KnownUnit(unit, tuple(map(_sighting, sightings)))
 
     def _side(
         self, numbers: Sequence[int], ranks: Sequence[int], moving: Sequence[bool], dishes: Sequence[str]
@@ -59,6 +60,11 @@ class _Writing:
         if found is None:
             found = self.participants[place, moves, dish] = Participant(self.nodes[place], moves, dish or None)
         return found
+
+
+def _sighting(values: Sequence[Any]) -> Sighting:
+    video, position, source, start, end, measures = values[:_SIGHTING_FIELDS]
+    return Sighting(video, position, source, start, end, measures_of(*measures))
 
 
 def _node(row: KeyedNode) -> ObjectNode:

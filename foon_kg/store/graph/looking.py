@@ -15,6 +15,7 @@ from typing import Any
 
 from foon_kg.model.errors import WriteRefused
 from foon_kg.store.graph.patterns import refuse_hard_patterns
+from foon_kg.store.graph.preface import begin, shows_schema
 from foon_kg.store.graph.question_words import CLOSED, Token, asked, read_pieces, too_much
 
 LONGEST_RANGE = 1_000_000
@@ -62,9 +63,10 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
     pieces = read_pieces(text)
     tokens = asked(pieces)
     refuse_hard_patterns(tokens, parameters or {})
+    schema = begin(tokens) if shows_schema(tokens) else None
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
-        if _is_of_what_is_before(tokens, number):
+        if _is_of_what_is_before(tokens, number) or number == schema:
             continue
         if not (number and tokens[number - 1].text == ":"):  # no clause begins in a label
             _refuse_clause(token, rest)

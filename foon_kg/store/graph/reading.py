@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, groupby
@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 import neo4j
 
 from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.loaders.lessons import lessons_of
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
 from foon_kg.model.errors import SchemaError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular, words
@@ -30,6 +32,7 @@ from foon_kg.store.graph.rows import (
     GoalValue,
     SeenUnit,
     SubgraphRow,
+    measures_of,
     node_of,
     timing_of,
     unit_of,
@@ -50,13 +53,14 @@ from foon_kg.store.graph.statements import (
     REMEMBERED,
     SCHEMA_STATE,
     SUBGRAPHS,
+    SURE_DRAFTS,
     VIDEO_NAMES,
     VOCABULARY,
     WORDS_FOR,
     Statement,
     ask,
 )
-from foon_kg.store.graph.words import LEAST, WordsFound, find_words, seen_as
+from foon_kg.store.graph.words import WordsFound, find_words, seen_as
 from foon_kg.store.server.settings import ConnectionSettings
 
 if TYPE_CHECKING:
@@ -143,12 +147,12 @@ class GraphView:
         found = self._words_found(foods)
         if found is None:
             return LikelyGoals(self.goals(dish_type), frozenset(map(singular, self.vocabulary().rows_of)))
-        near = [{"food": food, "name": name, "gain": sure - LEAST} for food, name, sure in found.pairs]
+        near = [{"food": food, "name": name, "gain": sure} for food, name, sure in found.pairs]
         asked = DISH_TYPES if dish_type is None else (dish_type,)
         (row,) = self._ask(LIKELY_GOALS, dish_types=list(asked), near=near, count=count)
         goals = tuple(map(goal_of, row.goals))
         gain = (row.least_gain or 0.0) if len({goal.node for goal in goals}) == count else 0.0
-        most = None if row.are_all else len(foods) * LEAST + gain
+        most = None if row.are_all else gain
         return LikelyGoals(goals, frozenset(row.foods_named), most)
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
@@ -233,6 +237,11 @@ class GraphView:
         return self._edition.name
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """Nothing: what drafts teach is asked for apart (:meth:`lessons`)."""
+        return {}
+
+    @property
     def memory(self) -> GraphView:
         """The graph itself keeps reference trees."""
         return self
@@ -255,6 +264,14 @@ class GraphView:
         """Answer those of the named videos that the graph has, sorted by name, with all that was loaded."""
         rows = self._ask(SUBGRAPHS, names=sorted(set(names)))
         return tuple(sorted(map(subgraph_of, rows), key=lambda subgraph: subgraph.name))
+
+    def lessons(self, most: int = MOST_OF_A_DISH_TYPE) -> tuple[Lesson, ...]:
+        """Return what the ``most`` surest drafts of each dish type teach, sorted by name."""
+        rows = self._ask(SURE_DRAFTS, dish_types=list(DISH_TYPES), most=most)
+        return lessons_of(
+            DraftedRecipe(row.id, row.title, row.dish_type, row.table, row.units, row.left_out, row.confidence)
+            for row in rows
+        )
 
     def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
         """Answer which edition this view reads: ``known``, or a new one.
@@ -363,4 +380,5 @@ def subgraph_of(row: SubgraphRow) -> Subgraph:
 
 def _annotation(unit: SeenUnit) -> Annotation:
     _, verb, accepts_any, inputs, outputs, seen = unit
-    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen))
+    measures = measures_of(seen.get("amounts"), seen.get("seconds"), seen.get("celsius"))
+    return Annotation(unit_of(verb, inputs, outputs, seen, accepts_any=accepts_any), timing_of(seen), measures)

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model import Annotation, FunctionalUnit, Measures, ObjectNode, Participant, Timing
 
 NodeRow = tuple[str, list[str], list[str], str | None, str | None]
 Properties = dict[str, Any]
@@ -26,7 +26,8 @@ KeyedNode = tuple[int, str, str, list[str], list[str], str | None, str | None]
 
 KnownUnitValue = tuple[str, str, bool, list[int], list[int], list[list[Any]]]
 """``[key, verb, accepts_any, inputs, outputs, sightings]``, the nodes by their numbers. A sighting has the values of a
-``Sighting``, then those of ``inputs``, ``inputs_moving``, ``inputs_dish``, ``outputs``, … on its ``SEEN_IN`` edge."""
+``Sighting`` (its measures are one list), then those of ``inputs``, ``inputs_moving``, ``inputs_dish``, ``outputs``, …
+on its ``SEEN_IN`` edge."""
 
 
 StateRow = tuple[str, list[str], list[int], list[int]]
@@ -98,6 +99,19 @@ class ContentRow:
 
     name: str
     content: str
+
+
+@dataclass(frozen=True)
+class DraftRow:
+    """A draft: the fields of a ``DraftedRecipe``."""
+
+    id: str
+    title: str
+    dish_type: str
+    table: str
+    units: int
+    left_out: int
+    confidence: float
 
 
 @dataclass(frozen=True)
@@ -195,7 +209,6 @@ class EquivalentsRow:
     name: str
     equal: list[str]
     nearest: list[tuple[str, bool, float]]
-    all_placed: bool
 
 
 @dataclass(frozen=True)
@@ -369,9 +382,14 @@ def timing_of(seen: Properties) -> Timing:
     return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
 
 
+def measures_of(amounts: Sequence[str] | None, seconds: float | None, celsius: float | None) -> Measures:
+    """Answer the measures that :func:`properties_of` wrote."""
+    return Measures(tuple(amounts or ()), seconds, celsius)
+
+
 def properties_of(annotation: Annotation, position: int) -> Properties:
     """Answer what the ``SEEN_IN`` edge of ``annotation`` keeps."""
-    unit, timing = annotation.unit, annotation.timing
+    unit, timing, measures = annotation.unit, annotation.timing, annotation.measures
     return {
         "position": position,
         "start": timing.start,
@@ -381,6 +399,9 @@ def properties_of(annotation: Annotation, position: int) -> Properties:
         "span_ends": [float(end) for _, end in timing.spans],
         **_side_as_properties(unit.inputs, "inputs"),
         **_side_as_properties(unit.outputs, "outputs"),
+        "amounts": list(measures.amounts) or None,
+        "seconds": measures.seconds,
+        "celsius": measures.celsius,
     }
 
 

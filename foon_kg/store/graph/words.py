@@ -17,13 +17,11 @@ from foon_kg.model.knowledge import Gathering, MadeBy, SeenAs, Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import words
 from foon_kg.similarity import Confidences, food_similarity
+from foon_kg.similarity.answers import LEAST
 from foon_kg.similarity.points import question
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.equivalents import FIRST, MORE
 from foon_kg.store.graph.rows import StateRow, WordsForRow
-
-LEAST = 0.05
-"""Whatever is less sure than this is no equivalent, and adds next to nothing to the score of a goal."""
 
 FAIR, BEST = 0.5, 4
 """Where a food has a fair equivalent, so many of its best are wanted: the one chosen and three alternatives."""
