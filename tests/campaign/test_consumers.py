@@ -123,9 +123,8 @@ def test_neo4j_admin_imports_each_name(empty_graph, tmp_path, monkeypatch):
 
     from foon_kg.store.server import stop
     from foon_kg.store.server.home import Home
-    from foon_kg.store.server.jars import pinned
     from foon_kg.store.server.java import run_admin
-    from foon_kg.store.server.startup_cache import StartupCache
+    from foon_kg.store.server.startup_cache import the_startup_cache
 
     subgraphs = [
         read_json(json.dumps(renamed(write_json(one), name)), f"{one.name}-{number}").subgraph
@@ -142,10 +141,12 @@ def test_neo4j_admin_imports_each_name(empty_graph, tmp_path, monkeypatch):
     up()
     stop()
     place = Home((tmp_path / "home").resolve())
-    monkeypatch.chdir(tmp_path / "import")
+    shutil.copytree(tmp_path / "import", place.root, dirs_exist_ok=True)  # the command runs there
+    monkeypatch.chdir(place.root)
     words = ["database", "import", "full", "neo4j", "--overwrite-destination"]
     words += [line for line in Path(ARGUMENTS).read_text(encoding="utf-8").splitlines() if line.startswith("--")]
-    run_admin(place.root / "admin.args", pinned().class_path(jar_folder()), place.root, words)
+    cache = the_startup_cache()
+    run_admin(place.root / "admin.args", cache.jar_set.class_path(cache.folder), place.root, words)
     with Connection(up()) as imported:
         with imported.session(writing=True) as session:
             session.run((tmp_path / "import" / AFTER).read_text(encoding="utf-8")).consume()
