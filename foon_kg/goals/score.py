@@ -40,6 +40,9 @@ _UNTOLD_OVEN = 0.8
 _UNASKED_PART = 0.8
 """What a frame is less worth that makes a part with a machine by which nobody calls the dish (pesto)."""
 
+_DRAFTED = 0.25
+"""What a frame is less worth that nobody has watched: it was drafted from the words of a recipe."""
+
 _MIXED = 0.4
 """What a frame is less worth that mixes what should lie on dough."""
 
@@ -64,6 +67,7 @@ def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> 
     found -= _stacked_otherwise(dish, joins, asked, named)
     found -= _MIXED if asked.laid and dish.layout.laid is None else 0.0
     found -= 0.15 if missing_core(dish, asked) else 0.0
+    found -= _DRAFTED if is_draft(dish.frame.video) else 0.0
     found += _AS_RECORDED * _same_foods(dish, joins, asked)
     return found - 0.05 * len(dish.frame.weak)
 

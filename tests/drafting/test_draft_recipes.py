@@ -107,10 +107,13 @@ def test_a_file_of_other_recipes_is_not_gone_on_with(collection, tmp_path):
 
 
 def test_one_recipe_that_goes_wrong_ends_no_batch(collection, tmp_path, monkeypatch):
+    listed = json.loads((collection / "layer1.json").read_text())
+    listed[2]["title"] = "Odd Salad"
+    (collection / "layer1.json").write_text(json.dumps(listed))
     whole = drafting.draft
 
     def broken(narration, *given, **wishes):
-        if narration.name == "r2":
+        if narration.name == "Odd Salad":
             raise KeyError("onion")
         return whole(narration, *given, **wishes)
 

@@ -11,6 +11,7 @@ from foon_kg.language.drafting.drafting import draft
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.tables import write_draft
 from foon_kg.language.instructions import with_actions
+from foon_kg.language.recipe_text import ingredients
 from foon_kg.model import KnownUnit
 from foon_kg.model.collected import CollectedRecipe
 from foon_kg.model.drafted import DraftedRecipe
@@ -49,7 +50,7 @@ class RecipeDrafter:
         try:
             return self._drafted(recipe, dish_type)
         except FoonError as error:
-            if error.code == "text":
+            if error.code in {"text", "recipes"}:  # what reads is not installed
                 raise
             return _unable(empty, error.message)
         except ModuleNotFoundError as error:
@@ -59,7 +60,10 @@ class RecipeDrafter:
 
     def _drafted(self, recipe: CollectedRecipe, dish_type: str) -> DraftedRecipe:
         narration = Narration(
-            recipe.id, sentences=tuple(map(Sentence, recipe.instructions)), source=recipe.url or recipe.place
+            recipe.title or recipe.id,  # what a dish is called says what it is
+            sentences=tuple(map(Sentence, recipe.instructions)),
+            source=recipe.url or recipe.place,
+            ingredients=ingredients(line.text for line in recipe.lines if line.is_readable),
         )
         told = with_actions(narration, self.precedents.verbs, self.precedents.names)
         made = draft(told, self.precedents, dish_type=dish_type or None)
