@@ -5,7 +5,7 @@ MATCH (f:Foon {name: 'foon-kg'})
 UNWIND $objects AS row
 MERGE (o:Object {key: row.key})
   ON CREATE SET o.label = row.label, o.states = row.states, o.ingredients = row.ingredients,
-    o.relation = row.relation, o.container = row.container, o.start = row.start
+    o.relation = row.relation, o.container = row.container, o.start = row.start, o.utensil = row.utensil
 WITH f, o
 WHERE NOT EXISTS { (o)-[:CALLED]->() }
 WITH f, o.label AS label, collect(o) AS objects

@@ -19,14 +19,30 @@ from typing import Any
 import typer
 
 from foon_kg.cli import app
+from foon_kg.model.errors import FoonError
 
 TARGET = Path(__file__).parent / "reference" / "commands.md"
 NOTEBOOK = Path(__file__).parent / "how-to" / "notebook.ipynb"
 HEAD = """# Commands
 
-Every command as it describes itself; `foon COMMAND --help` says the same. Exit codes: 0 done, 1 failed, 2 wrong usage,
-3 no tree. This page is written by `python docs/generate.py`.
+Every command as it describes itself; `foon COMMAND --help` says the same. This page is written by
+`python docs/generate.py`.
+
+## Exit codes
+
+| code | means | `error.code` of `--json` is, for instance |
+|---|---|---|
+{exit_codes}
+
+Of many recipes the exit code is the highest. Ctrl-C ends a command with 130; what it had written whole stays.
 """
+EXIT_CODES = {
+    0: "done",
+    1: "failed; of `foon check`: a tree is not accepted; of `foon doctor`: something will not work",
+    2: "wrong usage: the question cannot be read as asked",
+    3: "the question is fine, and there is no tree: the answer says why and what is missing",
+}
+"""What an exit code means, for all commands alike."""
 
 
 def described(command: Any, path: tuple[str, ...]) -> Iterator[str]:  # noqa: ANN401 - typer has a click of its own
@@ -52,9 +68,26 @@ def described(command: Any, path: tuple[str, ...]) -> Iterator[str]:  # noqa: AN
         yield from ("", "```sh", *examples, "```")
 
 
+def exit_codes() -> str:
+    """Return the rows of the table of exit codes; whose errors end with which they know themselves."""
+    errors: list[type[FoonError]] = [FoonError, *every(FoonError)]
+    return "\n".join(
+        f"| {code} | {means} | {', '.join(sorted({f'`{one.code}`' for one in errors if one.exit_code == code}))} |"
+        for code, means in EXIT_CODES.items()
+    )
+
+
+def every(kind: type[FoonError]) -> Iterator[type[FoonError]]:
+    """Yield the errors below ``kind`` that foon_kg.model.errors names."""
+    for below in kind.__subclasses__():
+        if below.__module__ == kind.__module__:
+            yield below
+            yield from every(below)
+
+
 def document() -> str:
     """Return the whole page."""
-    return HEAD + "\n".join(described(typer.main.get_command(app), ("foon",))) + "\n"
+    return HEAD.format(exit_codes=exit_codes()) + "\n".join(described(typer.main.get_command(app), ("foon",))) + "\n"
 
 
 def notebook() -> str:

@@ -7,8 +7,15 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from foon_kg.model.errors import ReadError
+from foon_kg.model.plugins import LOADERS, names
 
 _ENDINGS = (".txt", ".json", ".lisp")
+
+
+def is_foreign(path: Path) -> bool:
+    """Return whether a plug-in reads files with this ending, and not foon-kg itself."""
+    ending = path.suffix.lower()
+    return ending not in _ENDINGS and ending.removeprefix(".") in names(LOADERS)
 
 
 def foon_files(paths: Iterable[Path]) -> list[Path]:
@@ -21,13 +28,17 @@ def foon_files(paths: Iterable[Path]) -> list[Path]:
 
 def _foon_files(path: Path) -> list[Path]:
     if path.is_dir():
-        files = [file for file in _below(path) if file.suffix.lower() in _ENDINGS]
+        below = list(_below(path))
+        files = [file for file in below if file.suffix.lower() in _ENDINGS]
+        if len(files) < len(below):  # plug-ins are looked for only where there is something for them
+            foreign = {f".{name}" for name in names(LOADERS)} - set(_ENDINGS)
+            files += [file for file in below if file.suffix.lower() in foreign]
         if not files:
             raise ReadError(f"{path}: no FOON file in this folder", hint="It should hold *.txt or *.json subgraphs.")
         return files
     if not path.exists():
         raise ReadError(f"{path}: no such file or folder", hint="Check the path.")
-    if path.suffix.lower() not in _ENDINGS:
+    if path.suffix.lower() not in _ENDINGS and not is_foreign(path):
         raise ReadError(f"{path}: neither *.txt nor *.json", hint="A subgraph is a FOON text or its JSON.")
     return [path]
 

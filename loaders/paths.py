@@ -15,6 +15,8 @@ from foon_kg.loaders.muhai import read_muhai_file
 from foon_kg.loaders.notices import Journal, Notice, NoticeKind, Problem, ReadResult, UnreadableFile
 from foon_kg.loaders.text_blocks import CONTROL
 from foon_kg.loaders.text_reader import TextReader
+from foon_kg.model.errors import UsageError
+from foon_kg.model.plugins import LOADERS, plugin
 from foon_kg.model.regular_files import read_bytes
 
 _BYTE_ORDER_MARK = "\ufeff"
@@ -73,13 +75,25 @@ def _read_file(path: Path, reader: TextReader) -> ReadResult:
         name = _video_name(path)
     except (UnreadableFile, OSError) as error:
         return Journal(_printable(path)).reject_unread(error)
-    is_json = path.suffix.lower() == ".json"
     bare = text.removeprefix(_BYTE_ORDER_MARK)
-    result = read_json(bare, name, str(path)) if is_json else reader.read(bare, name, str(path))
+    result = _read_text(bare, name, path, reader)
     if len(bare) == len(text):
         return result
     mark = Notice(str(path), 1, NoticeKind.BYTE_ORDER_MARK, "a byte order mark before the first line", "left out")
     return replace(result, notices=(mark, *result.notices))
+
+
+def _read_text(text: str, name: str, path: Path, reader: TextReader) -> ReadResult:
+    ending = path.suffix.lower()
+    if ending == ".json":
+        return read_json(text, name, str(path))
+    read = None if ending == ".txt" else plugin(LOADERS, ending.removeprefix("."))
+    if read is None:
+        return reader.read(text, name, str(path))
+    result = read(text, name, str(path))
+    if not isinstance(result, ReadResult):
+        raise UsageError(f"the plug-in for {ending} files gave {type(result).__name__}", hint="It gives a ReadResult.")
+    return result
 
 
 def _video_name(path: Path) -> str:

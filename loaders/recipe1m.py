@@ -82,6 +82,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
             place,
             partition=_optional(fields, "partition"),
             url=_optional(fields, "url"),
+            instructions=instructions_of(fields.get("instructions")),
         )
 
     def _keep(
@@ -146,6 +147,14 @@ def count_problem(count: int) -> tuple[NoticeKind, str] | None:
     if count > MOST_INGREDIENTS:
         return NoticeKind.TOO_MANY_INGREDIENTS, f"{count} ingredients, and no dish has over {MOST_INGREDIENTS}"
     return None
+
+
+def instructions_of(value: object) -> tuple[str, ...]:
+    """Return the steps that a field lists, as texts or as {text}; what is neither is no step."""
+    listed = value if isinstance(value, list) else value.splitlines() if isinstance(value, str) else []
+    texts = (one.get("text") if isinstance(one, dict) else one for one in listed)
+    steps = (" ".join(text.split()) for text in texts if isinstance(text, str) and half_character(text) is None)
+    return tuple(step for step in steps if any(map(str.isalpha, step)))
 
 
 def _detected(value: Mapping[str, object]) -> Sequence[object] | None:

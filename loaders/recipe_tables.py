@@ -1,8 +1,8 @@
 """Recipes from tables and small JSON files: our own query JSON, JSON Lines, CSV and Parquet.
 
-A table has a column ``id``, ``title``, ``type`` (or ``dish_type``), ``ingredients``, ``partition``, ``url``; all but
-``ingredients`` may be missing. A cell of ingredients is a JSON list (of texts, or of ``{object, state}``), or texts
-with line ends, ``|`` or ``;`` between them.
+A table has a column ``id``, ``title``, ``type`` (or ``dish_type``), ``ingredients``, ``instructions``, ``partition``,
+``url``; all but ``ingredients`` may be missing. A cell of ingredients is a JSON list (of texts, or of ``{object,
+state}``), or texts with line ends, ``|`` or ``;`` between them; one of instructions has a step a line, or is a list.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from foon_kg.loaders.json_document import ENDS_EARLY, ends_early
 from foon_kg.loaders.json_stream import stream_list
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity, UnreadableFile
 from foon_kg.loaders.paths import decode
-from foon_kg.loaders.recipe1m import Tell, count_problem
+from foon_kg.loaders.recipe1m import Tell, count_problem, instructions_of
 from foon_kg.model.collected import CollectedLine, CollectedRecipe
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.regular_files import open_regular, read_bytes
@@ -72,6 +72,7 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
         dish_type=_text(row, "type") or _text(row, "dish_type"),
         partition=_text(row, "partition"),
         url=_text(row, "url"),
+        instructions=instructions_of(row.get("instructions")),
     )
 
 

@@ -20,6 +20,7 @@ from pathlib import Path
 
 from foon_kg.food import tables
 from foon_kg.loaders.csv_table import TableRow, columns_of, table_rows
+from foon_kg.loaders.found import is_foreign
 from foon_kg.loaders.notices import Journal, NoticeKind, Problem, ReadResult, Remark, UnreadableFile
 from foon_kg.loaders.paths import decode, read_paths
 from foon_kg.loaders.times import counts_hours, read_timing
@@ -48,12 +49,17 @@ def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
     for path in paths:
         found = sorted(path.rglob("*.csv")) if path.is_dir() else [path] * (path.suffix.lower() == ".csv")
         tables += [file for file in found if path.exists() and not _is_hidden(file.relative_to(path))]
-        if not found or not path.exists() or any(path.rglob("*.txt")) or any(path.rglob("*.json")):
+        if not found or not path.exists() or _has_subgraphs(path):
             others.append(path)
     for table in dict.fromkeys(tables):
         yield from read_video_table(table)
     if others:
         yield from read_paths(others)
+
+
+def _has_subgraphs(path: Path) -> bool:
+    files = (file for file in path.rglob("*") if file.suffix.lower() != ".csv")
+    return any(file.suffix.lower() in {".txt", ".json"} or is_foreign(file) for file in files)
 
 
 def _is_hidden(path: Path) -> bool:

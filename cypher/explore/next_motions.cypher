@@ -8,9 +8,8 @@
 // column: videos
 // mode: read
 // scans: a verb has no index of its own among the units
-MATCH (:Motion {verb: $motion})-[one:SEEN_IN]->(v:Video)<-[two:SEEN_IN]-(after:Motion)
-WHERE two.position = one.position + 1
-WITH after.verb AS next, v.name AS video ORDER BY video
+MATCH (:Motion {verb: $motion})-[follows:NEXT]->(after:Motion)
+WITH after.verb AS next, follows.video AS video ORDER BY video
 RETURN next, count(*) AS times, collect(DISTINCT video) AS videos
 ORDER BY times DESC, next
 LIMIT $most

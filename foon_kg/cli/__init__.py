@@ -11,13 +11,11 @@ import typer
 from foon_kg import __version__
 from foon_kg.cli import data_frames
 from foon_kg.cli.commands import Foon
+from foon_kg.cli.groups import Commanded
 
-app = typer.Typer(
+app = Commanded(
     cls=Foon,
     name="foon",
-    no_args_is_help=True,
-    rich_markup_mode=None,  # plain help is quick to print and fits any width
-    pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog="Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no tree.",
 )

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from foon_kg.cli.console import Say, json_line, print_view, progress_bar, show_error
+from foon_kg.cli.console import Say, json_line, print_view, show_error
+from foon_kg.cli.runs import progress_bar, waited
 
 if TYPE_CHECKING:
     from foon_kg.cli.answer_file import AnswerFile
@@ -55,7 +56,10 @@ def answer_all(
     to = nullcontext(writing.show) if done is None else _writes_to(done)
     with foon.answers(questions[there:], settings, jobs=jobs, dask=dask) as answers, to as write:
         beside_data = writing.output is None and not writing.collected and _stdout_is_terminal()
-        shown = answers if writing.quiet or beside_data else progress_bar(answers, len(questions), there)
+        if beside_data or len(questions) == 1:
+            shown = waited(answers, "Planning", quiet=writing.quiet)  # a bar would stand in the way of what is printed
+        else:
+            shown = progress_bar(answers, "Planning recipes", len(questions), there, quiet=writing.quiet)
         codes = [_write(answer, write, writing.say) for answer in shown]
     return max([*codes, 0 if done is None else done.exit_code])
 
@@ -106,8 +110,10 @@ def _stdout_is_terminal() -> bool:
 
 def _write(answer: Answer, write: Show, say: Say) -> int:
     """Write one answer; return the exit code that it stands for."""
+    from foon_kg.planning.recipes import NO_FOOD, NO_STATE
+
     for note in answer.notes:
-        say(note)
+        say(f"warning: {note}" if note.startswith((NO_FOOD, NO_STATE)) else note)
     write(answer)
     if answer.error is None:
         return 0

@@ -111,7 +111,8 @@ def adding(path: Path, size: int) -> Iterator[Callable[[str], None]]:
             write()
 
     with file:
-        file.truncate(size)
+        with writing(path, hint):
+            file.truncate(size)
         yield add
         if waiting:
             write()

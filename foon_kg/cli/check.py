@@ -88,20 +88,27 @@ def _judged(
     trees: Sequence[Path], recipe: Path | None, kitchen: Path | None, files: list[Path] | None, say: Say
 ) -> list[tuple[TreeDocument, Report]]:
     from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.cli.knowledge import whole_foon
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.cli.tree_files import read_trees
     from foon_kg.foon import Foon
     from foon_kg.validation import KnownFoon
 
-    snapshot = whole_foon(files, say)  # what the judge looks up may be anywhere in it
-    asked = _recipe(recipe, snapshot, say)
-    documents = [document for path in trees for document in read_trees(path, asked)]
+    with front_door(files, say) as door:
+        snapshot = door.snapshot()  # what the judge looks up may be anywhere in it
+        asked = _recipe(recipe, snapshot, say)
+        documents = [document for path in trees for document in read_trees(path, asked)]
+        known = door.with_drafts() if any(map(_is_after_a_draft, documents)) else snapshot
     for notice in (notice for document in documents for notice in document.notices):
         say(str(notice))
-    foon = KnownFoon.of(snapshot.units, snapshot.goals())
+    foon = KnownFoon.of(known.units, known.goals())
     at_hand = kitchen_of(kitchen, Foon(snapshot), say)
     reports = [_report(document.tree, foon, at_hand) for document in documents]
     return list(zip(documents, _with_repetition(documents, reports), strict=True))
+
+
+def _is_after_a_draft(document: TreeDocument) -> bool:
+    reference = document.value.get("reference") if isinstance(document.value, dict) else None
+    return isinstance(reference, dict) and "draft_confidence" in reference
 
 
 def _recipe(path: Path | None, snapshot: Snapshot, say: Say) -> Recipe | None:

@@ -7,35 +7,47 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, MutableMapping
 from importlib import import_module
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import typer
 
 from foon_kg.cli.console import ErrorsAtTheEdge
+from foon_kg.cli.groups import Commanded
 
-HOMES: Mapping[str, tuple[str, str]] = {
-    "demo": ("demo", "EXAMPLES"),
-    "plan": ("plan", "EXAMPLES"),
-    "retrieve": ("retrieve", "EXAMPLES"),
-    "check": ("check", "EXAMPLES"),
-    "show": ("show", "EXAMPLES"),
-    "export": ("export", "EXAMPLES"),
-    "suggest": ("suggest", "EXAMPLES"),
-    "similar": ("similar", "EXAMPLES"),
-    "recipes": ("recipes", "EXAMPLES"),
-    "diff": ("videos", "DIFF_EXAMPLES"),
-    "remove": ("videos", "REMOVE_EXAMPLES"),
-    "stats": ("stats", "EXAMPLES"),
-    "cypher": ("cypher", "EXAMPLES"),
-    "serve": ("serve", "EXAMPLES"),
-    "mcp": ("mcp", "EXAMPLES"),
-    "doctor": ("doctor", "EXAMPLES"),
-    "evaluate": ("evaluate", ""),
-    "load": ("load", ""),
-    "draft": ("draft", ""),
-    "server": ("server", ""),
+
+class Home(NamedTuple):
+    """Where a command is: the group it is listed in, its module, and the name of its examples there."""
+
+    panel: str
+    module: str
+    examples: str = "EXAMPLES"
+    """Empty for a group of commands, which has its own."""
+
+
+BEGIN, PLAN, LOOK, FOON, SERVE, MEASURE = "Begin", "Plan", "Look at trees", "The FOON", "Serve", "Measure"
+
+HOMES: Mapping[str, Home] = {
+    "demo": Home(BEGIN, "demo"),
+    "doctor": Home(BEGIN, "doctor"),
+    "server": Home(BEGIN, "server", ""),
+    "plan": Home(PLAN, "plan"),
+    "suggest": Home(PLAN, "suggest"),
+    "similar": Home(PLAN, "similar"),
+    "retrieve": Home(PLAN, "retrieve"),
+    "show": Home(LOOK, "show"),
+    "check": Home(LOOK, "check"),
+    "export": Home(LOOK, "export"),
+    "load": Home(FOON, "load", ""),
+    "draft": Home(FOON, "draft", ""),
+    "diff": Home(FOON, "videos", "DIFF_EXAMPLES"),
+    "remove": Home(FOON, "videos", "REMOVE_EXAMPLES"),
+    "stats": Home(FOON, "stats"),
+    "recipes": Home(FOON, "recipes"),
+    "cypher": Home(FOON, "cypher"),
+    "serve": Home(SERVE, "serve"),
+    "mcp": Home(SERVE, "mcp"),
+    "evaluate": Home(MEASURE, "evaluate", ""),
 }
-"""The module of each command and the name of its examples there; a group has its own."""
 
 
 class Commands(Mapping[str, Any]):
@@ -47,7 +59,7 @@ class Commands(Mapping[str, Any]):
     def __getitem__(self, name: str) -> Any:  # noqa: ANN401 - as above
         """Return a command; raises KeyError where there is none of this name."""
         if name not in self._made:
-            self._made[name] = _made(name, *HOMES[name])
+            self._made[name] = _made(name, HOMES[name])
         return self._made[name]
 
     def __contains__(self, name: object) -> bool:
@@ -60,13 +72,16 @@ class Commands(Mapping[str, Any]):
         return len(HOMES)
 
 
-def _made(name: str, module: str, examples: str) -> Any:  # noqa: ANN401 - as above
-    home = import_module(f"foon_kg.cli.{module}")
-    if not examples:
-        return typer.main.get_group(home.app)
-    alone = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
-    alone.command(name, epilog=getattr(home, examples))(getattr(home, name))
-    return typer.main.get_command(alone)
+def _made(name: str, home: Home) -> Any:  # noqa: ANN401 - as above
+    there = import_module(f"foon_kg.cli.{home.module}")
+    if home.examples:
+        alone = Commanded(add_completion=False)
+        alone.command(name, epilog=getattr(there, home.examples))(getattr(there, name))
+        made: Any = typer.main.get_command(alone)
+    else:
+        made = typer.main.get_group(there.app)
+    made.rich_help_panel = home.panel
+    return made
 
 
 class Foon(ErrorsAtTheEdge):

@@ -9,14 +9,15 @@ import errno
 import json
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
 from pathlib import Path
-from time import monotonic
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
+from foon_kg.cli.help_pages import HelpedGroup
 from foon_kg.model.errors import FoonError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
@@ -40,8 +41,6 @@ Files = Annotated[
     typer.Option("--files", metavar="DIR", help="Answer from these subgraph files or folders, without a database."),
 ]
 
-T = TypeVar("T")
-
 Say = Callable[[str], None]
 """Takes one line for the person at the terminal."""
 
@@ -51,7 +50,7 @@ def examples(*lines: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
-class ErrorsAtTheEdge(TyperGroup):
+class ErrorsAtTheEdge(HelpedGroup):
     """The root of the commands: turns a :class:`~foon_kg.model.errors.FoonError` into a message and its exit code.
 
     Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.
@@ -124,9 +123,29 @@ def messages(*, quiet: bool = False) -> Console:
     return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
 
 
-def sayer(*, quiet: bool) -> Say:
-    """Answer what prints a line to stderr, or keeps it to itself."""
-    return lambda text: messages(quiet=quiet).print(text, markup=False)
+@dataclass(frozen=True)
+class Sayer:
+    """Prints lines to stderr, or keeps them to itself; and shows there, on a terminal, what is waited for."""
+
+    quiet: bool
+
+    def __call__(self, text: str) -> None:
+        """Print one line."""
+        messages(quiet=self.quiet).print(text, markup=False)
+
+    def waiting(self, text: str) -> AbstractContextManager[object]:
+        """Say what begins; for as long as it lasts a terminal shows the seconds."""
+        from foon_kg.cli.runs import counting
+
+        if self.quiet or not messages().is_terminal:
+            self(text)
+            return nullcontext()
+        return counting(text, after=0)
+
+
+def sayer(*, quiet: bool) -> Sayer:
+    """Return what prints a line to stderr, or keeps it to itself."""
+    return Sayer(quiet)
 
 
 def print_view(view: RenderableType) -> None:
@@ -148,34 +167,6 @@ def print_json(value: object) -> None:
 def json_line(value: object) -> str:
     """Answer a JSON value as one line."""
     return json.dumps(value, ensure_ascii=False)
-
-
-def progress_bar(items: Iterable[T], total: int, done: int, after: float = 0) -> Iterator[T]:
-    """Pass ``items`` on, and show on stderr, where that is a terminal, how many of ``total`` are done by now.
-
-    What takes no longer than ``after`` seconds shows nothing.
-    """
-    console = messages()
-    if not console.is_terminal:
-        yield from items
-        return
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    progress = Progress(*columns, console=console, transient=True, redirect_stdout=False)
-    task = progress.add_task("", total=total, completed=done)
-    begun = monotonic()
-    try:
-        if not after:
-            progress.start()
-        for item in items:
-            if monotonic() - begun > after:
-                progress.start()  # it does nothing where the bar is there already
-            yield item
-            progress.advance(task)
-    finally:
-        if progress.live.is_started:
-            progress.stop()
 
 
 def show_error(error: FoonError, about: str | None = None) -> None:

@@ -6,19 +6,24 @@ import csv
 import json
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:
     from foon_kg.store.graph.free_cypher import Answer
 
+Form = Literal["table", "json", "csv"]
+
 EXAMPLES = examples(
     'foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"',
     'foon cypher "MATCH (o:Object {label: $x}) RETURN o.states" -P x=onion --json',
+    "foon cypher 'PROFILE MATCH (m:Motion {verb: \"chop\"}) RETURN count(m)'",
+    "foon cypher 'SHOW INDEXES YIELD name, type' --format csv",
     "foon cypher --list",
     "foon cypher --name motion_on_food -P food=onion -P motion=chop",
 )
@@ -34,37 +39,43 @@ def cypher(
         list[str] | None,
         typer.Option("--param", "-P", metavar="NAME=VALUE", help="A parameter; the value as JSON, or as it stands."),
     ] = None,
-    limit: Annotated[int, typer.Option(min=1, help="Show no more rows than this.")] = 1000,
+    limit: Annotated[
+        int, typer.Option("--limit", "-n", metavar="N", min=1, help="Show no more rows than this.")
+    ] = 1000,
     timeout: Annotated[float, typer.Option(min=0.1, metavar="SECONDS", help="Give up after this time.")] = 30,
-    as_json: Json = False,
-    as_csv: Annotated[
-        bool,
+    form: Annotated[
+        Form | None,
         typer.Option(
-            "--csv",
-            help="Print the answer as CSV; a text that a spreadsheet would take for a formula gets a ' before it.",
+            "--format",
+            "-f",
+            help="How the answer is printed; in CSV a text that a spreadsheet would take for a formula gets a '.",
         ),
-    ] = False,
+    ] = None,
+    as_json: Json = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="The same as --format csv.")] = False,
     quiet: Quiet = False,
 ) -> None:
-    """Ask the graph in Cypher. Without --write, anything but a look at the graph is refused.
+    """Ask the graph in Cypher; only --write lets a question change it.
 
-    Refused are writes, changes of schema and users, LOAD CSV, SHOW and TERMINATE commands, CALL {...} IN TRANSACTIONS,
-    and procedures that do more than look at the graph.
+    Without it these are refused: writes, changes of schema and users, LOAD CSV, SHOW (but for indexes and constraints)
+    and TERMINATE, CALL {...} IN TRANSACTIONS, and procedures that do more than look at the graph. Labels, types and
+    properties that nothing in the graph has are told. EXPLAIN and PROFILE are answered with the plan, row by row.
     """
     from foon_kg.foon import Foon
     from foon_kg.model.errors import UsageError
 
-    if as_json and as_csv:
-        raise UsageError("--json and --csv exclude each other", hint="Leave one of them out.")
+    form = _one_form(form, as_json=as_json, as_csv=as_csv)
     if [query is not None, name is not None, show_list].count(True) != 1:
         raise UsageError("say what to ask: Cypher, --name or --list", hint='See "foon cypher --help".')
     if show_list:
-        return _list_queries(as_json=as_json)
+        return _list_queries(as_json=form == "json")
     text, parameters = _question(query, name, dict(map(_parameter, param or ())))
     say = sayer(quiet=quiet)
     with Foon.connect(say=say) as foon, driver_without_arrays():
         answer = foon.cypher(text, parameters, write=write, limit=limit, timeout=timeout)
-    _show(answer, as_json=as_json, as_csv=as_csv)
+    _show(answer, form)
+    for warning in answer.warnings:
+        say(f"warning: {warning}")
     if answer.columns and not answer.rows:
         say("Nothing in this graph answers that.")
     if answer.cut:
@@ -72,6 +83,18 @@ def cypher(
     if answer.changes:
         say("Changed: " + ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in answer.changes.items()))
     return None
+
+
+def _one_form(form: Form | None, *, as_json: bool, as_csv: bool) -> Form:
+    """Return how the answer is printed; raises UsageError where two ways are asked."""
+    from foon_kg.model.errors import UsageError
+
+    asked: dict[str, Form | None] = {"--format": form, "--json": "json" if as_json else None}
+    asked["--csv"] = "csv" if as_csv else None
+    forms = {option: one for option, one in asked.items() if one is not None}
+    if len(set(forms.values())) > 1:
+        raise UsageError(f"{' and '.join(forms)} exclude each other", hint="Leave one of them out.")
+    return next(iter(forms.values()), "table")
 
 
 def _question(query: str | None, name: str | None, given: dict[str, str]) -> tuple[str, dict[str, object]]:
@@ -116,18 +139,18 @@ def _parameter(text: str) -> tuple[str, str]:
 
 def _as_json_or_text(value: str) -> object:
     try:
-        return json.loads(value)
+        return json_value(value)
     except json.JSONDecodeError:
         return value
 
 
-def _show(answer: Answer, *, as_json: bool, as_csv: bool) -> None:
+def _show(answer: Answer, form: Form) -> None:
     from foon_kg.store.graph.plain import as_plain
 
     rows = [[as_plain(value) for value in row] for row in answer.rows]
-    if as_json:
+    if form == "json":
         print_json([dict(zip(answer.columns, row, strict=True)) for row in rows])
-    elif as_csv:
+    elif form == "csv":
         writer = csv.writer(sys.stdout, lineterminator="\n")
         writer.writerows([answer.columns, *([_in_a_cell(value) for value in row] for row in rows)])
     elif answer.columns:

@@ -27,7 +27,7 @@ This tree was planned from the FOON in your local Neo4j. Next you could
     foon cypher "MATCH (v:Video) RETURN v.name ORDER BY v.name"
   load a larger FOON: 111 annotated cooking videos are public
     git clone https://github.com/sadman3/consolidating-task-trees
-    foon load foon FOLDER --bad-tolerance 3     (the folder of its subgraphs; a few of its units are broken)
+    foon load foon FOLDER     (the folder of its subgraphs; a few of its units are broken, and skipped)
   stop the server
     foon server stop"""
 

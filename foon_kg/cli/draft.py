@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from foon_kg.cli import draft_recipes, draft_review
 from foon_kg.cli.console import (
-    ErrorsAtTheEdge,
     Files,
     Json,
     Quiet,
     Say,
-    data,
     examples,
     print_json,
     sayer,
 )
+from foon_kg.cli.groups import Commanded
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import write_file, writing
 
@@ -27,16 +27,9 @@ if TYPE_CHECKING:
     from foon_kg.language.drafting import Draft
     from foon_kg.language.drafting.drafts import DraftFile
     from foon_kg.model import Subgraph
-    from foon_kg.model.narration import Narration, Sentence
-    from foon_kg.plans.difference import VideoDifference
+    from foon_kg.model.narration import Narration
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="draft",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Draft subgraphs of narrated videos and of text.",
-)
+app = Commanded(name="draft", help="Draft subgraphs of narrated videos and of text.")
 
 Output = Annotated[
     Path, typer.Option("--output", "-o", metavar="FOLDER", help="Write a draft (VIDEO.csv) for every video here.")
@@ -108,12 +101,15 @@ def text(
 ) -> None:
     """Draft recipes from their instructions.
 
-    They are read by spaCy's parser (pip install 'foon-kg[text]'), and each action becomes units as those of a narrated
+    They are read by spaCy's parser (pip install 'foon-kg[text]'), with the ingredients where lines list them (below a
+    heading, or at the top, each with its amount). Each action becomes units as those of a narrated
     video do: look at a draft with foon draft review, change it in any editor, load it with foon draft accept.
     """
+    from foon_kg.language.recipe_text import ingredients, recipe_text
     from foon_kg.loaders.narrated import is_video_name
     from foon_kg.model import DISH_TYPES
-    from foon_kg.model.narration import Narration
+    from foon_kg.model.errors import ReadError
+    from foon_kg.model.narration import Narration, Sentence
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
@@ -121,46 +117,13 @@ def text(
     for path in paths:
         if not is_video_name(path.stem):
             raise UsageError(f"{path}: a draft cannot be named after it", hint="Rename it: letters, digits, - and _.")
-        narrations.append(Narration(path.stem, sentences=_sentences(path), source=path.name))
+        parts = recipe_text(_lines(path))
+        if not parts.instructions:
+            raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
+        listed = ingredients(parts.ingredients) if parts.ingredients else ()
+        sentences = tuple(map(Sentence, parts.instructions))
+        narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
     _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
-
-
-@app.command(epilog=examples("foon draft review drafts/P01_01.csv", "foon draft review drafts/*.csv --worst-first"))
-def review(
-    paths: Drafts,
-    *,
-    worst_first: Annotated[bool, typer.Option("--worst-first", help="Show the least sure units first.")] = False,
-    files: Files = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-) -> None:
-    """Show drafts beside their doubts.
-
-    Each row with its line, its confidence, the unit, and what was said. "?" is a doubt; "!" an input that no earlier
-    row makes and no kitchen has. Then what the draft would change in the FOON. Edit the table in any editor: mend a row
-    and empty its doubt, or delete it.
-    """
-    from foon_kg.formats.views.difference import difference_json, difference_view
-    from foon_kg.formats.views.draft import draft_json, draft_view
-    from foon_kg.language.drafting.review import missing
-    from foon_kg.language.drafting.tables import read_draft
-    from foon_kg.plans.kitchen import Kitchen
-
-    kitchen = Kitchen.default()
-    drafts = [read_draft(path) for path in paths]
-    found = {one.name: one for one in _differences(drafts, files, sayer(quiet=quiet))}
-    answers = []
-    for draft in drafts:
-        gaps = missing(draft, kitchen)
-        change = found[draft.subgraph.name] if draft.subgraph else None
-        if as_json:
-            answers.append(draft_json(draft, gaps) | {"difference": difference_json(change) if change else None})
-            continue
-        data().print(draft_view(draft, gaps, worst_first=worst_first), soft_wrap=True)
-        if change is not None:
-            data().print(difference_view(change, units=False), soft_wrap=True)
-    if as_json:
-        print_json(answers)
 
 
 @app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))
@@ -198,6 +161,10 @@ def accept(
         typer.echo("\n".join(f"{name}: in the FOON" for name in loaded))
 
 
+app.command(epilog=draft_recipes.EXAMPLES)(draft_recipes.recipes)
+app.command(epilog=draft_review.EXAMPLES)(draft_review.review)
+
+
 def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
     from foon_kg.language.drafting.review import unresolved
 
@@ -226,12 +193,6 @@ def _accept(subgraphs: Sequence[Subgraph], say: Say, *, replacing: bool) -> tupl
         units = sum(len(subgraph.annotations) for subgraph in subgraphs)
         report = load(connection, subgraphs, units_per_transaction=units + 1)
     return tuple(sorted((*report.inserted, *report.replaced, *report.unchanged)))
-
-
-def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say: Say) -> Sequence[VideoDifference]:
-    from foon_kg.cli.videos import found_differences
-
-    return found_differences([draft.subgraph for draft in drafts if draft.subgraph is not None], files, say)
 
 
 def _drafts(
@@ -263,11 +224,10 @@ def _drafts(
         yield made
 
 
-def _sentences(path: Path) -> tuple[Sentence, ...]:
+def _lines(path: Path) -> tuple[str, ...]:
     from foon_kg.loaders.notices import UnreadableFile
     from foon_kg.loaders.paths import decode
     from foon_kg.model.errors import ReadError
-    from foon_kg.model.narration import Sentence
     from foon_kg.model.regular_files import read_bytes
 
     try:
@@ -276,7 +236,7 @@ def _sentences(path: Path) -> tuple[Sentence, ...]:
         raise ReadError(f"{path}:{bad.line or 1}: {bad.problem.message}", hint="Save it as UTF-8 text.") from None
     except OSError as error:
         raise ReadError(f"{path}: cannot be opened: {error.strerror}", hint="Check the path.") from error
-    found = tuple(Sentence(" ".join(line.split())) for line in lines if any(letter.isalpha() for letter in line))
+    found = tuple(" ".join(line.split()) for line in lines if any(letter.isalpha() for letter in line))
     if not found:
         raise ReadError(f"{path}: no words in it", hint="A step a line, or running text.")
     return found

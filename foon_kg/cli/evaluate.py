@@ -2,18 +2,10 @@
 
 from __future__ import annotations
 
-import typer
-
 from foon_kg.cli import evaluate_recipes, evaluate_trees, evaluate_videos
-from foon_kg.cli.console import ErrorsAtTheEdge
+from foon_kg.cli.groups import Commanded
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="evaluate",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Measure how good the trees are.",
-)
+app = Commanded(name="evaluate", help="Measure how good the trees are.")
 
 
 @app.callback()

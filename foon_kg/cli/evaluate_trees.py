@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, progress_bar, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, print_view, sayer
+from foon_kg.cli.runs import progress_bar
 
 if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
@@ -20,9 +21,6 @@ EXAMPLES = examples(
     "foon evaluate trees subgraphs/ --files subgraphs/",
     "foon evaluate trees theirs/*.txt ours.jsonl --json",
 )
-
-SHOWN_AFTER = 1.0
-"""How many seconds the judge may take before a progress bar is shown."""
 
 
 def trees(
@@ -84,5 +82,5 @@ def _evaluated(documents: Sequence[TreeDocument], snapshot: Snapshot, *, quiet: 
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
     given = ((document.where, document.dish_type, document.tree) for document in documents)
     figures = examined(given, foon, snapshot.kitchen.free_foods)
-    shown = figures if quiet else progress_bar(figures, len(documents), 0, SHOWN_AFTER)
+    shown = progress_bar(figures, "Judging trees", len(documents), quiet=quiet)
     return TreesEvaluation(foon_key(snapshot), tuple(shown))

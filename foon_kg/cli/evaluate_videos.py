@@ -19,9 +19,9 @@ from foon_kg.cli.console import (
     json_line,
     print_json,
     print_view,
-    progress_bar,
     sayer,
 )
+from foon_kg.cli.runs import progress_bar
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -140,7 +140,7 @@ def _figures(
     make = partial(asking_without, snapshot.subgraphs, snapshot.kitchen, methods)
     keep = nullcontext(None) if done is None else done.going_on()
     with run.spread(make, asked[len(found) :]) as answers, keep as add:
-        for figures in answers if run.quiet else progress_bar(answers, len(asked), len(found)):
+        for figures in progress_bar(answers, "Leaving out videos", len(asked), len(found), quiet=run.quiet):
             found.append(figures)
             if add is not None:
                 add(json_line(to_line(figures, foon)))

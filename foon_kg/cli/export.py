@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, sayer
 from foon_kg.cli.kitchen import KitchenFile
 from foon_kg.cli.retrieve import Weights
 from foon_kg.model.errors import UsageError
@@ -32,7 +32,9 @@ _WEIGHTED = {"graphml", "behaviour-tree", "csv", "weights"}
 
 
 def _formats(incomplete: str) -> list[str]:
-    return [name for name in _FORMATS if name.startswith(incomplete)]
+    from foon_kg.model.plugins import EXPORTS, names
+
+    return [name for name in (*_FORMATS, *names(EXPORTS)) if name.startswith(incomplete)]
 
 
 Tree = Annotated[
@@ -70,6 +72,7 @@ def export(
     recipe: RecipeFile = None,
     weights: Weights = None,
     files: Files = None,
+    as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Write task trees, or the whole FOON, for other programs.
@@ -86,6 +89,8 @@ def export(
     csv             a whole FOON for neo4j-admin database import
     weights         how hard its motions are, for foon load weights
 
+    Plug-ins of other packages add formats for trees.
+
     Without --format the ending of --output decides. The PDDL of a plan is a real problem: each thing is in one form and
     one place, steps use up and move what they take, and in the end everything is off. With --goal and, as a rule,
     --kitchen, PDDL asks a planner to make a dish from the whole FOON; there nothing is used up.
@@ -97,7 +102,9 @@ def export(
     export "foon plan --foon".
     """  # noqa: D301 - click wants the character itself before lines that it must not join
     say = sayer(quiet=quiet)
-    form = _chosen(form, output)
+    if as_json and form not in {None, "json"}:
+        raise UsageError(f"--json and --format {form} ask for two forms", hint="Leave one of them out.")
+    form = _chosen("json" if as_json else form, output)
     if recipe is not None and form != "markdown":
         _refuse({"--recipe": recipe}, form)
     if weights is not None and form not in _WEIGHTED:
@@ -138,14 +145,17 @@ def _stored_costs(say: Say) -> MotionCosts:
 
 
 def _chosen(form: str | None, output: Path | None) -> str:
-    from foon_kg.formats.exports.formats import ENDINGS
+    from foon_kg.formats.exports.formats import ENDINGS, all_formats
 
+    formats = ENDINGS
+    if form not in formats and (form is not None or output is not None):
+        formats = all_formats()
     if form is None and output is not None:
-        form = next((name for name, endings in ENDINGS.items() if output.suffix.lower() in endings), None)
+        form = next((name for name, endings in formats.items() if output.suffix.lower() in endings), None)
     if form is None:
-        raise UsageError("say in which format", hint=f"--format takes {', '.join(ENDINGS)}.")
-    if form not in ENDINGS:
-        raise UsageError(f"there is no format “{form}”", hint=f"There are {', '.join(ENDINGS)}.")
+        raise UsageError("say in which format", hint=f"--format takes {', '.join(formats)}.")
+    if form not in formats:
+        raise UsageError(f"there is no format “{form}”", hint=f"There are {', '.join(formats)}.")
     return form
 
 

@@ -12,7 +12,7 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon
-    from foon_kg.loaders import Notice
+    from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
 
@@ -21,7 +21,15 @@ def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
     """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
     from foon_kg.foon import Foon
 
-    return Foon(snapshot_of(files, say)) if files else Foon.connect(say=say)
+    return Foon(snapshot_of(files, say), lessons=lessons_in(files)) if files else Foon.connect(say=say)
+
+
+def lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
+    """Return what the files of drafted recipes among ``files`` teach."""
+    from foon_kg.loaders.lessons import is_drafts_file, lessons_of, read_drafted
+    from foon_kg.model.drafted import surest
+
+    return surest(lessons_of(read_drafted(filter(is_drafts_file, files))))
 
 
 @contextmanager
@@ -48,21 +56,15 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
         return graph.snapshot()
 
 
-def in_short(notices: Sequence[Notice]) -> str:
-    """Return for a person how much of some files was skipped and assumed: “3 skipped, 288 assumptions”."""
-    skipped = sum(str(notice.severity) == "rejected" for notice in notices)
-    assumed = len(notices) - skipped
-    told = [f"{skipped} skipped"] if skipped else []
-    return ", ".join([*told, *([f"{assumed} assumption{'s' if assumed > 1 else ''}"] if assumed else [])])
-
-
 def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     """Read subgraph files and folders into memory.
 
     What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
     """
-    from foon_kg.cli.loading import tell_unknown
+    from foon_kg.cli.loading import in_short
+    from foon_kg.cli.runs import counting
     from foon_kg.food.unknown import unknown_words
+    from foon_kg.loaders.lessons import is_drafts_file
     from foon_kg.loaders.video_tables import read_videos
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.store.snapshot import Snapshot
@@ -70,10 +72,13 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     for path in paths:
         if not path.exists():
             raise UsageError(f"there is no file or folder {path}", hint="--files names subgraph files or folders.")
-    results = list(read_videos(paths))
+    subgraph_paths = [path for path in paths if not is_drafts_file(path)]
+    with counting("Reading files", closing=False, quiet=bool(getattr(say, "quiet", False))) as advance:
+        results = []
+        for result in read_videos(subgraph_paths):
+            results.append(result)
+            advance(1)
     notices = [notice for result in results for notice in result.notices]
-    if notices:
-        say(f"{in_short(notices)} in these files (foon load foon --report FILE lists them)")
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
         names = ", ".join(map(str, paths))
@@ -81,5 +86,8 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     units = [one.unit for subgraph in subgraphs for one in subgraph.annotations]
     nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
     words = unknown_words(nodes, [unit.motion for unit in units])
-    tell_unknown([word for word in words if not word.nearly], None, say)
+    skipped = sum(str(notice.severity) == "rejected" for notice in notices)
+    odd = in_short(skipped, len(notices) - skipped, sum(not word.nearly for word in words))
+    if odd:
+        say(f"{odd} in these files (foon load foon --report FILE lists them)")
     return Snapshot.of(subgraphs, Kitchen.default())

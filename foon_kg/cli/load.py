@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
@@ -11,19 +10,20 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli import load_recipes, load_weights
-from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli import load_drafts, load_recipes, load_weights
+from foon_kg.cli.console import Json, Quiet, Say, examples, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.cli.groups import Commanded
 from foon_kg.cli.loading import (
     UNWRITTEN,
     BadTolerance,
     Check,
     DryRun,
     Report,
+    is_too_many,
     refuse_too_many,
     show_counts,
-    tell_assumed,
-    tell_unknown,
+    tell_in_short,
     unknown_notice,
 )
 from foon_kg.model.written_files import write_file
@@ -32,13 +32,7 @@ if TYPE_CHECKING:
     from foon_kg.cli.files_read import FilesRead
     from foon_kg.loaders import Notice, ReadResult
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="load",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="Load FOONs and collections of recipes into Neo4j.",
-)
+app = Commanded(name="load", help="Load FOONs and collections of recipes into Neo4j.")
 
 
 @dataclass(frozen=True)
@@ -66,7 +60,7 @@ def foon(
     paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="Subgraph files (text or JSON), or folders.")],
     *,
     report: Report = None,
-    bad_tolerance: BadTolerance = 0,
+    bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     check: Check = False,
     as_json: Json = False,
@@ -110,7 +104,7 @@ def videos(
     ],
     *,
     report: Report = None,
-    bad_tolerance: BadTolerance = 0,
+    bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     check: Check = False,
     as_json: Json = False,
@@ -138,7 +132,7 @@ def muhai(
     paths: Annotated[list[Path], typer.Argument(metavar="PATH...", help="MUHAI recipes (*.lisp), or folders.")],
     *,
     report: Report = None,
-    bad_tolerance: BadTolerance = 0,
+    bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -156,6 +150,7 @@ def muhai(
 
 
 app.command(epilog=load_recipes.EXAMPLES)(load_recipes.recipes)
+app.command(epilog=load_drafts.EXAMPLES)(load_drafts.drafts)
 app.command(epilog=load_weights.EXAMPLES)(load_weights.weights)
 
 
@@ -178,7 +173,7 @@ def _refuse_drafts(paths: Sequence[Path]) -> None:
 def _bring(
     results: Sequence[ReadResult],
     report: Path | None,
-    bad_tolerance: int,
+    bad_tolerance: int | None,
     *,
     dry_run: bool,
     as_json: bool,
@@ -205,29 +200,25 @@ def _parsed(files: Sequence[Path]) -> list[ReadResult]:
     return list(read_paths(files))
 
 
-def _tell(read: FilesRead, report: Path | None, bad_tolerance: int, say: Say, played: Sequence[Notice] = ()) -> None:
+def _tell(
+    read: FilesRead, report: Path | None, bad_tolerance: int | None, say: Say, played: Sequence[Notice] = ()
+) -> None:
     """Tell what is odd about files; raises ToleranceError where too much of them is unusable."""
-    _tell_notices(read, report, say, played)
-    refuse_too_many(read.rejected, bad_tolerance, "unit", f", in {read.bad} of {read.files} files")
-
-
-def _tell_notices(read: FilesRead, report: Path | None, say: Say, played: Sequence[Notice]) -> None:
-    """Write every notice to ``report``, with what was ``played``; say the rejected ones, and count the others."""
-    from foon_kg.loaders.notices import Severity
-
     if report:
-        from foon_kg.loaders.report import write_report
+        _write_report(read, report, played)
+    refused = is_too_many(read.rejected, read.units, bad_tolerance)
+    tell_in_short(read.notices, read.words, report, say, named=refused)
+    refuse_too_many(read.rejected, read.units, bad_tolerance, "unit", f", in {read.bad} of {read.files} files")
 
-        stream = StringIO()
-        unknown = (unknown_notice(word, file) for word, file in read.words.items())
-        write_report((*read.notices, *unknown, *played), stream)
-        write_file(report, stream.getvalue(), UNWRITTEN)
-    for notice in read.notices:
-        if notice.severity is Severity.REJECTED:
-            say(str(notice))
-    assumed = [notice for notice in read.notices if notice.severity is not Severity.REJECTED]
-    tell_assumed(assumed, Counter(notice.kind for notice in assumed), report, say)
-    tell_unknown(read.words, report, say)
+
+def _write_report(read: FilesRead, report: Path, played: Sequence[Notice]) -> None:
+    """Write every notice to ``report``, with what was ``played``."""
+    from foon_kg.loaders.report import write_report
+
+    stream = StringIO()
+    unknown = (unknown_notice(word, file) for word, file in read.words.items())
+    write_report((*read.notices, *unknown, *played), stream)
+    write_file(report, stream.getvalue(), UNWRITTEN)
 
 
 def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
@@ -245,18 +236,15 @@ def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
 
 def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     """Load with a progress bar, which only a terminal shows."""
-    from rich.progress import Progress
-
+    from foon_kg.cli.runs import counting
     from foon_kg.foon import Foon
 
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-    console = messages(quiet=quiet)
     with (
         Foon.connect(say=sayer(quiet=quiet)) as foon,
-        Progress(console=console, disable=not console.is_terminal) as progress,
+        counting("Loading videos", len(subgraphs), quiet=quiet) as advance,
     ):
-        task = progress.add_task("Loading", total=len(subgraphs))
-        loaded = foon.store(subgraphs, stored=lambda report: progress.advance(task, len(report)))
+        loaded = foon.store(subgraphs, stored=lambda report: advance(len(report)))
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 
 

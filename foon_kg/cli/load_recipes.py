@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, TextIO
 
 import typer
 
-from foon_kg.cli.console import Json, Quiet, Say, examples, messages, sayer
+from foon_kg.cli.console import Json, Quiet, Say, examples, sayer
 from foon_kg.cli.loading import (
     UNWRITTEN,
     BadTolerance,
@@ -61,7 +61,7 @@ def recipes(
         Parse, typer.Option(help="quick: the full parser only where the collection names no food itself.")
     ] = Parse.QUICK,
     report: Report = None,
-    bad_tolerance: BadTolerance = 0,
+    bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -84,7 +84,7 @@ def recipes(
         usable = _check(collections, quiet=quiet)
         journal.tell(say)
         _refuse_nothing(paths, usable + journal.rejected)
-        refuse_too_many(journal.rejected, bad_tolerance, "recipe")
+        refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
         counts = {"recipes": usable, "rejected_recipes": journal.rejected}
         if not dry_run:
             stored = _load(collections, usable, journal, say, full=parse is Parse.FULL, quiet=quiet)
@@ -179,13 +179,10 @@ def _journal(report: Path | None) -> Iterator[Journal]:
 
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:
     """Read all files to their end; how many recipes there are is not known before."""
-    from rich.progress import Progress, SpinnerColumn, TextColumn
+    from foon_kg.cli.runs import counting
 
-    console = messages(quiet=quiet)
-    shown = TextColumn("Reading, {task.completed:,.0f} recipes")
-    with Progress(SpinnerColumn(), shown, console=console, disable=not console.is_terminal, transient=True) as progress:
-        task = progress.add_task("", total=None)
-        return collections.check(lambda: progress.advance(task))
+    with counting("Reading recipes", quiet=quiet) as advance:
+        return collections.check(lambda: advance(1))
 
 
 def _refuse_nothing(paths: Sequence[Path], count: int) -> None:
@@ -205,8 +202,7 @@ def _load(
     full: bool,
     quiet: bool,
 ) -> RecipesStored:
-    from rich.progress import Progress
-
+    from foon_kg.cli.runs import counting
     from foon_kg.language.collection import CollectionReader, labels_of
     from foon_kg.language.recipe_lines import LineReader
     from foon_kg.store.graph import Connection, Neo4jGraph
@@ -214,16 +210,14 @@ def _load(
     from foon_kg.store.server import connection_settings
 
     settings = connection_settings(say)
-    console = messages(quiet=quiet)
     with (
         LineReader(os.cpu_count() or 1) as lines,
         Connection(settings) as connection,
-        Progress(console=console, disable=not console.is_terminal) as progress,
+        counting("Loading recipes", total, quiet=quiet) as advance,
     ):
         prepare_for_recipes(connection)
         with Neo4jGraph(settings) as graph, graph.reading() as view:
             reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
-        task = progress.add_task("Loading", total=total)
 
         def understand(recipes: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
             understood = reader.understand(recipes)
@@ -235,7 +229,7 @@ def _load(
             connection,
             collections,
             understand,
-            stored=lambda report: progress.advance(task, len(report)),
+            stored=lambda report: advance(len(report)),
             left_over=journal.note_left_over,
             version=reader.version,
         )

@@ -19,8 +19,13 @@ Report = Annotated[
     typer.Option("--report", metavar="FILE", help="Write what is odd about the files here, as JSON Lines."),
 ]
 BadTolerance = Annotated[
-    int,
-    typer.Option("--bad-tolerance", min=0, metavar="N", help="Load although up to N units or recipes are unusable."),
+    int | None,
+    typer.Option(
+        "--bad-tolerance",
+        min=0,
+        metavar="N",
+        help="Load although up to N units or recipes are unusable; as a rule one in a hundred.",
+    ),
 ]
 Check = Annotated[
     bool, typer.Option("--check", help="Play each video in a kitchen, and say what the annotator forgot.")
@@ -31,6 +36,36 @@ UNWRITTEN = "Name a file that can be written after --report."
 
 _FEW = 10
 _NAMED = 3
+_ONE_IN = 100
+"""So much may be unusable where nobody said how much."""
+
+
+def tell_in_short(
+    notices: Sequence[Notice], words: Collection[UnknownWord], report: Path | None, say: Say, *, named: bool = False
+) -> None:
+    """Say what is odd about subgraph files: one by one where that is little, else in one line.
+
+    Where what was skipped has to be mended, the first of it is ``named``.
+    """
+    skipped = [notice for notice in notices if str(notice.severity) == "rejected"]
+    if len(notices) <= _FEW:
+        for notice in notices:
+            say(str(notice))
+        tell_unknown(words, report, say)
+        return
+    for notice in skipped[: _FEW if named else 0]:
+        say(str(notice))
+    say(f"{in_short(len(skipped), len(notices) - len(skipped), len(words))}: {where_listed(report)}")
+
+
+def in_short(skipped: int, assumed: int, unknown: int) -> str:
+    """Return how much of some files is odd, as in “3 units skipped, 288 assumptions”."""
+    told = (
+        (skipped, f"{_counted(skipped, 'unit')} skipped"),
+        (assumed, _counted(assumed, "assumption")),
+        (unknown, f"{_counted(unknown, 'word')} in no table"),
+    )
+    return ", ".join(words for count, words in told if count)
 
 
 def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], report: Path | None, say: Say) -> None:
@@ -43,8 +78,7 @@ def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], re
         for notice in notices:
             say(str(notice))
         return
-    kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items(), key=lambda one: (-one[1], one[0])))
-    say(f"{count} places were read with an assumption ({where_listed(report)}): {kinds}")
+    say(f"{_counted(count, 'assumption')}: {where_listed(report)}")
 
 
 def unknown_notice(word: UnknownWord, file: str) -> Notice:
@@ -81,11 +115,16 @@ def where_listed(report: Path | None) -> str:
     return f"see {report}" if report else "--report FILE lists them"
 
 
-def refuse_too_many(rejected: int, tolerance: int, what: str, where: str = "") -> None:
+def is_too_many(rejected: int, usable: int, tolerance: int | None) -> bool:
+    """Return whether more is ``rejected`` than was allowed; as a rule that is one in a hundred."""
+    return rejected > ((rejected + usable) // _ONE_IN if tolerance is None else tolerance)
+
+
+def refuse_too_many(rejected: int, usable: int, tolerance: int | None, what: str, where: str = "") -> None:
     """Raise ToleranceError where more is ``rejected`` than allowed; ``what`` is one of it, as in: unit."""
     from foon_kg.model.errors import ToleranceError
 
-    if rejected > tolerance:
+    if is_too_many(rejected, usable, tolerance):
         unusable = f"1 {what} is" if rejected == 1 else f"{rejected} {what}s are"
         raise ToleranceError(
             f"{unusable} unusable{where}; nothing was loaded",

@@ -21,8 +21,8 @@ SECONDS = 60.0
 def mcp(files: Files = None, quiet: Quiet = False) -> None:
     """Serve the planner as tools to an agent (MCP).
 
-    The tools are plan, explain, similar, suggest and read-only Cypher, over standard input and output. The agent's own
-    program starts it: its settings name the command. It ends with its input.
+    The tools are plan, explain, similar, suggest and read-only Cypher, over standard input and output, with prompts for
+    them. The agent's own program starts it: its settings name the command. It ends with its input.
     """
     from foon_kg.cli.serve import served_foon
     from foon_kg.foon import Foon
@@ -43,6 +43,6 @@ def _cypher(foon: Foon) -> Cypher:
     def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
         answer = foon.cypher(text, parameters, limit=limit)
         rows = [[as_plain(value) for value in row] for row in answer.rows]
-        return {"columns": list(answer.columns), "rows": rows, "cut": answer.cut}
+        return {"columns": list(answer.columns), "rows": rows, "cut": answer.cut, "warnings": list(answer.warnings)}
 
     return ask

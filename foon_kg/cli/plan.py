@@ -27,7 +27,7 @@ EXAMPLES = examples(
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan --recipes all --output plans.jsonl.zst",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
-    "foon plan recipe.json --enumerate --most 5000",
+    "foon plan recipe.json --enumerate --limit 5000",
     "foon plan recipe.json --method paper",
 )
 
@@ -75,6 +75,9 @@ Avoided = Annotated[
     list[str] | None,
     typer.Option("--avoid", metavar="FOOD", help="Leave out this food, or all foods of this kind (nuts, dairy)."),
 ]
+After = Annotated[
+    str, typer.Option("--after", metavar="DISH|VIDEO", help="Make it after this recorded dish, or after this video.")
+]
 Output = Annotated[
     Path | None,
     typer.Option(
@@ -91,8 +94,12 @@ Method = Annotated[
     Literal["frames", "paper"],
     typer.Option("--method", help="For comparison: paper is its four algorithms to the letter, blind to the kitchen."),
 ]
-Most = Annotated[
-    int, typer.Option("--most", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
+WithDrafts = Annotated[
+    bool,
+    typer.Option("--with-drafts", help="Plan after drafts of recipes, too (foon draft recipes); the answer says so."),
+]
+Limit = Annotated[
+    int, typer.Option("--limit", "-n", metavar="N", min=1, help="With --enumerate: look at N combinations at most.")
 ]
 
 
@@ -106,12 +113,14 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     foon: Foon = False,
     explain: Explain = False,
     enumerate_all: Enumerate = False,
-    most: Most = 1_000,
+    limit: Limit = 1_000,
     method: Method = "frames",
     substitute: Substitutes = None,
     avoid: Avoided = None,
+    after: After = "",
     output: Output = None,
     jobs: Jobs = None,
+    with_drafts: WithDrafts = False,
     files: Files = None,
     quiet: Quiet = False,
 ) -> None:
@@ -131,6 +140,9 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
     What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
+    --after says which recorded dish to follow, instead of the one that suits best.
+    --with-drafts takes dishes, too, that were drafted from the words of recipes: those that foon load drafts brought
+    in, or of files that --files names (.jsonl, .jsonl.gz, .jsonl.zst). What is made after one says so.
     --explain is for reading and has no JSON. --enumerate is Algorithm 3 as the paper has it, beside the exact search.
     --method paper makes trees that nobody can cook from: it is there to compare foon-kg with.
     """
@@ -146,12 +158,15 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     say = sayer(quiet=quiet)
     if method == "paper":
         own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
-        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid)})
+        own |= {"--with-drafts": with_drafts}
+        _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid), "--after": bool(after)})
     if recipes is not None:
         _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
         _alone(wanted or recipe or dish)
         chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(substitutes=chosen, avoided=tuple(avoid or ()), method=method)
+        settings = PlanSettings(
+            substitutes=chosen, avoided=tuple(avoid or ()), after=after, method=method, with_drafts=with_drafts
+        )
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, say, quiet)))
         return
     questions = _questions(wanted or [], dish, recipe or [], say)
@@ -159,9 +174,17 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     with front_door(files, say) as door:
         at_hand = kitchen_of(kitchen, door, say)
         chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(at_hand, substitutes=chosen, avoided=tuple(avoid or ()), explain=explain, method=method)
+        settings = PlanSettings(
+            at_hand,
+            substitutes=chosen,
+            avoided=tuple(avoid or ()),
+            after=after,
+            explain=explain,
+            method=method,
+            with_drafts=with_drafts,
+        )
         if enumerate_all:
-            show_candidates(questions[0], door, settings, most, as_json=as_json, say=say)
+            show_candidates(questions[0], door, settings, limit, as_json=as_json, say=say)
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
         code = answer_all(questions, door, settings, jobs, writing)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from foon_kg.cli.answer_file import exit_code_of, value_of
 from foon_kg.cli.blocks import adding, form_of, whole_blocks
-from foon_kg.cli.console import Say, json_line, progress_bar
+from foon_kg.cli.console import Say, json_line
+from foon_kg.cli.runs import progress_bar
 from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.snapshot import Snapshot
+    from foon_kg.store.with_drafts import WithDrafts
 
 ALL = "all"
 
@@ -51,8 +53,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
     that is written: a collection may have millions of recipes.
     """
     from foon_kg.cli.kitchen import kitchen_of
-    from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.foon import Foon
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.server import connection_settings
 
@@ -68,13 +69,14 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
             run.say(f"{run.output} has {done.count} of {count} answers already")
         if done.count == count:
             return done.code
-        foon = whole_foon(run.files, run.say)
-        if kitchen is not None:
-            settings = replace(settings, kitchen=kitchen_of(kitchen, Foon(foon), run.say))
+        with front_door(run.files, run.say) as door:
+            foon = door.with_drafts() if settings.with_drafts else door.snapshot()
+            if kitchen is not None:
+                settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
         code = done.code
         questions = _questions(connection, done.last, dish_type)
         with _answering(questions, foon, settings, run.jobs) as answers, adding(run.output, done.size) as add:
-            for answer in answers if run.quiet else progress_bar(answers, count, done.count):
+            for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):
                 add(json_line(answer.outcome.to_json()))
                 code = max(code, 0 if answer.error is None else answer.error.exit_code)
         return code
@@ -88,7 +90,7 @@ def _questions(connection: Connection, last: str, dish_type: str) -> Iterator[Qu
 
 
 def _answering(
-    questions: Iterable[Question], foon: Snapshot, settings: PlanSettings, jobs: int | None
+    questions: Iterable[Question], foon: Snapshot | WithDrafts, settings: PlanSettings, jobs: int | None
 ) -> AbstractContextManager[Iterable[Answer]]:
     from foon_kg.planning.batch import Cook, answering, cores
 

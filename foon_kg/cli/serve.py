@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Quiet, Say, examples, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -53,12 +53,13 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     jobs: Annotated[
         int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
     ] = None,
+    as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Serve a page to plan dishes, and the same as JSON.
 
     The page also shows what the FOON has around an object, and /explore a picture to wander through; with --cypher it
-    takes questions in Cypher that only look at the graph. The JSON is under /api; /api/openapi.json describes it.
+    takes questions in Cypher that only look at the graph. The JSON is under /api; /api/docs describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
@@ -90,7 +91,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     token = None if token_file is None else token_from(token_file.expanduser())
     foon = served_foon(files, say)
     listener = _listening(host, port)
-    say(_address(host, listener) + (f"#token={token}" if token else ""))
+    address = _address(host, listener) + (f"#token={token}" if token else "")
+    print_json({"address": address}) if as_json else say(address)
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now

@@ -7,18 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import ErrorsAtTheEdge, Json, Quiet, examples, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
+from foon_kg.cli.groups import Commanded
 
 if TYPE_CHECKING:
     from foon_kg.store.server import Status
 
-app = typer.Typer(
-    cls=ErrorsAtTheEdge,
-    name="server",
-    no_args_is_help=True,
-    rich_markup_mode=None,
-    help="The local Neo4j, for whoever names no other in NEO4J_URI.",
-)
+app = Commanded(name="server", help="The local Neo4j, for whoever names no other in NEO4J_URI.")
 
 MEGABYTE = 1_000_000
 

@@ -3,34 +3,32 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from foon_kg.cli.console import Files, Quiet, examples, print_view, sayer
+from foon_kg.cli.console import Files, Json, Quiet, examples, json_line, print_json, print_view
+from foon_kg.cli.shown import Shown, pixels
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.model.written_files import write_file
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from foon_kg.formats.views.shown_tree import ShownTree
-    from foon_kg.plans.schedule import Schedule
-    from foon_kg.plans.step_changes import StepChange
 
 EXAMPLES = examples(
     "foon show plan.json",
-    "foon show plan.json --svg --output tree.svg",
-    "foon show plans.jsonl --line 3 --html -o tree.html",
-    "foon show plan.json --schedule --hands 2 --svg -o schedule.svg",
+    "foon show plan.json --output tree.svg",
+    "foon show plans.jsonl --line 3 -o tree.html",
+    "foon show plan.json --schedule --hands 2 -o schedule.svg",
     "foon show plan.json --difference --files subgraphs/",
     "foon show plan.json --shopping",
     "foon show plan.json --units",
+    "foon show plan.json --format png > tree.png",
 )
+
+FORMS = ("svg", "png", "html", "json")
 
 
 def show(
@@ -38,9 +36,15 @@ def show(
         Path, typer.Argument(metavar="RESULT", help="A plan result (JSON) or FOON text; - is standard input.")
     ],
     *,
-    svg: Annotated[bool, typer.Option("--svg", help="Draw the task tree as SVG.")] = False,
-    png: Annotated[bool, typer.Option("--png", help="Draw the task tree as PNG.")] = False,
-    html: Annotated[bool, typer.Option("--html", help="Make a page that stands on its own.")] = False,
+    form: Annotated[
+        Literal["svg", "png", "html", "json"] | None,
+        typer.Option("--format", "-f", help="A picture, a page, or JSON; else the ending of --output says."),
+    ] = None,
+    svg: Annotated[bool, typer.Option("--svg", help="The same as --format svg.")] = False,
+    png: Annotated[bool, typer.Option("--png", help="The same as --format png.")] = False,
+    html: Annotated[bool, typer.Option("--html", help="The same as --format html: a page that stands on its own.")] = (
+        False
+    ),
     progress: Annotated[bool, typer.Option("--progress", help="Draw the progress lines instead of the tree.")] = False,
     changes: Annotated[
         bool, typer.Option("--difference", help="What became of the steps of the reference tree.")
@@ -59,33 +63,66 @@ def show(
         Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write to this file, not to stdout.")
     ] = None,
     files: Files = None,
+    as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
     """Show a task tree.
 
     Without an option the steps are printed as sentences, and what the FOON has never seen is blue. --units prints what
-    goes in, what is done and what comes out: objects plain, states green, motions red. --svg, --png and --html make a
-    picture that needs nothing else.
+    goes in, what is done and what comes out: objects plain, states green, motions red. SVG, PNG and HTML are pictures
+    that need nothing else.
 
     Only --schedule and --difference ask a FOON (of --files, or the database): for the times at which videos show each
     motion, and for the reference tree.
     """
-    forms = [name for name, asked in (("svg", svg), ("png", png), ("html", html)) if asked]
-    _at_most_one("forms", [f"--{form}" for form in forms])
+    chosen = _form(
+        {"--format": form, "--svg": svg and "svg", "--png": png and "png", "--html": html and "html"}, output
+    )
     matters = {"progress": progress, "schedule": timetable, "shopping": shopping, "difference": changes}
     matters["units"] = as_units
     _at_most_one("matters", [f"--{matter}" for matter, asked in matters.items() if asked])
     matter = next((matter for matter, asked in matters.items() if asked), "tree")
-    if ((shopping or as_units) and forms) or (html and matter != "tree"):
-        raise UsageError(f"--{forms[0]} does not show that", hint="A page has the lists; ask for --svg or --png.")
-    shown = _Shown(shown_tree(result, line), matter, hands, files, quiet=quiet, folded=not unfold)
-    if not forms:
-        print_view(shown.printed())
-    elif html:
-        _write(shown.page().encode(), output)
-    else:
-        drawn = shown.drawn()
-        _write(_pixels(drawn) if png else drawn.encode(), output)
+    if as_json or chosen == "json":
+        chosen = _only_json(chosen)
+    elif chosen and (shopping or as_units or (chosen == "html" and matter != "tree")):
+        raise UsageError(f"--{chosen} does not show that", hint="A page has the lists; ask for --svg or --png.")
+    shown = Shown(shown_tree(result, line), matter, hands, files, quiet=quiet, folded=not unfold)
+    _tell(shown, chosen, output)
+
+
+def _tell(shown: Shown, form: str | None, output: Path | None) -> None:
+    match form:
+        case None:
+            print_view(shown.printed())
+        case "json" if output is None:
+            print_json(shown.as_json())
+        case "json":
+            _write(f"{json_line(shown.as_json())}\n".encode(), output)
+        case "html":
+            _write(shown.page().encode(), output)
+        case "png":
+            _write(pixels(shown.drawn()), output)
+        case _:
+            _write(shown.drawn().encode(), output)
+
+
+def _form(asked: Mapping[str, str | Literal[False] | None], output: Path | None) -> str | None:
+    """Return the form that options ask for, else the ending of the file; raises UsageError where two are asked."""
+    forms = {option: form for option, form in asked.items() if form}
+    if len(set(forms.values())) > 1:
+        _at_most_one("forms", list(forms))
+    if forms or output is None:
+        return next(iter(forms.values()), None)
+    ending = output.suffix.lower().removeprefix(".")
+    if ending not in FORMS:
+        raise UsageError(f"{output}: its ending says no form", hint=f"Say --format {', '.join(FORMS)}.")
+    return ending
+
+
+def _only_json(form: str | None) -> str:
+    if form not in {None, "json"}:
+        _at_most_one("forms", ["--json", f"--{form}"])
+    return "json"
 
 
 def _at_most_one(what: str, asked: Sequence[str]) -> None:
@@ -131,108 +168,6 @@ def _of_json(value: object, where: str) -> ShownTree:
     if not result.units:
         raise ReadError(f"{where}: a result without units is no task tree", hint="Plan the recipe again.")
     return ShownTree.of_result(result)
-
-
-@dataclass(frozen=True)
-class _Shown:
-    """A tree and what is asked to be seen of it (its ``matter``)."""
-
-    tree: ShownTree
-    matter: str
-    hands: int
-    files: Sequence[Path] | None
-    quiet: bool
-    folded: bool
-
-    def printed(self) -> RenderableType:
-        from foon_kg.formats.views.schedule import schedule_view, shopping_view
-        from foon_kg.formats.views.step_changes import step_changes_view
-        from foon_kg.formats.views.tree import progress_view, tree_view
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.plans.shopping import shopping_list
-
-        match self.matter:
-            case "schedule":
-                return schedule_view(self.tree, self.schedule())
-            case "difference":
-                return step_changes_view(self.tree, self.difference())
-            case "shopping":
-                return shopping_view(shopping_list(self.tree.kitchen, Kitchen.default()), tuple(self.tree.unseen))
-            case "progress":
-                return progress_view(self.tree)
-            case _:
-                return tree_view(self.tree, as_units=self.matter == "units")
-
-    def drawn(self) -> str:
-        with pictures_extra():
-            from foon_kg.formats.pictures.gantt import schedule_svg
-            from foon_kg.formats.pictures.progress import progress_svg
-            from foon_kg.formats.pictures.step_changes import step_changes_svg
-            from foon_kg.formats.pictures.tree import tree_svg
-            from foon_kg.plans.kitchen import Kitchen
-
-            match self.matter:
-                case "schedule":
-                    return schedule_svg(self.tree, self.schedule())
-                case "difference":
-                    return step_changes_svg(self.tree, self.difference())
-                case "progress":
-                    return progress_svg(self.tree)
-                case _:
-                    return tree_svg(self.tree, Kitchen.default(), folded=self.folded)
-
-    def page(self) -> str:
-        with pictures_extra():
-            from foon_kg.formats.pictures.page import page_of
-            from foon_kg.plans.kitchen import Kitchen
-
-            return page_of(self.tree, Kitchen.default(), folded=self.folded)
-
-    def schedule(self) -> Schedule:
-        from foon_kg.cli.knowledge import whole_foon
-        from foon_kg.plans.durations import Durations
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.plans.schedule import schedule
-
-        foon = whole_foon(self.files, sayer(quiet=self.quiet))
-        text = self.tree.units if self.tree.result is None else ()  # of a plan the FOON has all that was seen
-        durations = Durations.of_units(foon.units, [(u.motion_node, seen) for u in text for seen in u.seen_in])
-        return schedule(self.tree.units, self.tree.kitchen, durations, Kitchen.default(), self.hands)
-
-    def difference(self) -> tuple[StepChange, ...]:
-        from foon_kg.cli.knowledge import open_knowledge
-        from foon_kg.planning.planner import Planner
-        from foon_kg.planning.settings import PlanSettings
-        from foon_kg.plans.step_changes import step_changes
-
-        plan = self.tree.result
-        if plan is None:
-            raise UsageError("FOON text does not say what its reference was", hint="Give a plan result (JSON).")
-        with open_knowledge(self.files, sayer(quiet=self.quiet)) as view:
-            reference = Planner(view, PlanSettings()).reference_tree(plan.recipe, plan.reference.goal)
-        if len(reference) != plan.reference.units:
-            told = f"this FOON's reference tree has {len(reference)} steps, and the plan's had {plan.reference.units}"
-            raise UsageError(told, hint="Give the FOON from which it was planned, or plan it anew.")
-        return step_changes(reference, self.tree.units)
-
-
-def _pixels(drawn: str) -> bytes:
-    with pictures_extra():
-        from foon_kg.formats.pictures.png import png_of
-
-        return png_of(drawn)
-
-
-@contextmanager
-def pictures_extra() -> Iterator[None]:
-    """Say which extra is missing where a package for pictures is not there."""
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        if error.name not in {"fast_sugiyama", "vl_convert"}:
-            raise
-        message = f"pictures need the package {error.name}"
-        raise UsageError(message, hint='Install it with: pip install "foon-kg[pictures]"') from error
 
 
 def _write(content: bytes, output: Path | None) -> None:

@@ -27,10 +27,14 @@ EXAMPLES = examples(
 def similar(
     names: Annotated[list[str], typer.Argument(metavar="NAME...", help="Foods; quote those of several words.")],
     *,
-    limit: Annotated[int, typer.Option("--limit", "-n", min=1, help="How many known foods to answer a name.")] = 5,
+    limit: Annotated[
+        int, typer.Option("--limit", "-n", metavar="N", min=1, help="How many known foods to answer a name.")
+    ] = 5,
     vectors: Annotated[
         str | None,
-        typer.Option("--vectors", metavar="PIPELINE", help="Compare by the cosine of a spaCy pipeline's vectors."),
+        typer.Option(
+            "--vectors", metavar="NAME", help="Compare by the cosine of a spaCy pipeline's, or a plug-in's vectors."
+        ),
     ] = None,
     role: Annotated[
         str | None, typer.Option("--as", metavar="ROLE", help="What it does in a dish: liquid, protein, fat, …")
@@ -109,9 +113,11 @@ def _knows_foods(files: Sequence[Path] | None, say: Say) -> bool:
 
 
 def _similarity(vectors: str | None) -> Similarity:
-    from foon_kg.similarity import food_similarity, spacy_similarity
+    from foon_kg.similarity import food_similarity, plugged_similarity, spacy_similarity
 
-    return food_similarity() if vectors is None else spacy_similarity(vectors)
+    if vectors is None:
+        return food_similarity()
+    return plugged_similarity(vectors) or spacy_similarity(vectors)
 
 
 def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:

@@ -11,7 +11,7 @@ from foon_kg.cli.kitchen import KitchenFile
 
 EXAMPLES = examples(
     'foon suggest egg onion "grated cheddar"',
-    "foon suggest egg --kitchen kitchen.txt --most 3 --json",
+    "foon suggest egg --kitchen kitchen.txt --limit 3 --json",
 )
 
 
@@ -22,7 +22,7 @@ def suggest(
     ] = None,
     *,
     kitchen: KitchenFile = None,
-    most: Annotated[int, typer.Option("--most", "-n", metavar="N", min=1, help="Name N dishes at most.")] = 5,
+    limit: Annotated[int, typer.Option("--limit", "-n", metavar="N", min=1, help="Name N dishes at most.")] = 5,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -43,7 +43,7 @@ def suggest(
         stocked = foon.kitchen(kitchen, foods or ())
         for note in stocked.notes:
             say(note)
-        found = foon.suggestions(stocked.kitchen, most)
+        found = foon.suggestions(stocked.kitchen, limit)
     if not as_json:
         print_view(suggestions_view(found))
         return

@@ -9,14 +9,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
-from foon_kg.model.errors import ReadError
+from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:
     from foon_kg.model import Subgraph
     from foon_kg.plans.difference import VideoDifference
+    from foon_kg.store.graph import Connection
 
 DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff new_salad.csv --units", "foon diff subgraphs/ --json")
-REMOVE_EXAMPLES = examples("foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad")
+REMOVE_EXAMPLES = examples(
+    "foon remove greek_salad --dry-run", "foon remove greek_salad garden_salad", "foon remove draft:000018c8a5"
+)
 
 Units = Annotated[bool, typer.Option("--units", help="Show every unit, not only how many.")]
 
@@ -68,28 +71,49 @@ def found_differences(
 
 
 def remove(
-    names: Annotated[list[str], typer.Argument(metavar="VIDEO...", help="Videos, by the names of their files.")],
+    names: Annotated[
+        list[str],
+        typer.Argument(metavar="VIDEO...", help="Videos, by the names of their files; drafts as draft:ID."),
+    ],
     *,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Show what would go; change nothing.")] = False,
     units: Units = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Take videos out of the FOON.
+    """Take videos out of the FOON, or drafts of recipes.
 
-    With them go the units that no other video shows. All of the named videos are taken out, or none.
+    With videos go the units that no other video shows. All of the named ones are taken out, or none.
     """
+    from foon_kg.model.drafted import is_draft
     from foon_kg.store.graph import Connection
     from foon_kg.store.graph import remove as remove_videos
     from foon_kg.store.graph.differences import losses
     from foon_kg.store.server import connection_settings
 
     chosen = list(dict.fromkeys(names))
+    drafts = [name for name in chosen if is_draft(name)]
+    videos = [name for name in chosen if name not in drafts]
+    if drafts and videos:
+        raise UsageError("these are videos and drafts", hint="Remove drafts by a command of their own.")
     with Connection(connection_settings(sayer(quiet=quiet))) as connection:
-        found = losses(connection, chosen)
+        if drafts:
+            _remove_drafts(connection, drafts, dry_run=dry_run, as_json=as_json)
+            return
+        found = losses(connection, videos)
         if not dry_run:
-            remove_videos(connection, chosen)
+            remove_videos(connection, videos)
     _show(found, units=units, as_json=as_json)
+
+
+def _remove_drafts(connection: Connection, names: Sequence[str], *, dry_run: bool, as_json: bool) -> None:
+    from foon_kg.cli.loading import show_counts
+    from foon_kg.store.graph.drafts import check_drafts, remove_drafts
+
+    check_drafts(connection, names)
+    if not dry_run:
+        remove_drafts(connection, names)
+    show_counts({"drafts_gone": len(names)}, as_json=as_json)
 
 
 def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -10,6 +12,12 @@ from foon_kg.food.words import plain_words, singular, words
 
 UNKNOWN = Kind("unknown", "Nothing is known of it.")
 _PACKED = "canned"
+
+
+_WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?", re.IGNORECASE)
+
+_MORE = frozenset({"for", "with"})
+"""After these words a name says no more what the food is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,12 +36,12 @@ class FoodTable:
         """Return what is known of the food ``label`` in ``states``; of the kind ``unknown`` where nothing is."""
         key = (label, tuple(states))
         if key not in self._known:
-            self._known[key] = self._food(singular(label), key[1])
+            self._known[key] = replace(self._food(singular(_plain(label)), key[1]), name=singular(label))
         return self._known[key]
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
-        name = singular(label)
+        name = singular(_plain(label))
         if name not in self._found:
             self._found[name] = self._find(name)
         return self._found[name]
@@ -80,8 +88,9 @@ class FoodTable:
         own = name.split()
         if name in self.kind_of:
             return self.kind_of[name], name, Match.NAME
-        if "with" in own[1:]:
-            return self._find(" ".join(own[: own.index("with")]))  # tomatoes with green chilies are tomatoes
+        more = next((place for place, word in enumerate(own) if place and word in _MORE), 0)
+        if more:  # tomatoes with green chilies are tomatoes, pastry for a pie is pastry
+            return self._find(" ".join(own[:more]))
         for start in range(1, len(own)):
             phrase = " ".join(own[start:])
             if phrase in self.kind_of:
@@ -95,6 +104,14 @@ class FoodTable:
                 if phrase in self.kind_of:
                     return self.kind_of[phrase], phrase, Match.PART
         return UNKNOWN.name, "", Match.UNKNOWN
+
+
+def _plain(label: str) -> str:
+    """Return a label as the table has it: without brackets, without accents (pâté), without its bone-in or skin-on."""
+    label = _WITH_BONES.sub("", label.partition(" (")[0]) or label
+    if label.isascii():
+        return label
+    return "".join(one for one in unicodedata.normalize("NFKD", label) if not unicodedata.combining(one))
 
 
 def _is_state(asked: str, state: str) -> bool:

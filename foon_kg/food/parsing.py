@@ -131,6 +131,8 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("dressed", False),
         row.get("mashed", False),
         row.get("coated", False),
+        row.get("formed", False),
+        frozenset(row.get("is_no", [])),
     )
 
 

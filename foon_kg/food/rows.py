@@ -65,7 +65,7 @@ class Food:
 
     @cached_property
     def _tags(self) -> frozenset[str]:
-        return self.kinds | self.traits | {self.name}
+        return self.kinds | self.traits | {self.name, self.taken_for}
 
     def is_a(self, *names: str) -> bool:
         """Whether the food is of one of these kinds, has one of these traits, or is called so."""
@@ -146,7 +146,8 @@ class Dish:
     ``stacked``: it is put together on bread, and what needs no cooking only then.
     ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
     ``dressed``: a dressing comes over it. ``mashed``: it is boiled and mashed with the rest, and done. ``coated``: with
-    crumbs it is flesh in a crust.
+    crumbs it is flesh in a crust. ``formed``: balls, patties or cakes are shaped of a mass. ``is_no`` are dishes that
+    it is not, though a dish type or a word of its name says so (a pancake is no cake).
     """
 
     name: str
@@ -162,3 +163,5 @@ class Dish:
     dressed: bool = False
     mashed: bool = False
     coated: bool = False
+    formed: bool = False
+    is_no: frozenset[str] = frozenset()

@@ -7,6 +7,7 @@ of the same form named in ``FOON_KG_UTENSILS`` or ``FOON_KG_FOODS`` adds a user'
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -25,6 +26,8 @@ FOODS_VARIABLE = "FOON_KG_FOODS"
 
 _MOST_NAMED = 4096
 """For how many texts the dishes in them are remembered."""
+
+_QUOTED = re.compile(r'["\u201c\u2018][^"\u201d\u2019]+["\u201d\u2019]')
 
 
 class Tables:
@@ -164,13 +167,14 @@ class Tables:
     def _dishes_named(self, texts: tuple[str, ...]) -> tuple[Dish, ...]:
         found: dict[str, Dish] = {}
         for text in texts:
-            own = words(text)
+            own = words(_QUOTED.sub(" ", text))  # “tuna” in quotes is none
             for length in range(len(own), 0, -1):
                 for start in range(len(own) - length + 1):
                     name = " ".join(own[start : start + length])
                     if name in self.dishes and not any(name in other for other in found):
                         found[name] = self.dishes[name]
-        return tuple(found.values())
+        no = frozenset().union(*(dish.is_no for dish in found.values()))
+        return tuple(dish for name, dish in found.items() if name not in no)
 
 
 def tables() -> Tables:

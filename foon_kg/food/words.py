@@ -9,7 +9,9 @@ from collections.abc import Collection
 from foon_kg.food.lists import word_list
 
 _WORD = re.compile(r"[^\W\d_]+")
-_IRREGULAR = {"halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf"}
+_IRREGULAR = {
+    "chilies": "chili", "chillies": "chilli", "halves": "half", "knives": "knife", "leaves": "leaf", "loaves": "loaf",
+}  # fmt: skip
 _PLURALS = (("ies", "y"), ("oes", "o"), ("ches", "ch"), ("shes", "sh"), ("sses", "ss"), ("xes", "x"), ("s", ""))
 _NO_PLURAL = ("ss", "us", "is")
 _SHORT = 3

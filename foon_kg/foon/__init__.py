@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar
 
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
     from foon_kg.model import Subgraph
+    from foon_kg.model.drafted import Lesson
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer, Cook, Question
     from foon_kg.planning.kitchen_file import ReadKitchen
@@ -42,10 +43,12 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.store.server import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
+    from foon_kg.store.with_drafts import WithDrafts
     from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
 
+Found = TypeVar("Found")
 Paths = str | os.PathLike[str]
 Say = Callable[[str], None]
 """Takes one line for a person."""
@@ -68,23 +71,33 @@ class Foon:
     It is a context manager; :meth:`close` gives connections back.
     """
 
-    def __init__(self, snapshot: Snapshot | None = None, server: ConnectionSettings | None = None) -> None:
+    def __init__(
+        self,
+        snapshot: Snapshot | None = None,
+        server: ConnectionSettings | None = None,
+        lessons: Sequence[Lesson] = (),
+    ) -> None:
         if (snapshot is None) == (server is None):
             raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
         self._snapshot = snapshot
         self._server = server
+        self._lessons = lessons
         self._cooks: dict[PlanSettings, Cook] = {}
 
     @classmethod
-    def from_files(cls, *paths: Paths) -> Self:
+    def from_files(cls, *paths: Paths, drafts: Sequence[Paths] = ()) -> Self:
         """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
+
+        ``drafts`` are files that ``foon draft recipes`` wrote: kept apart, for whoever plans ``with_drafts``.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
 
         >>> Foon.from_files(demo_folder())
         <Foon of 23 videos in memory>
         """
+        from foon_kg.loaders.lessons import lessons_of, read_drafted
         from foon_kg.loaders.video_tables import read_videos
+        from foon_kg.model.drafted import surest
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.store.snapshot import Snapshot
 
@@ -93,7 +106,10 @@ class Foon:
         if not subgraphs:
             names = ", ".join(map(str, paths)) or "no path"
             raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
-        return cls(snapshot=Snapshot.of(subgraphs, Kitchen.default()))
+        return cls(
+            snapshot=Snapshot.of(subgraphs, Kitchen.default()),
+            lessons=surest(lessons_of(read_drafted(map(Path, drafts)))) if drafts else (),
+        )
 
     @classmethod
     def connect(
@@ -149,9 +165,26 @@ class Foon:
         with self._graph.reading() as view:
             yield view
 
+    def _of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
+        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile."""
+        with self.reading() as view:
+            found = ask(view)
+            while view.moved():
+                found = ask(view)
+            return found
+
     def snapshot(self) -> Snapshot:
         """Return the whole FOON in memory, as it stands now."""
         return self._snapshot or self._graph.snapshot()
+
+    def with_drafts(self) -> WithDrafts:
+        """Return the whole FOON in memory with what its drafts of recipes teach; there may be none."""
+        from foon_kg.store.with_drafts import WithDrafts
+
+        if self._snapshot is not None:
+            return WithDrafts.of(self._snapshot, self._lessons)
+        with self._graph.reading() as view:
+            return WithDrafts.of(self._graph.snapshot(), view.lessons())
 
     @cached_property
     def known(self) -> KnownFoon:
@@ -160,6 +193,15 @@ class Foon:
 
         whole = self.snapshot()
         return KnownFoon.of(whole.units, whole.goals())
+
+    def known_with(self, settings: PlanSettings) -> KnownFoon:
+        """Return what the judge compares a tree's evidence with that was planned with such settings."""
+        if not settings.with_drafts:
+            return self.known
+        from foon_kg.validation import KnownFoon
+
+        with self._cook(settings) as cook:
+            return KnownFoon.of(cook.units or (), cook.view.goals())
 
     @cached_property
     def _graph(self) -> Neo4jGraph:
@@ -184,12 +226,16 @@ class Foon:
         avoid: Sequence[str] = (),
         substitute: Mapping[str, str] | None = None,
         kitchen: Kitchen | None = None,
+        after: str = "",
+        with_drafts: bool = False,
     ) -> Plan:
         """Return the task tree that makes a dish of ``dish_type`` (``""``: the one most like these foods).
 
         ``ingredients`` are in words (``"chopped onion"``) or pairs of food and state. ``title`` is read: a creamy soup
         is blended. ``avoid`` names foods or kinds of food that no step may have, ``substitute`` by which known food an
-        asked one is handled, ``kitchen`` what is at hand. Algorithms 1 to 4 of the paper.
+        asked one is handled, ``kitchen`` what is at hand, ``after`` the recorded dish or the video to make it after.
+        Dishes that were only drafted from the words of recipes count ``with_drafts``; what is made after one says so
+        (``reference.draft_confidence``). Algorithms 1 to 4 of the paper.
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where the FOON has no way to make it, and
         :class:`~foon_kg.model.errors.UsageError` for a dish type or foods that nobody knows.
@@ -206,7 +252,13 @@ class Foon:
         from foon_kg.plans.result import PlanResult
 
         chosen = tuple(Substitute(food, like) for food, like in (substitute or {}).items())
-        settings = PlanSettings(kitchen or Kitchen.default(), substitutes=chosen, avoided=tuple(avoid))
+        settings = PlanSettings(
+            kitchen or Kitchen.default(),
+            substitutes=chosen,
+            avoided=tuple(avoid),
+            after=after,
+            with_drafts=with_drafts,
+        )
         asked = list(ingredients)
         words = [one for one in asked if isinstance(one, str)]
         pairs = [one for one in asked if not isinstance(one, str)]
@@ -252,7 +304,7 @@ class Foon:
         if not questions:
             yield ()
             return
-        with nullcontext(self.snapshot()) if len(questions) >= MANY else self.reading() as view:
+        with self._viewed(settings, whole=len(questions) >= MANY) as view:
             units = getattr(view, "units", None) if len(questions) > 1 else None  # a graph is asked for parts
             if dask is not None and units is not None:
                 with answering_on(dask, questions, view, settings, units) as answers:
@@ -269,14 +321,26 @@ class Foon:
         from foon_kg.planning.batch import Cook
 
         if self._snapshot is None:
-            with self.reading() as view:
-                yield Cook(view, settings)
+            with self._viewed(settings) as view:
+                yield Cook(view, settings, view.units if settings.with_drafts else None)
             return
         if settings not in self._cooks:
             if len(self._cooks) >= _MOST_KEPT:
                 self._cooks.clear()
-            self._cooks[settings] = Cook(self._snapshot, settings, self._snapshot.units)
+            known = self.with_drafts() if settings.with_drafts else self._snapshot
+            self._cooks[settings] = Cook(known, settings, known.units)
         yield self._cooks[settings]
+
+    @contextmanager
+    def _viewed(self, settings: PlanSettings, *, whole: bool = False) -> Iterator[Any]:
+        """Open what plans with such settings are made from: the ``whole`` in memory, or what answers in parts."""
+        if settings.with_drafts:
+            yield self.with_drafts()
+        elif whole:
+            yield self.snapshot()
+        else:
+            with self.reading() as view:
+                yield view
 
     def similar(self, food: str, limit: int = 5, *, role: str | None = None) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
@@ -344,9 +408,11 @@ class Foon:
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.search.classic import retrieve_tree
 
-        with self.reading() as view:
+        def retrieved(view: Snapshot | GraphView) -> RetrievalResult:
             known = view.motion_costs() if costs is None else costs
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
+
+        return self._of_one_state(retrieved)
 
     def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
         """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
@@ -393,8 +459,7 @@ class Foon:
         """
         from foon_kg.planning.suggestion import suggest
 
-        with self.reading() as view:
-            return suggest(view, kitchen, most=most, time_limit=time_limit)
+        return self._of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.

@@ -27,9 +27,8 @@ if TYPE_CHECKING:  # what only some callers have installed
 class AskedAgain(Protocol):
     """What a plan asks of the FOON that it comes from."""
 
-    @property
-    def known(self) -> KnownFoon:
-        """What the judge compares evidence with."""
+    def known_with(self, settings: PlanSettings) -> KnownFoon:
+        """Return what the judge compares evidence with."""
         ...
 
     def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
@@ -111,7 +110,7 @@ class Plan:
         True
         """
         tree = TaskTree.from_json(self.result.to_json())
-        return check(tree, self._foon.known, free=self._settings.kitchen.free_foods)
+        return check(tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
 
     def explain(self) -> tuple[Explanation, ...]:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.

@@ -8,6 +8,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.bench import Bench, Stuff
 from foon_kg.integration.carrying import Carrier
+from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, Course
 from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.layouts import Spot
@@ -41,6 +42,21 @@ class Alone:
             attested = self.bench.attest([("pour", ())], ready.want.names)
             if attested is not None:
                 self.bench.bring([ready.stuff], cup, attested)
+
+    def boil_water_first(self, join: Join) -> None:
+        """Boil water that is asked boiling and joins what nobody heats any more."""
+        want, ready = join.want, self.ready[join.want.number]
+        hot = any(
+            not stage.does.isdisjoint(HEATS) and "dry" not in stage.does
+            for stage in (join.spot.stage, *join.spot.after)
+        )
+        if hot or not want.facts.is_a("water") or want.asked not in word_list("is boiled water"):
+            return
+        pot = self.bench.vessel("pot")
+        self.carry.bring(ready, pot, None)
+        self.bench.place(pot, "stove", "on")
+        self.carry.boil_water(pot)
+        self.bench.heat_off(pot)
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""
@@ -94,8 +110,9 @@ class Alone:
         """Return the motions by which a food is cooked by itself before it joins; nothing where the dish cooks it."""
         want, spot = join.want, join.spot
         due = {"cook", "boil"} & owed(want, self.known)
-        if not due and not want.cooked:
-            return self._warmed_first(join)
+        first = self._made_otherwise(join) if due or want.cooked else self._warmed_first(join)
+        if first or not (due or want.cooked):
+            return first
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
         in_turn = in_turn and not self._is_cut_of_its_shell(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
@@ -112,11 +129,42 @@ class Alone:
         if self._is_boiled_there(join, heats, due):
             return ()
         boiled = want.cooked and self._is_boiled(want.make) and not any("liquid" in stage.does for stage in heats)
-        if boiled or "boil" in due:
-            return ("boil",)
         thick = self.plan.laid and want.facts.is_a(*word_list("is flesh"))  # it would be raw when the dough is done
         done_there = heats and self._cooks_there(join, due) and not self._is_toasted(join) and not thick
+        if boiled or "boil" in due:
+            return ("boil",)
         return () if done_there else self._asked_cooking(want) or self._usual_cooking(want)
+
+    def _made_otherwise(self, join: Join) -> tuple[str, ...]:
+        """Return how a food is cooked for which neither its video nor its kind is asked.
+
+        What a title calls roasted is baked, and flesh for a salad fried in one piece.
+        """
+        want, spot = join.want, join.spot
+        if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
+            return tuple(sorted(word_list("is roasted by")))
+        heats = [stage for stage in (spot.stage, *spot.after) if not stage.does.isdisjoint(HEATS)]
+        pan = bool(heats) and "dry" not in heats[0].does and not self.course.has_liquid(heats[:1])
+        if pan and self._is_thick(want):
+            return ("boil",)  # it would be brown outside and raw within
+        if isinstance(spot.stage, Phase) and self._takes_longer(want):
+            return ("boil",)  # the grain would be mush when it is done
+        whole = self.plan.in_pieces and is_portion(want, self.known)
+        return ("cook",) if whole and not self.course.has_liquid([spot.stage]) else ()
+
+    def _takes_longer(self, want: Want) -> bool:
+        """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
+        facts = [join.want.facts for join in self.plan.joins]
+        grain = any(
+            one.is_a(*word_list("is toasted")) and not one.is_a(*word_list("takes longer than grain")) for one in facts
+        )
+        pulse = want.facts.is_a(*word_list("takes longer than grain")) and "boil" in want.facts.owes
+        return pulse and grain and not self.plan.spooned
+
+    def _is_thick(self, want: Want) -> bool:
+        """Whether a food is asked in such large pieces that it takes very long in a pan."""
+        halved = bool(want.make) and self.known.state(want.make).fine == 1
+        return halved and want.facts.is_a(*word_list("takes long in the pan"))
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""
@@ -213,6 +261,8 @@ class Alone:
         if self.is_fried_open(join.want):
             self._pan_cook(ready, method)
             return
+        if any("dry" in self.known.motion(motion).does for motion in method) and self._bake_alone(ready, method):
+            return
         liquid = any("liquid" in self.known.motion(motion).does for motion in method)
         liquid = (
             liquid
@@ -231,6 +281,32 @@ class Alone:
         elif liquid and self._is_eaten_cold(join):
             self.preparer.rinse(ready, "washed")
         self.preparer.cut_now(ready)
+
+    def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
+        """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""
+        bench, want = self.bench, ready.want
+        ways = [way for motion in method for way in bench.operators.ways_of(motion)]
+        attested = bench.attest(ways, want.names) or bench.far(ways, want.names)
+        if attested is None:
+            return False
+        oven, tray = bench.device("oven"), bench.vessel("baking tray")
+        bench.switch(None, oven, on=True)
+        self.carry.bring(ready, tray, None)
+        self.carry.add_fat(tray, self.plan)
+        device = bench.place(tray, oven.label, "in")
+        stuff, states = ready.stuff, self._cooked_states(ready.stuff, want, attested.way)
+
+        def change() -> None:
+            stuff.states = states
+            tray.hot = True
+
+        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, stuff])
+        bench.heat_off(tray)
+        self.preparer.cut_now(ready)
+        return True
+
+    def _runs(self, stuff: Stuff) -> bool:
+        return form_of(self.known, stuff.label, stuff.states) == "liquid"
 
     def _is_eaten_cold(self, join: Join) -> bool:
         """Whether a food is boiled for a cold dish, and is cooled under water for it."""
@@ -305,6 +381,9 @@ class Alone:
         def change() -> None:
             stuff.states = states
             pan.hot = True
+            for other in pan.contents:
+                if other is not stuff and self.known.foods.food(other.label).is_a("fat") and not self._runs(other):
+                    other.states = ("melted",)
 
         bench.emit(attested, [pan, (device, pan), *pan.contents], change, [pan, *pan.contents])
         bench.switch(pan, device, on=False)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.operators import Alike, Attested, Likes, Nearness, Operators, Way
-from foon_kg.model import ObjectNode
+from foon_kg.model import ObjectNode, shared_node
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.world import Mention, Step
 
@@ -140,7 +140,7 @@ class Bench:
             number = self.tools.get(thing)
             if number is None:
                 number = self.tools[thing] = self.number()
-            return Mention(ObjectNode(thing), number)
+            return Mention(shared_node(thing), number)
         if isinstance(thing, Device):
             return self._device(thing, None)
         if isinstance(thing, Vessel):
@@ -155,12 +155,12 @@ class Bench:
 
     def _food(self, thing: Stuff, relation: str | None, container: str | None) -> ObjectNode:
         names = thing.foods if thing.mixed else ()
-        return ObjectNode(thing.label, thing.states, names, relation, container)
+        return shared_node(thing.label, thing.states, names, relation, container)
 
     def _vessel(self, thing: Vessel) -> Mention:
         row = self.known.utensil(thing.label)
         if thing.storage and row is not None and row.source == "water":
-            return Mention(ObjectNode(thing.label), thing.number)
+            return Mention(shared_node(thing.label), thing.number)
         names = foods_of(thing)
         states: tuple[str, ...] = () if names or thing.storage else ("empty",)
         if thing.hot:
@@ -169,12 +169,12 @@ class Bench:
             states += (f"covered [{thing.lid}]",)
         if thing.device is not None:
             return Mention(
-                ObjectNode(thing.label, states, names, thing.relation, thing.device.label),
+                shared_node(thing.label, states, names, thing.relation, thing.device.label),
                 thing.number, thing.device.number,
             )  # fmt: skip
         if thing.lid:
-            return Mention(ObjectNode(thing.label, states, names, "covered", thing.lid), thing.number)
-        return Mention(ObjectNode(thing.label, states, names), thing.number)
+            return Mention(shared_node(thing.label, states, names, "covered", thing.lid), thing.number)
+        return Mention(shared_node(thing.label, states, names), thing.number)
 
     def _device(self, thing: Device, vessel: Vessel | None) -> Mention:
         on = thing.always_on or (
@@ -182,9 +182,9 @@ class Bench:
         )
         states = ("on",) if on else ("off",)
         if vessel is None or vessel.device is not thing:
-            return Mention(ObjectNode(thing.label, states), thing.number)
+            return Mention(shared_node(thing.label, states), thing.number)
         relation = "under" if vessel.relation == "on" else "with"
-        return Mention(ObjectNode(thing.label, states, (), relation, vessel.label), thing.number, vessel.number)
+        return Mention(shared_node(thing.label, states, (), relation, vessel.label), thing.number, vessel.number)
 
     def _burners(self, thing: Device) -> bool:
         row = self.known.utensil(thing.label)

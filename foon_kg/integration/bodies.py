@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.places import NATURAL, Join
-from foon_kg.integration.preparation import owed
+from foon_kg.integration.preparation import as_mash, owed
 
 _MIX = Stage((), "mix", frozenset({"mix"}), ("spatula",), "mixing bowl", "in", "", "", "mixture", (), 0)
 _SHAPE = replace(_MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")
@@ -47,8 +47,11 @@ class _Body:
         self.known = known
         self.falls_apart = any(self._falls_apart(join) for join in joins)
         self.raw = raw = [join for join in joins if self._is_raw(join)]
+        shaped = not word_list("holds patties").isdisjoint(told)
         mass = [join for join in raw if join.want.facts.is_a(*word_list("patties are made of"))]
-        self.shaped = bool(mass) and not word_list("holds patties").isdisjoint(told)
+        if shaped and not mass:
+            mass = [join for join in joins if join.want.facts.is_a(*word_list("patties are made of"))]
+        self.shaped = bool(mass) and shaped
         flesh = [join for join in raw if join.want.facts.is_a(*word_list("is coated")) and join not in mass]
         fried = [join for join in joins if join.want.facts.is_a(*word_list("is fried to be stacked"))]
         in_pieces = len(flesh) == 1 and not mass and self._is_cut(flesh[0]) and self._has_more_for_the_pan()
@@ -90,13 +93,17 @@ class _Body:
             stages = (heat,)
         top = replace(top, adds=(Line(stages),))
         found = tuple(
-            _at(join, stage, (*stages[stages.index(stage) + 1 :], top))
+            _at(self._mashed(join, stage, mix), stage, (*stages[stages.index(stage) + 1 :], top))
             if (stage := self._stage_of(join, mix if self.shaped else heat, heat)) is not None
             else _at(join, top, ())
             for join in self.joins
             if join not in self.fried
         )
         return self._with_fried(Line((top,)), found)
+
+    def _mashed(self, join: Join, stage: Stage, mix: Stage) -> Join:
+        """Return a food as it can be shaped, where it is mixed for that."""
+        return replace(join, want=as_mash(join.want, self.known)) if self.shaped and stage is mix else join
 
     def _with_fried(self, line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
         """Return a line with a pan in which is fried what lies on the rest."""
@@ -124,7 +131,10 @@ class _Body:
             return body
         cut = max((self.known.state(state).fine or 0 for state in (want.make, *want.leaf) if state), default=0)
         in_pieces = 0 < cut < _SMALL  # what is asked in slices or rings is laid on it
-        binds = (want.facts.is_a(*word_list("binds a mass")) and not in_pieces) or (
+        binds_it = word_list("binds a mass") | word_list("is bound with it")
+        binds_it |= word_list("is cooked and mashed to be shaped")
+        bread = want.facts.is_a(*word_list("carries what is stacked"))
+        binds = (want.facts.is_a(*binds_it) and not in_pieces and not bread) or (
             cut >= _SMALL and want.facts.is_a("vegetable")
         )
         return body if self.shaped and binds and not want.facts.is_a(*word_list("lies on patties")) else None

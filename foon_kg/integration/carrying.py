@@ -231,7 +231,7 @@ class Carrier:
         if vessel.label == tin:
             return tin
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
-        batter = [stuff for stuff in mixed if binds(stuff.foods, self.known) and not self._is_sauce(stuff)]
+        batter = [stuff for stuff in mixed if self._sets(stuff, tin) and not self._is_sauce(stuff)]
         in_portions = row.group == "tins"
         runs = any(self.is_wet(stuff) for stuff in batter)
         if tin and batter and (in_portions or runs):
@@ -242,6 +242,11 @@ class Carrier:
         )
         plain = all(self.known.foods.food(food).is_a("fat") for food in self._liquids(vessel))
         return _DEEP if is_flat(label) and wet and not plain and not batter else label
+
+    def _sets(self, stuff: Stuff, tin: str) -> bool:
+        """Whether a mixture sets when it is baked: there is flour in it, or there are eggs for what has a ``tin``."""
+        eggs = any(self.known.foods.food(food).is_a("egg") for food in stuff.foods)
+        return binds(stuff.foods, self.known) or (bool(tin) and eggs)
 
     def _is_sauce(self, stuff: Stuff) -> bool:
         """Whether what flour binds is a sauce with something in it, and no batter."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables, words
+from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
@@ -23,6 +23,9 @@ _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
 _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 
+
+_FINE = min(word_list("is called so when it is fine"))
+_THICK = min(word_list("is called so when it is beaten"))
 
 _POST = ("mix", "later", True)
 _BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
@@ -49,7 +52,7 @@ def coated_alone(
     kinds = (
         (*word_list("is coated"), *word_list("is coated where it is rough")) if rough else tuple(word_list("is coated"))
     )
-    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
+    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
     wet = any(one.is_a("cooking liquid") and not one.is_a(*_WET) for one in facts)
     whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
     dusted = any(one.is_a("flour") for one in facts) and (whole or not wet)
@@ -117,6 +120,11 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     return Line((top,)), tuple(found)
 
 
+def _is_done(want: Want) -> bool:
+    """Whether flesh is asked cooked; where only the title says so (fried chicken), the dish cooks it."""
+    return want.cooked and bool(want.make) and tables().state(want.make).needs_heat
+
+
 def _side(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
     return Join(join.want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL)
 
@@ -134,7 +142,7 @@ def _at(join: Join, stage: Stage) -> Join:
 
 def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _COATED) -> tuple[Line, tuple[Join, ...]]:
     """Return a line and its joins such that raw flesh is coated and fried by itself, where something coats it."""
-    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not join.want.cooked]
+    flesh = [join for join in joins if join.want.facts.is_a(*kinds) and not _is_done(join.want)]
     minced = any(join.want.facts.is_a(*word_list("patties are made of")) for join in flesh)
     shaped = minced and any("shape" in stage.does for one in _all(line) for stage in one.stages)
     dry = [join for join in joins if join.want.facts.is_a(*_DRY)]
@@ -143,12 +151,17 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     wet = [join for join in joins if join.want.facts.is_a(*_WET) and join not in dry]
     seasons = [join for join in joins if join.want.facts.is_a("spice") and join.want.facts.is_a("stock")]
     seasons = [join for join in seasons if not join.want.facts.is_a("ready", "liquid", *_WHOLE)]
+    seasons += [join for join in joins if join.want.facts.is_a("leaven")]
+    wet += [join for join in joins if wet and join.want.facts.is_a(*word_list("seasons what coats"))]
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     fat = [join for join in fats if join.want.facts.is_a("liquid")] or fats
-    powder, wash = Line((replace(_MIX),)), Line((replace(_MIX),))
+    egg = any(join.want.facts.is_a("egg") for join in wet)
+    flour = any(join.want.facts.is_a("flour") for join in dry)
+    wash = Line((replace(_MIX, label=_THICK if egg else ""),))
+    powder = Line((replace(_MIX, label=_FINE if flour else ""),))
     outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
     dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
-    name = flesh[0].want.label
+    name = f"{singular(flesh[0].want.label)} mixture"
     dusted = replace(_MIX, label=name)
     bathed = replace(_MIX, adds=(wash,), label=name)
     rolled = replace(_MIX, adds=(powder,), label=name)
@@ -163,7 +176,8 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     for join in joins:
         stage = next((stage for some, stage in places if any(one is join for one in some)), None)
         if stage is not None:
-            found.append(Join(join.want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL))
+            want = replace(join.want, cooked=False) if join in flesh else join.want
+            found.append(Join(want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL))
         elif join.spot.stage is last:
             found.append(replace(join, spot=replace(join.spot, stage=served)))
         else:

@@ -61,6 +61,7 @@ class Cooking:
             self._prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
+            self.alone.boil_water_first(join)
             method = self.alone.cooked_first(join)
             if method and self._waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
                 self.boiled_late[join.want.number] = method
@@ -94,8 +95,12 @@ class Cooking:
         if isinstance(stage, Phase) and stage.small and want.facts.is_a(*word_list("is cut for a dish")):
             form = (*form, "chopped")
         cut = bool(want.make) and (self.known.state(want.make).fine or 0) > 0
+        if not cut and self._is_eaten_raw(join) and want.facts.is_a(*word_list("is never eaten whole")):
+            want = replace(want, make=min(word_list("is cut so to be eaten raw")))
         if not cut and self._is_shaped_later(join) and want.facts.is_a(*word_list("is mashed to be shaped")):
             want = replace(want, make="mashed")
+        if self.plan.in_pieces and want.facts.is_a(*word_list("is crumbled")):
+            form = (*form, "crumbled")
         self.bench.phase = "prepare"
         first = self.alone.cooked_first(join)
         whole = first and not self.alone.is_fried_open(want)
@@ -110,6 +115,12 @@ class Cooking:
         self.alone.beaten_first(join, ready)
         if want.facts.is_a("water") and self.course.is_hot(stage):
             self.alone.measure(ready)
+
+    def _is_eaten_raw(self, join: Join) -> bool:
+        """Whether a food joins what nobody heats any more, or what is shaped with it inside."""
+        works = (join.spot.stage, *join.spot.after)
+        blended = any(not stage.does.isdisjoint({"blend", "liquid"}) for stage in works)
+        return not blended and (self._is_shaped_later(join) or all(stage.does.isdisjoint(HEATS) for stage in works))
 
     def _is_shaped_later(self, join: Join) -> bool:
         """Whether the mass that a food joins is shaped, and then cooked: patties."""
@@ -244,7 +255,7 @@ class Cooking:
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return
-        if any(join.want.facts.is_a(*word_list("is taken out of the dish")) for join in self.plan.joins):
+        if any(self.work.is_taken_out(join.want) for join in self.plan.joins):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
                 self.work.name(vessel, self.plan.label)
@@ -322,7 +333,8 @@ class Cooking:
         fresh = self.bench.vessel(label)
         row = self.known.utensil(label)
         bakes = row is not None and not row.can.isdisjoint({"bake", "heat", "cook"})
-        grease = [join for join in joins if bakes and join.want.facts.is_a("fat")]
+        under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
+        grease = [join for join in joins if bakes and join.want.facts.is_a(*under)]
         device, relation = self.utensils.device_for(stage)
         if device and relation == "on":
             self.bench.place(fresh, device, relation)
@@ -385,11 +397,16 @@ class Cooking:
                     self.carry.boil_water(vessel)
                 self.carry.bring(self.ready[one.want.number], vessel, one.slot)
             on_top = isinstance(one, Join) and one.on_top
-            if merge and self.work.lies_unmixed(vessel) and not on_top:
+            if merge and self.work.lies_unmixed(vessel) and not on_top and not self._lays(stage, joins):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
+
+    def _lays(self, stage: Stage, joins: Sequence[Join]) -> bool:
+        """Whether the recorded dish lays just such foods on each other and never mixes them: layers."""
+        laid = bool(joins) and all(join.slot is not None and join.slot in stage.adds for join in joins)
+        return laid and "wait" in stage.does and not (self.plan.in_pieces or self.plan.drunk)
 
     def _would_be_dry(self, stage: Stage, stuffs: Sequence[Join | Vessel]) -> bool:
         """Whether solid food comes into a pan with nothing to cook in."""
@@ -430,7 +447,9 @@ class Cooking:
 
     def _water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
-        if not any(slot.food == "water" for slot in stage.slots) or stage.does.isdisjoint(WORKS):
+        taken = [join.slot for join in self.plan.joins if join.slot is not None]
+        free = (slot for slot in stage.slots if not any(slot is one for one in taken))
+        if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
             return False
         if any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
@@ -466,6 +485,8 @@ class Cooking:
             self._into_device(vessel, device, relation)
         if vessel.device is not None and not self.bench.is_running(vessel) and vessel.device.label == device:
             self._heat_on(vessel)
+        if "turn" in stage.does:
+            self.work.cook_first_side(vessel)
         attested = self.work.way(stage, vessel)
         if attested is None:
             return

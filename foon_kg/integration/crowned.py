@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from foon_kg.food import Food, Tables
+from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
@@ -13,7 +13,7 @@ from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Want
 
 _MELTS = word_list("melts on what is hot")
-_MILKY = word_list("is beaten with eggs")
+_THICKENS = word_list("thickens what is boiled")
 _POWDER = 5
 
 
@@ -38,6 +38,23 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
         line = Line((*line.stages, top))
     joins = [_ending(join, top, on_top=join in tops) for join in plan.joins]
     return line, replace(plan, joins=joins)
+
+
+def wedges_last(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place."""
+    found = [join for join in joins if _is_wedge(join.want) and join.spot.heats_later]
+    if not found or len(found) == len(joins):
+        return line, tuple(joins)
+    top = Stage((), "", frozenset(), (), "plate", "on", "", "", "", (), line.stages[-1].step)
+    ending = (_ending(join, top, on_top=join in found) for join in joins)
+    joins = [replace(join, slot=None) if join.on_top else join for join in ending]
+    return Line((*line.stages, top)), tuple(joins)
+
+
+def _is_wedge(want: Want) -> bool:
+    """Whether a fruit is called or asked in wedges, of which everyone presses the juice out."""
+    wedge = word_list("is cut so by name") & {want.make, *words(want.label)[-1:]}
+    return bool(wedge) and want.facts.is_a(*word_list("is a wedge beside it"))
 
 
 def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:
@@ -65,7 +82,8 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
-    if facts.is_a(*word_list("lies on what is cooked")):
+    noodles = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
+    if facts.is_a(*word_list("lies on what is cooked")) or (noodles and facts.is_a(*word_list("is strewn on noodles"))):
         return True
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
@@ -83,5 +101,5 @@ def _floats(facts: Food, others: Sequence[Food]) -> bool:
     floats = word_list("floats on top")
     if facts.is_a(*floats) or (facts.is_a(*_MELTS) and any(one.is_a(*floats) for one in others)):
         return True
-    thick = any(one.is_a("flour", *_MILKY) for one in others)
+    thick = any(one.is_a("flour", *_THICKENS) for one in others)
     return not thick and facts.is_a(*word_list("is spooned onto it"))

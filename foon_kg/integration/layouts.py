@@ -6,7 +6,7 @@ later, and whether they are the dish's own line or one that joins it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -41,7 +41,12 @@ class Spot:
     @cached_property
     def heats_later(self) -> bool:
         """Whether the whole is heated here or later."""
-        return any("heat" in stage.does for stage in (self.stage, *self.after))
+        return self.heats > 0
+
+    @cached_property
+    def heats(self) -> int:
+        """How often the whole is heated, here and later."""
+        return sum("heat" in stage.does for stage in (self.stage, *self.after))
 
     @cached_property
     def kinds(self) -> tuple[str, ...]:
@@ -82,8 +87,13 @@ class Place:
     needs: frozenset[str]
     main: bool = False
 
+    @cached_property
+    def key(self) -> tuple[str, str]:
+        """The food of the slot and its kind: what decides which foods may take its place."""
+        return self.slot.food, self.slot.kind
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Layout:
     """A frame as places: worked out once, whatever is asked.
 
@@ -116,6 +126,30 @@ class Layout:
     def posts(self) -> tuple[Post, ...]:
         """The posts of its places, each once."""
         return tuple(dict.fromkeys(place.spot.post for place in self.places))
+
+    @cached_property
+    def apart(self) -> tuple[Spot, ...]:
+        """Where foods without a slot may join: what its video mashes is mashed, and nothing else with it."""
+        apart = (spot for spot in self.open if "mash" not in spot.stage.does or "heat" in spot.stage.does)
+        return tuple(apart) or self.open
+
+    @cached_property
+    def cold_lines(self) -> Mapping[tuple[int, ...], frozenset[str]]:
+        """The side lines that are made of several foods and without heat, and what is done in each."""
+        found = {}
+        for line in dict.fromkeys(
+            spot.path[: place + 1] for spot in self.spots for place in range(1, len(spot.path), 2)
+        ):
+            stages = [spot.stage for spot in self.spots if spot.path[: len(line)] == line]
+            does = frozenset().union(*(stage.does for stage in stages))
+            if "heat" not in does and sum(1 for stage in stages for _ in stage.slots) > 1:
+                found[line] = does
+        return found
+
+    @cached_property
+    def hottest(self) -> int:
+        """How often what joins first is heated; at least 1."""
+        return max(1, *(spot.heats for spot in self.spots))
 
     @classmethod
     def of(cls, frame: Frame, known: Tables) -> Layout:

@@ -6,9 +6,10 @@ import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import singular
+from foon_kg.food import singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.patterns import BAKE, LAID, MIX, STIR, fresh, put_at
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want
 
@@ -38,23 +39,26 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
     brought = replace(_LAID, adds=(Line((mix,)),))
     twofold = _is_twofold(holders[0])
     first = (brought, laid) if stewed and not stuffed and not twofold else (laid, brought)
-    stages: tuple[Stage, ...] = (*first, baked)
+    bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
+    bound = bound and (not twofold or any(join.want.facts.is_a(*word_list("sets with eggs")) for join in inside))
+    cover = replace(_LAID)
+    stages: tuple[Stage, ...] = (*first, cover, baked) if twofold and not bound else (*first, baked)
     tops = [join for join in inside if join.want.facts.is_a(*word_list("is put on what is filled"))]
     top = replace(_LAID)
     if tops and len(tops) < len(inside):
         stages = (*stages, replace(_COOLED), top)
-    bound = any(join.want.facts.is_a(*word_list("binds what is inside")) for join in inside)
     found = []
     if twofold and not bound:
         number = max(join.want.number for join in joins) + 1
         second = replace(holders[0].want, number=number)
-        spot = replace(holders[0].spot, stage=baked, after=(), side=False)
+        spot = replace(holders[0].spot, stage=cover, after=(baked,), side=False)
         found.append(Join(second, spot, NATURAL))
     for join in joins:
         is_a = join.want.facts.is_a
         melts = is_a(*word_list("melts on top")) and not is_a("creamy") and len(inside) > 1
         stage = laid if join in holders else baked if melts and not bound else mix
         stage = top if join in tops and top in stages else stage
+        stage = baked if twofold and not bound and is_a("egg") else stage  # it makes the crust shine
         place = next(place for place, one in enumerate((mix, *stages)) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages if stage is mix else stages[place:], side=stage is mix)
         apart = _is_raw(join) and not stewed
@@ -62,6 +66,26 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
         want = _hollow(join.want) if stuffed and join in holders else join.want
         found.append(Join(want, spot, min(join.fit, NATURAL), fried))
     return Line(stages), tuple(found)
+
+
+def rolled(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how thin bread is filled, rolled up, and baked under its sauce, where ``told`` call a dish so.
+
+    Nothing changes where no such bread is there, or nothing to fill it with.
+    """
+    thin = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
+    over = [join for join in joins if join.want.facts.is_a(*word_list("is baked on what is rolled"))]
+    late = word_list("lies on flesh") | word_list("is spooned onto it")
+    tops = [join for join in joins if join.want.facts.is_a(*late) and join not in over]
+    inside = [join for join in joins if join not in (*thin, *over, *tops)]
+    if len(thin) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
+        return line, tuple(joins)
+    raw = any(_is_raw(join) for join in inside)
+    mix, laid, bake, top = fresh(STIR if raw else MIX, replace(LAID, vessel="plate", relation="on"), BAKE, LAID)
+    closed = replace(laid, adds=(Line((mix,)),), motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
+    places = [(thin, laid), (over, bake), (tops, top)]
+    stages = (laid, closed, bake, top) if tops else (laid, closed, bake)
+    return put_at(Line(stages), joins, lambda join: next((stage for some, stage in places if join in some), mix))
 
 
 def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -92,7 +116,9 @@ def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line
         place = next(place for place, one in enumerate(stages) if one is stage)
         spot = replace(join.spot, stage=stage, after=stages[place + 1 :], side=False)
         want = _in_one_piece(join.want) if join in whole else join.want
-        found.append(Join(want, spot, min(join.fit, NATURAL), on_top=stage is top and not twice))
+        apart = _is_raw(join) and not join.want.cooked
+        fried = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if apart else None
+        found.append(Join(want, spot, min(join.fit, NATURAL), fried, on_top=stage is top and not twice))
     return Line(stages), tuple(found)
 
 
@@ -108,7 +134,8 @@ def _holds(join: Join, told: Collection[str], *, stuffed: bool) -> bool:
 def _is_twofold(holder: Join) -> bool:
     """Whether dough is asked of which one piece lines the dish and another one covers it: it is asked in the plural."""
     want = holder.want
-    return want.facts.is_a("dough") and want.label != singular(want.label)
+    double = not word_list("is asked twofold").isdisjoint(words(want.label))
+    return want.facts.is_a("dough") and (double or want.label != singular(want.label))
 
 
 def _is_mash(join: Join) -> bool:

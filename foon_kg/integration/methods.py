@@ -14,7 +14,7 @@ from foon_kg.integration.layouts import Layout
 from foon_kg.integration.operators import Operators
 from foon_kg.integration.outlines import Outline, Outlines
 from foon_kg.integration.places import Posts
-from foon_kg.model import FunctionalUnit, Goal, KnownUnit
+from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,14 @@ class Methods:
 
     def goal_of(self, frame: Frame) -> Goal:
         """Return the goal that a frame is of."""
-        return next(goal for goal in self.goals if goal.node == frame.goal and frame.video in goal.videos)
+        return next(goal for goal in self._goals_of[frame.goal] if frame.video in goal.videos)
+
+    @cached_property
+    def _goals_of(self) -> Mapping[ObjectNode, tuple[Goal, ...]]:
+        found: defaultdict[ObjectNode, tuple[Goal, ...]] = defaultdict(tuple)
+        for goal in self.goals:
+            found[goal.node] += (goal,)
+        return found
 
     @cached_property
     def cooked_by(self) -> Mapping[str, tuple[str, ...]]:

@@ -15,6 +15,7 @@ from functools import cached_property
 from foon_kg.food import Tables, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Sighting
+from foon_kg.model.recent import Recent
 from foon_kg.world.reading import Reader, Said, reader
 
 MOST_SIGHTINGS = 3
@@ -25,6 +26,9 @@ LIKE_AT_ALL = 0.3
 
 LEAST_SHARE = 0.04
 """A way of which fewer of the units that bring food of a form are is no usual one."""
+
+MOST_KEPT = 1024
+"""For how many states it is kept who gives them."""
 
 Way = tuple[str, tuple[str, ...]]
 """A motion and the labels of its tools, sorted."""
@@ -53,12 +57,21 @@ class Nearness(IntEnum):
 
 @dataclass(frozen=True)
 class Attested:
-    """A way of doing something, and the units that attest it. ``like`` is (food, equivalent, confidence) if any is."""
+    """A way of doing something, and where units attest it. ``like`` is (food, equivalent, confidence) if any is."""
 
     way: Way
     nearness: Nearness
-    seen_in: tuple[Sighting, ...]
+    sightings: Sequence[Sighting]
     like: tuple[str, str, float] | None = None
+
+    @cached_property
+    def seen_in(self) -> tuple[Sighting, ...]:
+        """The first of the sightings: what is named as evidence. Many ways are attested, and few are taken."""
+        return tuple(_first(self.sightings))
+
+
+def _first(sightings: Sequence[Sighting]) -> list[Sighting]:
+    return sorted(set(sightings), key=lambda seen: (seen.video, seen.position))[:MOST_SIGHTINGS]
 
 
 @dataclass
@@ -75,6 +88,13 @@ class Evidence:
     often: Counter[str] = field(default_factory=Counter)
     appliances: Counter[str] = field(default_factory=Counter)
 
+    def keep_the_first(self) -> None:
+        """Forget all sightings but those that may be named."""
+        self.all = _first(self.all)
+        for sightings in (self.foods, self.kinds):
+            for name, seen in sightings.items():
+                sightings[name] = _first(seen)
+
 
 class Operators:
     """The operators of a FOON. ``units`` may come in any order; what is kept does not depend on it."""
@@ -90,8 +110,12 @@ class Operators:
         self.states: defaultdict[str, set[str]] = defaultdict(set)
         self.foods: set[str] = set()
         self._fine: dict[Way, float] = {}
+        self._making: Recent[str, tuple[Way, ...]] = Recent(MOST_KEPT)
+        self._brings: dict[tuple[str, str], tuple[Way, ...]] = {}
         for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
             self._add(known_unit)
+        for evidence in (*self.evidence.values(), *self.acts.values()):
+            evidence.keep_the_first()
 
     def _add(self, known_unit: KnownUnit) -> None:
         unit = known_unit.unit
@@ -167,17 +191,17 @@ class Operators:
         if evidence is None:
             return None
         if not foods:
-            return Attested(way, Nearness.MOTION, _few(evidence.all))
+            return Attested(way, Nearness.MOTION, evidence.all)
         own = next((food for food in foods if food in evidence.foods and food not in instead), None)
         if own is not None:
-            return Attested(way, Nearness.FOOD, _few(evidence.foods[own]))
+            return Attested(way, Nearness.FOOD, evidence.foods[own])
         pairs = ((food, *like) for food in foods for like in (likes(food) if likes is not None else ()))
         alike = next((pair for pair in pairs if pair[1] in evidence.foods), None)
         if alike is not None:
-            return Attested(way, Nearness.LIKE, _few(evidence.foods[alike[1]]), alike)
+            return Attested(way, Nearness.LIKE, evidence.foods[alike[1]], alike)
         kinds = (self.known.foods.find(food)[0] for food in foods)
         kind = next((kind for kind in kinds if kind in evidence.kinds), None)
-        return Attested(way, Nearness.KIND, _few(evidence.kinds[kind])) if kind is not None else None
+        return Attested(way, Nearness.KIND, evidence.kinds[kind]) if kind is not None else None
 
     def farthest(self, way: Way, foods: Sequence[str], alike: Alike, *, act: bool = False) -> Attested | None:
         """Return the evidence for the likest food to which ``way`` is done, be it not fairly like.
@@ -191,8 +215,8 @@ class Operators:
         sure, food, known = max((alike(food, known), food, known) for food in foods for known in evidence.foods)
         if sure < LIKE_AT_ALL:
             usual = min(evidence.often, key=lambda name: (-evidence.often[name], name))
-            return Attested(way, Nearness.MOTION, _few(evidence.foods[usual]))
-        return Attested(way, Nearness.LIKE, _few(evidence.foods[known]), (food, known, sure))
+            return Attested(way, Nearness.MOTION, evidence.foods[usual])
+        return Attested(way, Nearness.LIKE, evidence.foods[known], (food, known, sure))
 
     @cached_property
     def ways(self) -> Mapping[str, tuple[Way, ...]]:
@@ -224,8 +248,14 @@ class Operators:
         evidence = self.evidence.get(way)
         return evidence.count if evidence is not None else 0
 
-    def making(self, state: str) -> Iterator[Way]:
-        """Yield the ways that give a state in this FOON, the most frequent first, then those that can."""
+    def making(self, state: str) -> tuple[Way, ...]:
+        """Return the ways that give a state in this FOON, the most frequent first, then those that can."""
+        found = self._making.find(state)
+        if found is None:
+            found = self._making[state] = tuple(self._ways_making(state))
+        return found
+
+    def _ways_making(self, state: str) -> Iterator[Way]:
         given = self.giving.get(state, Counter())
         yield from sorted(given, key=lambda way: (-given[way], way))
         fine = self.known.state(state).fine or 0
@@ -246,9 +276,13 @@ class Operators:
 
     def brings(self, form: str, role: str) -> tuple[Way, ...]:
         """Return the usual ways to bring food of a form (:func:`form_of`) out of a vessel of a role, best first."""
-        counts = self.bringing.get((f"form:{form}", role), Counter())
-        least = sum(counts.values()) * LEAST_SHARE
-        return tuple(way for way in sorted(counts, key=lambda w: (-counts[w], w)) if counts[way] >= least)
+        found = self._brings.get((form, role))
+        if found is None:
+            counts = self.bringing.get((f"form:{form}", role), Counter())
+            least = sum(counts.values()) * LEAST_SHARE
+            ways = sorted(counts, key=lambda way: (-counts[way], way))
+            found = self._brings[form, role] = tuple(way for way in ways if counts[way] >= least)
+        return found
 
     @cached_property
     def _able(self) -> Mapping[str, tuple[Way, ...]]:
@@ -301,7 +335,3 @@ def _foods(saids: Iterable[Said]) -> set[str]:
         if said.is_food:
             found.add(said.label)
     return found
-
-
-def _few(sightings: Sequence[Sighting]) -> tuple[Sighting, ...]:
-    return tuple(sorted(set(sightings), key=lambda s: (s.video, s.position))[:MOST_SIGHTINGS])

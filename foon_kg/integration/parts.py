@@ -35,7 +35,7 @@ def parts_of(
 
     ``repeated`` are the names that a recipe lists twice: what of them belongs to a part is a second portion.
     """
-    if not any(dish.tin for dish in known.dishes_named(dish_type)):
+    if not any(dish.tin for dish in known.dishes_named(dish_type, title)):
         return tuple(wants), ()
     found: tuple[Part, ...] = ()
     if is_of_dough(wants):
@@ -187,7 +187,7 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     told = not word_list("is baked at last").isdisjoint(words(title))
     bakes = [stage for stage in hot if "dry" in stage.does]
     if bakes:
-        return line, _strewn_on(bakes[-1], stages, joins)
+        return line, _strewn_on(bakes[-1], stages, _browned_on(bakes[-1], stages, joins) if told else joins)
     if not told or not hot or any(stage.appliance == "oven" for stage in hot):
         return line, tuple(joins)
     taken = {id(join.spot.stage) for join in joins}
@@ -201,6 +201,26 @@ def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, 
     return Line((*stages, last)), tuple(found)
 
 
+def _browned_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Let cheese and crumbs come on what is baked last of all, where there is something below.
+
+    Where flour makes a sauce for pasta, the cheese belongs to that.
+    """
+    spot = _spot_of(bakes, stages)
+    facts = [one.want.facts for one in joins]
+    sauce = any(one.is_a("flour") for one in facts) and any(
+        one.is_a(*word_list("is eaten with a sauce")) for one in facts
+    )
+    tops = [one for one in joins if one.want.make and one.want.facts.is_a(*word_list("is browned on top"))]
+    tops = [one for one in tops if not (sauce and one.want.facts.is_a(*word_list("melts on top")))]
+    return tuple(replace(one, spot=spot, slot=None) if one in tops and len(tops) < len(joins) else one for one in joins)
+
+
+def _spot_of(bakes: Stage, stages: Sequence[Stage]) -> Spot:
+    place = next(number for number, stage in enumerate(stages) if stage is bakes)
+    return Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
+
+
 def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> tuple[Join, ...]:
     """Let crumbs come on what is baked, where they neither coat nor bind anything."""
     bound = any(
@@ -209,8 +229,7 @@ def _strewn_on(bakes: Stage, stages: Sequence[Stage], joins: Sequence[Join]) -> 
     boiled = any(join.want.facts.is_a(*word_list("is eaten with a sauce"), "vegetable") for join in joins)
     if bound or not boiled:
         return tuple(joins)
-    place = next(number for number, stage in enumerate(stages) if stage is bakes)
-    spot = Spot((place,), bakes, ("bake", "now", False), side=False, after=tuple(stages[place + 1 :]))
+    spot = _spot_of(bakes, stages)
     strewn = word_list("is strewn on what is baked")
     return tuple(replace(one, spot=spot, slot=None) if one.want.facts.is_a(*strewn) else one for one in joins)
 

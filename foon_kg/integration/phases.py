@@ -67,10 +67,11 @@ def in_phases(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
 
 
 def phase_of(facts: Food) -> str:
-    """Return in which phase a food joins a vessel over the heat: by its very kind, else by the broader ones."""
-    for name in _MOST_TELLING:
-        if facts.kind in word_list(name):
-            return name
+    """Return in which phase a food joins a vessel over the heat: by its name or kind, else by the broader ones."""
+    for own in (facts.taken_for, facts.kind):
+        for name in _MOST_TELLING:
+            if own in word_list(name):
+                return name
     return next((name for name in _MOST_TELLING if facts.is_a(*word_list(name))), _WET)
 
 
@@ -245,6 +246,8 @@ class _Phaser:
         if self._strains(line.stages[-1]):
             return _SOON if bath else _WET
         facts = [join.want.facts for join in self._foods(line)]
+        if bath and self.plan.one_pot and any("shape" in stage.does for stage in line.stages):
+            return _SOON  # whoever stirs raw balls with the vegetables has none
         if any(one.is_a(*word_list("is flesh")) for one in facts):
             return _FRIED
         order = (_WET, _SOON, _LAST) if bath else (_SOON, _WET, _LAST)

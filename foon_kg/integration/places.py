@@ -17,6 +17,7 @@ from foon_kg.integration.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.frames import Frame, Slot
 from foon_kg.integration.layouts import MAIN, Layout, Place, Post, Spot, is_need, only_carries, spots_of
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.model.recent import Recent
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
@@ -187,19 +188,19 @@ def _without_lone(layout: Layout, joins: Sequence[Join]) -> tuple[Join, ...]:
 
     Nobody sets up a blender for some chives because a video made a pesto with it.
     """
-    by_path = {spot.path: spot for spot in layout.spots}
+    if not layout.cold_lines or not any(join.spot.side for join in joins):
+        return tuple(joins)
     found = list(joins)
     for number, join in enumerate(joins):
         path = join.spot.path
         while len(path) > 2:  # noqa: PLR2004 - a stage of the dish itself has one number
             line, path = path[:-1], path[:-2]
-            here = [other for other in joins if other.spot.path[: len(line)] == line]
-            spots = [spot for spot in layout.spots if spot.path[: len(line)] == line]
-            slots = sum(1 for spot in spots for _ in spot.stage.slots)
-            hot = any("heat" in spot.stage.does for spot in spots)
-            own = join.slot is not None and all(spot.stage.does.isdisjoint(_CHANGES) for spot in spots)
-            if here == [join] and slots > 1 and not hot and not own:
-                found[number] = Join(join.want, by_path[path], min(join.fit, NATURAL - 0.01))
+            if line not in layout.cold_lines:
+                continue
+            own = join.slot is not None and layout.cold_lines[line].isdisjoint(_CHANGES)
+            if not own and not any(other is not join and other.spot.path[: len(line)] == line for other in joins):
+                spot = next(spot for spot in layout.spots if spot.path == path)
+                found[number] = Join(join.want, spot, min(join.fit, NATURAL - 0.01))
     return tuple(found)
 
 
@@ -226,22 +227,90 @@ def _where_it_is_stacked(layout: Layout, joins: Sequence[Join]) -> list[Join]:
     return [replace(join, spot=last) if join in cold else join for join in joins]
 
 
-class Matcher:
-    """Finds where the foods of one recipe join.
+MOST_JOINERS, MOST_JOINED = 1024, 256
+"""For how many foods it is kept where they join, and in how many dishes."""
 
-    ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1).
+
+class Joiner:
+    """A food, and what of it decides where it joins a dish: looked up once for all dishes and recipes.
+
+    ``fits`` says how well it takes the place of others, ``joined`` where it joins the dishes it was compared with.
     """
 
-    def __init__(self, posts: Posts, like: Callable[[str, str], float]) -> None:
+    def __init__(self, want: Want, known: Tables) -> None:
+        is_a, facts = want.facts.is_a, want.facts
+        self.want = want
+        self.name = singular(want.label)
+        self.fits: dict[tuple[str, str], float] = {}
+        self.needs: dict[str, frozenset[str]] = {}
+        self.joined: dict[tuple[Layout, bool], Join] = {}
+        self.main = is_a(*MAIN)
+        self.runs = is_a("liquid", "water", "creamy", "frozen")
+        self.fat = is_a("fat")
+        self.topping = is_a("topping")
+        self.tops = is_a("topping", "herb")
+        self.floats = is_a(*word_list("floats on top"))
+        self.late = is_a(*_LATE)
+        self.worked = is_a(*_WORKED_IN) and not is_a("herb")
+        self.binds = is_a(*_BOUND) and not self.fat
+        self.served = is_a(*_SERVED_WITH)
+        self.ready_made = is_a("made", "dough", "ready")
+        self.due = not owed(want, known).isdisjoint({"cook", "boil"})
+        self.slow = self.due and self.main and is_a(*_FLESH)
+        self.only_boiled = not is_a(*_BATHED) and "boil" not in facts.owes
+        self.fresh = (
+            facts.sold_as != "dried"
+            and not want.cooked
+            and not _FRESH.isdisjoint({f"kind:{facts.kind}", facts.taken_for})
+        )
+
+    def at(self, spot: Spot) -> Join:
+        """Return its join at a stage at which it has no natural place."""
+        return Join(self.want, spot, NATURAL - 0.01)
+
+
+class Joiners:
+    """The foods of late recipes: a recipe has few that no other one has.
+
+    It serves recipes whose foods are alike the foods of the dishes in the same way: those that ask one FOON.
+    """
+
+    def __init__(self) -> None:
+        self._kept: Recent[tuple[Want, frozenset[str]], Joiner] = Recent(MOST_JOINERS)
+
+    def of(self, wants: Sequence[Want], known: Tables) -> dict[int, Joiner]:
+        """Return the foods of a recipe by their numbers. Of one name with two meanings each counts for both."""
+        meant: defaultdict[str, set[str]] = defaultdict(set)
+        for want in wants:
+            meant[singular(want.label)].add(want.facts.taken_for)
+        found = {}
+        for want in wants:
+            key = replace(want, number=0), frozenset(meant[singular(want.label)])
+            joiner = self._kept.find(key)
+            if joiner is None:
+                joiner = self._kept[key] = Joiner(want, known)
+            found[want.number] = joiner
+        return found
+
+
+class Matcher:
+    """Finds where the foods of one recipe, ``wants``, join.
+
+    ``like(food, known)`` is how sure a cook is to accept one for the other (0 to 1). ``joiners`` keeps what is found
+    for recipes with the same foods and likes.
+    """
+
+    def __init__(
+        self, posts: Posts, like: Callable[[str, str], float], wants: Sequence[Want], joiners: Joiners | None = None
+    ) -> None:
         self.posts = posts
         self.known = posts.known
         self.like = like
-        self._fits: dict[int, dict[tuple[str, str], float]] = {}
-        self._needs: dict[tuple[int, str], frozenset[str]] = {}
+        self._joiners = (joiners or Joiners()).of(wants, self.known)
 
     def joins(self, layout: Layout, wants: Sequence[Want], *, stacked: bool = False) -> tuple[Join, ...]:
         """Return where each food joins; ``stacked``: on bread at the end, unless it has to be cooked."""
-        found = [self._join(layout, want, stacked=stacked) for want in wants]
+        found = [self._kept_join(layout, want, stacked=stacked) for want in wants]
         if stacked:
             found = _where_it_is_stacked(layout, found)
         found = [_in_its_layer(layout, join) for join in _on_ready_dough(layout, found)]
@@ -250,33 +319,42 @@ class Matcher:
             return joins
         return tuple(as_batter(layout.batter, joins, self.known))
 
-    def _join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
-        ready_made = self._in_place_of(layout, want) if want.facts.is_a("made", "dough", "ready") else None
+    def _kept_join(self, layout: Layout, want: Want, *, stacked: bool) -> Join:
+        food = self._joiners[want.number]
+        found = food.joined.get((layout, stacked))
+        if found is None:
+            if len(food.joined) >= MOST_JOINED:
+                food.joined.clear()
+            found = food.joined[layout, stacked] = self._join(layout, food, stacked=stacked)
+        return Join(want, found.spot, found.fit, found.slot)
+
+    def _join(self, layout: Layout, food: Joiner, *, stacked: bool) -> Join:
+        want = food.want
+        ready_made = self._in_place_of(layout, want) if food.ready_made else None
         if ready_made is not None:
             return ready_made
-        best = self._natural(layout, want)
+        best = self._natural(layout, food)
         if best is not None:
             best = _in_the_pan(layout, best)
         if stacked and (best is None or _lies_on(layout, want, best, self.known)) and self._is_stacked(layout, want):
-            return Join(want, layout.spots[-1], NATURAL - 0.01)
-        if layout.turned is not None and want.facts.is_a(*_SERVED_WITH) and (best is None or best.fit < _SURELY):
-            return Join(want, layout.turned, NATURAL - 0.01)
-        if layout.pan is not None and want.facts.is_a("fat"):
-            return Join(want, layout.pan, NATURAL - 0.01)
-        fresh = self._at_the_end(layout, want, best) if layout.bound is None else None
-        spot = self._by_the_dish(layout, want)
-        if fresh is not None or best is not None or spot is None:
-            return fresh or best or self._usual(layout, want)
-        return Join(want, spot, NATURAL - 0.01)
+            return food.at(layout.spots[-1])
+        if layout.turned is not None and food.served and (best is None or best.fit < _SURELY):
+            return food.at(layout.turned)
+        if layout.pan is not None and food.fat:
+            return food.at(layout.pan)
+        fresh = self._at_the_end(layout, want, best) if food.fresh and layout.bound is None else None
+        if fresh is not None or best is not None:
+            return fresh or best or self._usual(layout, food)
+        spot = self._by_the_dish(layout, food)
+        return self._usual(layout, food) if spot is None else food.at(spot)
 
-    def _by_the_dish(self, layout: Layout, want: Want) -> Spot | None:
+    def _by_the_dish(self, layout: Layout, food: Joiner) -> Spot | None:
         """Return where the way in which a dish is made says that a food joins for which it has no slot."""
-        worked = want.facts.is_a(*_WORKED_IN) and not want.facts.is_a("herb")
-        if layout.laid is not None and not worked:
+        if layout.laid is not None and not food.worked:
             return layout.laid
-        if layout.bound is not None and want.facts.is_a(*_BOUND) and not want.facts.is_a("fat"):
+        if layout.bound is not None and food.binds:
             return layout.bound
-        late = want.facts.is_a("topping") or (want.facts.is_a(*word_list("floats on top")) and not layout.dry)
+        late = food.topping or (food.floats and not layout.dry)
         return layout.spots[-1] if late and only_carries(layout.spots[-1].stage) else None
 
     def _is_stacked(self, layout: Layout, want: Want) -> bool:
@@ -289,39 +367,31 @@ class Matcher:
 
     def _at_the_end(self, layout: Layout, want: Want, best: Join | None) -> Join | None:
         """Return where in a hot dish a food joins that loses by cooking: when the dish is done."""
-        fresh = (
-            want.facts.sold_as != "dried"
-            and not want.cooked
-            and not _FRESH.isdisjoint({f"kind:{want.facts.kind}", want.facts.taken_for})
-        )
         worked = best is not None and best.spot.post[0] in {"shape", "knead"}
         done = [spot for spot in layout.spots if spot.post[1] == "before" and not spot.side]
-        if not fresh or worked or not done or (best is not None and best.spot.post[1] in {"before", "never"}):
+        if worked or not done or (best is not None and best.spot.post[1] in {"before", "never"}):
             return None
         spot = next((spot for spot in done if spot.stage.adds), done[-1])
         return Join(want, spot, best.fit if best is not None else NATURAL - 0.01)
 
-    def _natural(self, layout: Layout, want: Want) -> Join | None:
+    def _natural(self, layout: Layout, food: Joiner) -> Join | None:
         """Return the slot that such a food has there: the likest, the first of equally like ones."""
+        want, dish_type = food.want, layout.frame.dish_type
         found: Place | None = None
         most = NATURAL - 1e-9
-        needs = self._needs_of(want, layout.frame.dish_type)
-        main = want.facts.is_a(*MAIN)
-        dish_type = layout.frame.dish_type
+        needs = self._needs_of(food, dish_type)
         usual: float | None = None
-        runs = want.facts.is_a("liquid", "water", "creamy", "frozen")
-        fits = self._fits.setdefault(want.number, {})
         for place in layout.places:
             slot = place.slot
-            if not runs and slot.kind == "water":
-                continue  # no solid takes the place of the water in which a dish is cooked
-            key = slot.food, slot.kind
-            known = fits.get(key)
-            fit = fits[key] = self._fitting(want, slot) if known is None else known
-            if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (main and place.main)):
+            fit = food.fits.get(place.key)
+            if fit is None:
+                fit = food.fits[place.key] = self._fitting(food, slot)
+            if fit < _SAME_ROLE and needs and (not needs.isdisjoint(place.needs) or (food.main and place.main)):
                 fit = _SAME_ROLE
-            bound = main and place.main and place.spot is layout.bound  # of whatever patties are made
-            if NATURAL <= fit < _SURELY and place.slot.kind != want.facts.kind and not bound:
+            if fit <= most or (slot.kind == "water" and not food.runs):
+                continue  # nor does a solid take the place of the water in which a dish is cooked
+            bound = food.main and place.main and place.spot is layout.bound  # of whatever patties are made
+            if NATURAL <= fit < _SURELY and slot.kind != want.facts.kind and not bound:
                 # a like food may join elsewhere than foods of this one's kind do: chives late, onions early
                 if usual is None:
                     usual = max(self.posts.likely(want, post, dish_type) for post in layout.posts)
@@ -331,26 +401,22 @@ class Matcher:
                 found, most = place, fit
         return None if found is None else Join(want, found.spot, most, found.slot)
 
-    def _usual(self, layout: Layout, want: Want) -> Join:
+    def _usual(self, layout: Layout, food: Joiner) -> Join:
         """Return the stage at which foods of its kind join, most likely one that still cooks what must be cooked."""
-        must = bool({"cook", "boil"} & owed(want, self.known))
-        late, tops = want.facts.is_a(*_LATE), want.facts.is_a("topping", "herb")
-        if layout.past is not None and not want.facts.is_a(*_BATHED) and "boil" not in want.facts.owes:
-            return Join(want, layout.past, NATURAL - 0.01)  # what is only boiled and drained is dressed afterwards
-        slow = must and want.facts.is_a(*MAIN) and want.facts.is_a(*_FLESH)
-        hot = max(1, *(sum("heat" in stage.does for stage in (spot.stage, *spot.after)) for spot in layout.spots))
+        want, dish_type = food.want, layout.frame.dish_type
+        if layout.past is not None and food.only_boiled:
+            return food.at(layout.past)  # what is only boiled and drained is dressed afterwards
         found, most, best = layout.spots[0], 0.0, -1.0
-        apart = [spot for spot in layout.open if "mash" not in spot.stage.does or "heat" in spot.stage.does]
-        for spot in apart or layout.open:  # what its video mashes is mashed, and nothing else with it
-            if spot.post[0] == "top" and not tops:
+        for spot in layout.apart:
+            if spot.post[0] == "top" and not food.tops:
                 continue
-            likely = self.posts.likely(want, spot.post, layout.frame.dish_type)
+            likely = self.posts.likely(want, spot.post, dish_type)
             fit = min(likely * (0.6 + 0.4 * self.posts.company(want.facts.kind, spot.kinds)), NATURAL - 0.01)
             score = fit
             if not spot.heats_later:
-                score -= (0.3 if must else 0.0) + (0.3 if layout.heats and not late else 0.0)
-            if slow:
-                score += 0.3 * sum("heat" in stage.does for stage in (spot.stage, *spot.after)) / hot
+                score -= (0.3 if food.due else 0.0) + (0.3 if layout.heats and not food.late else 0.0)
+            if food.slow:
+                score += 0.3 * spot.heats / layout.hottest
             if id(spot) in layout.drained:
                 score -= 0.4
             if score > best:
@@ -369,20 +435,19 @@ class Matcher:
                 found = Join(want, following, _IN_PLACE, Slot(label, want.facts.kind))
         return found
 
-    def _needs_of(self, want: Want, dish_type: str) -> frozenset[str]:
+    def _needs_of(self, food: Joiner, dish_type: str) -> frozenset[str]:
         """Return what of the needs of a dish type a food is: it can take the place of another one that is the same."""
-        key = (want.number, dish_type)
-        found = self._needs.get(key)
+        found = food.needs.get(dish_type)
         if found is None:
             needs = {need for dish in self.known.dishes_named(dish_type) for needs in dish.needs for need in needs}
-            found = self._needs[key] = frozenset(need for need in needs if is_need(need, want.facts))
+            found = food.needs[dish_type] = frozenset(need for need in needs if is_need(need, food.want.facts))
         return found
 
-    def _fitting(self, want: Want, slot: Slot) -> float:
-        name = singular(want.label)
-        if slot.food in {name, want.facts.taken_for}:
+    def _fitting(self, food: Joiner, slot: Slot) -> float:
+        facts = food.want.facts
+        if slot.food in {food.name, facts.taken_for}:
             return 1.0
-        fit = self.like(name, slot.food)
-        if slot.kind == want.facts.kind and slot.kind != "unknown":
+        fit = self.like(food.name, slot.food)
+        if slot.kind == facts.kind and slot.kind != "unknown":
             return max(fit, _SAME_KIND)
-        return fit if slot.kind in want.facts.kinds or fit >= _SURE else fit * _OTHER_KIND
+        return fit if slot.kind in facts.kinds or fit >= _SURE else fit * _OTHER_KIND

@@ -16,6 +16,7 @@ from foon_kg.integration.preparation import owed
 _MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "bowl", "in", "", "", "mixture", (), 0)
 _COOK = replace(_MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
 _COOK = replace(_COOK, appliance="stove", source="heat")
+_STIR = replace(_COOK, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
 _TURN = replace(_COOK, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 _SIMMER = replace(_COOK, motion="simmer", does=frozenset({"heat", "liquid"}))
 _LAID = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="baking dish", label="")
@@ -30,13 +31,39 @@ def in_portions(
 
     ``told`` are the words of type and title; ``baked``: they say that it comes out of an oven.
     """
-    portions = _Portions(joins, known)
+    portions = _Portions(joins, told, known)
     if portions.main is None or not word_list("is eaten with a spoon or fork").isdisjoint(told):
         return line, tuple(joins)
     hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
     ovens = any(stage.appliance == "oven" for stage in hot)
     fried = not word_list("is fried on both sides").isdisjoint(told) or (portions.bath and not baked)
+    fried = fried and word_list("is baked on a sheet").isdisjoint(told)
     return portions.fried() if fried or not (baked or ovens) else portions.baked()
+
+
+def stirred_in_pieces(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how flesh is fried that is asked in pieces, where its video turns over a whole one: stirred with the rest.
+
+    Grain that is boiled by itself is served with it.
+    """
+    flesh = [
+        join for join in joins if join.want.facts.is_a(*word_list("is flesh")) and "cook" in owed(join.want, known)
+    ]
+    cut = [join for join in flesh if join.want.make and (known.state(join.want.make).fine or 0) > 1]
+    turns = any("turn" in stage.does for stage in line.all_stages())
+    coated = any(join.want.facts.is_a(*word_list("coats roughly")) for join in joins)
+    if not turns or not cut or len(cut) != len(flesh) or coated:
+        return line, tuple(joins)
+    pan, top = replace(_STIR), replace(_TOP)
+    stages = (pan, top)
+    found = []
+    for join in joins:
+        facts = join.want.facts
+        beside = facts.is_a(*word_list("is eaten beside what is stewed")) or facts.is_a(*word_list("lies on flesh"))
+        stage = top if beside and not join.want.squeezed else pan
+        spot = replace(join.spot, stage=stage, after=stages[_place(stages, stage) + 1 :], side=False)
+        found.append(Join(join.want, spot, min(join.fit, NATURAL)))
+    return Line(stages), tuple(found)
 
 
 def roasted(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -59,11 +86,13 @@ def roasted(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[L
 
 
 class _Portions:
-    def __init__(self, joins: Sequence[Join], known: Tables) -> None:
+    def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
         self.joins = joins
         self.known = known
+        seared = not word_list("is fried on both sides").isdisjoint(told)
         flesh = [join for join in joins if self._is_flesh(join)]
-        whole = len(flesh) == 1 and is_portion(flesh[0].want, known)
+        flesh = flesh or [join for join in joins if seared and self._is_all_that_cooks(join)]
+        whole = len(flesh) == 1 and (is_portion(flesh[0].want, known) or (seared and self._is_all_that_cooks(flesh[0])))
         self.main = flesh[0] if whole else None
         self.bath = any(join.want.facts.is_a("cooking liquid") for join in joins)
 
@@ -71,6 +100,12 @@ class _Portions:
         raw = "cook" in owed(join.want, self.known) and not (join.want.cooked and join.want.make)
         small = join.want.facts.is_a(*word_list("is fried rather than boiled"))
         return raw and not small and join.want.facts.is_a(*word_list("comes in portions"))
+
+    def _is_all_that_cooks(self, join: Join) -> bool:
+        """Whether a food is a mouthful that is turned piece by piece, and nothing else has to be cooked."""
+        others = (one for one in self.joins if one is not join and {"cook", "boil"} & owed(one.want, self.known))
+        raw = "cook" in owed(join.want, self.known)
+        return raw and join.want.facts.is_a(*word_list("is a mouthful")) and not any(others)
 
     def baked(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that lays all in a dish, pours over it what is mixed for it, and bakes it."""
@@ -105,6 +140,7 @@ class _Portions:
 
     def _is_on_top(self, join: Join) -> bool:
         lies = join.want.facts.is_a(*word_list("is served with what is fried"), *word_list("lies on flesh"))
+        lies = lies and not (join.want.squeezed or not word_list("runs").isdisjoint({join.want.asked}))
         return lies and not join.want.facts.is_a(*word_list("is cooked with flesh"))
 
     def _line(

@@ -36,17 +36,20 @@ def unheated(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]
 
 
 def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line without its stages that mix cold what is fried then, where pasta or noodles are among it.
+    """Return a line without its stages that mix cold what is fried then: noodles with a sauce, flesh with a liquid.
 
     A cook fries each in its turn, and tosses with it what was boiled. Nothing changes where eggs or flour bind it.
     """
     hot = next((place for place, stage in enumerate(line.stages) if not stage.does.isdisjoint(HEATS)), 0)
     facts = [join.want.facts for join in joins]
     boiled = any(one.is_a(*word_list("is eaten with a sauce")) for one in facts)
-    bound = any(one.is_a("creamy", "dough", "egg", "flour") for one in facts)
+    flesh = any(one.is_a(*word_list("is flesh")) and "cook" in one.owes for one in facts)
+    wet = word_list("is cooked in for long") | word_list("is poured into the pan")
+    stewed = flesh and any(one.is_of(*wet) for one in facts)
+    bound = any(one.is_a("dough", "egg", "flour") or (one.is_a("creamy") and not stewed) for one in facts)
     pan, before = line.stages[hot], line.stages[:hot]
     cold = bool(before) and all(stage.does <= _MIXES for stage in before)
-    if not boiled or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
+    if not (boiled or stewed) or bound or not cold or pan.does.isdisjoint(HEATS) or "dry" in pan.does:
         return line, tuple(joins)
     stages = [stage for one in before for stage in Line((one,)).all_stages()]
     kept = tuple(add for one in before for add in one.adds if isinstance(add, Line) and _heats(add))
@@ -61,6 +64,34 @@ def unmixed(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
         spot = replace(spot, stage=fresh, after=rest, side=False) if there else replace(spot, after=after)
         found.append(replace(join, spot=spot, slot=None if there else join.slot))
     return Line((fresh, *rest)), tuple(found)
+
+
+def fat_in_the_heat(joins: Sequence[Join]) -> tuple[Join, ...]:
+    """Return the joins with fat as hard as it is sold where things are heated, and not where they are mixed cold.
+
+    Nothing changes where fat is creamed or rubbed in: with sugar, or with flour that is not fried.
+    """
+    if any(join.want.facts.is_a("dough", "leaven", *word_list("sweetens a batter")) for join in joins):
+        return tuple(joins)
+    hot = next((stage for join in joins for stage in join.spot.after if not stage.does.isdisjoint(HEATS)), None)
+    if hot is not None and "dry" in hot.does and any(join.want.facts.is_a("flour") for join in joins):
+        return tuple(joins)
+    return tuple(_in_the_heat(join) if _is_mixed_hard(join) else join for join in joins)
+
+
+def _is_mixed_hard(join: Join) -> bool:
+    facts, stage = join.want.facts, join.spot.stage
+    hard = facts.is_a("fat") and not facts.is_a("creamy", "liquid") and join.want.asked not in word_list("runs")
+    return hard and bool(stage.does & {"mix"}) and stage.does <= _MIXES
+
+
+def _in_the_heat(join: Join) -> Join:
+    spot = join.spot
+    place = next((n for n, stage in enumerate(spot.after) if not stage.does.isdisjoint(HEATS)), None)
+    if place is None:
+        return join
+    spot = replace(spot, stage=spot.after[place], after=spot.after[place + 1 :], side=False)
+    return replace(join, spot=spot, slot=None)
 
 
 def _heats(line: Line) -> bool:

@@ -7,7 +7,7 @@ taken from the operators of the FOON. What no operator does is assumed to have b
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from foon_kg.food import Food, Level, Tables, singular, words
@@ -64,7 +64,7 @@ class Want:
     somebody has to make, ``cooked`` says that it is asked cooked. ``read_as`` is what a crude state was read as
     (``None``: it was taken at its word). ``bought_so``: no kitchen of this FOON makes what is asked (smoked, pickled).
     ``at_hand``: somebody has it in the asked state. ``then`` is what is made of it once it is cooked (mashed).
-    ``foamed``: it is a liquid that is whipped.
+    ``foamed``: it is a liquid that is whipped. ``roasted``: the title says that it comes out of an oven.
     """
 
     number: int
@@ -81,6 +81,7 @@ class Want:
     then: str = ""
     at_hand: bool = False
     foamed: bool = False
+    roasted: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -105,7 +106,7 @@ def wants_of(
 ) -> tuple[Want, ...]:
     """Return the distinct required foods in their order, each with its state as it is understood."""
     distinct = dict.fromkeys(one for one in ingredients if one.object)
-    wants = (_cut_by_name(understood(number, one, known, operators)) for number, one in enumerate(distinct, 1))
+    wants = (_cut_by_name(understood(number, one, known, operators), known) for number, one in enumerate(distinct, 1))
     return tuple(_as_entitled(want, title, known, operators) for want in wants)
 
 
@@ -114,11 +115,15 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
     told = words(title)
     heads = words(want.label)[-1:]
     mash = word_list("is mash")
+    covers = not word_list("is covered with mash").isdisjoint(told)
+    if covers and want.facts.is_a(*word_list("covers a dish when it is mashed")) and not want.cooked:
+        return replace(want, then=min(word_list("is mashed so")))
     if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
         return replace(want, then=min(word_list("is mashed so")))
-    for before, word in itertools.pairwise(told):
-        if word not in heads or before not in known.states or before in {want.asked, *want.leaf}:
+    for before in _before_it(want, told):
+        if before not in known.states or before in {want.asked, *want.leaf}:
             continue
+        word = heads[0]
         dish = known.dishes.get(f"{before} {word}")
         if dish is not None and not dish.mashed:
             continue  # grilled cheese is a sandwich
@@ -126,16 +131,29 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         if _is_bought_so(row, before, operators):
             return replace(want, leaf=(before,), bought_so=True)
         if row.needs_heat and "cook" in row.earns and not want.cooked and "boil" not in want.facts.owes:
-            return replace(want, cooked=True)
+            return replace(want, cooked=True, roasted=before in word_list("is roasted"))
         if (row.fine or 0) >= _POWDER and {"cook", "boil"} & want.facts.owes.keys():
             return replace(want, then=before)
     return want
 
 
-def _cut_by_name(want: Want) -> Want:
+def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
+    """Yield the words of a title before the name of a food, of which the last word is enough there (breast)."""
+    own = words(want.label)
+    for place, word in enumerate(told):
+        if word not in own[-1:]:
+            continue
+        first = place
+        while first and told[first - 1] in own[:-1]:
+            first -= 1
+        if first:
+            yield told[first - 1]
+
+
+def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    if want.asked:
+    if want.asked and not known.state(want.asked).undivided:
         return want
     if want.facts.is_a(*word_list("is grated off the whole")):
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
@@ -170,7 +188,7 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
         facts = known.foods.food(one.object)  # its juice is asked, and not what is left of it
     plain = _plain_leaf(one.object, facts, one.state, known)
     want = Want(number, one.object, one.state, facts, (plain,) if plain else (), facts.sold_in)
-    foamed = _foamed(want, known.foods.food(one.object))
+    foamed = _misread(want) or _foamed(want, known.foods.food(one.object))
     if foamed is not None or not one.state or facts.sold_as == one.state:
         return foamed or replace(want, leaf=(one.state,) if one.state else want.leaf)
     row = known.state(one.state)
@@ -192,6 +210,17 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     can = ends or _can_be_made(want, form, row, operators)
     alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
+
+
+def _misread(want: Want) -> Want | None:
+    """Return a food whose asked state says nothing of it alone, or needs a machine: as something like it."""
+    sold = want.facts.sold_as
+    if want.asked in word_list("says nothing of one food"):
+        return replace(want, leaf=(sold,) if sold else (), read_as=sold)
+    if want.asked in word_list("needs a machine") and want.facts.is_a("vegetable") and want.facts.is_a("raw"):
+        state = min(word_list("is made fine by hand"))
+        return replace(want, make=state, read_as=state)
+    return None
 
 
 def _foamed(want: Want, before: Food) -> Want | None:
@@ -254,6 +283,13 @@ def _plain_leaf(label: str, facts: Food, asked: str, known: Tables) -> str:
     return facts.sold_as
 
 
+def as_mash(want: Want, known: Tables) -> Want:
+    """Return a food that is too hard to be shaped as it is: it is cooked and mashed before, unless it is asked cut."""
+    whole = not want.make or not known.state(want.make).fine
+    hard = want.facts.is_a(*word_list("is cooked and mashed to be shaped"))
+    return replace(want, then=min(word_list("is mashed so"))) if hard and whole and not want.then else want
+
+
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
     """Return what a cook still has to do to the food as it is sold: all that is fatal, and minor where asked."""
     levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}
@@ -279,6 +315,8 @@ class Preparer:
         due = self._due(want)
         cut = self._cut_state(want, form, due, divided=divided)
         pieces = self._comes_in_pieces(want, cut)
+        worked = pieces and self._way_so(want, cut) is not None
+        pieces = pieces and not worked
         ready = Ready(want, self.bench.fetch(want.label, want.leaf, [want.number], "" if pieces else want.storage))
         if want.bought_so:
             ready.assumptions.append(f"no step of this FOON makes {want.label} {', '.join(want.leaf)}: it is bought so")
@@ -290,6 +328,8 @@ class Preparer:
         if pieces:
             self._assume(ready, cut)
             self._advise(ready)
+            return ready
+        if worked and self._worked_so(ready, cut):
             return ready
         self._clean(ready, due)
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
@@ -366,9 +406,22 @@ class Preparer:
         earns = self.known.state(asked).earns if asked else frozenset()
         if not earns or not earns <= ADVISED or asked in ready.stuff.states:
             return
-        if earns == _RINSED and self.rinse(ready, asked):
+        if (earns == _RINSED and self.rinse(ready, asked)) or self._worked_so(ready, asked):
             return
         self._assume(ready, asked)
+
+    def _worked_so(self, ready: Ready, state: str) -> bool:
+        """Bring a food into a state as the FOON shows it of such a food, without heat; return whether it does."""
+        attested = self._way_so(ready.want, state)
+        if attested is not None:
+            self.bench.act(ready.stuff, attested, tuple(sorted({*ready.stuff.states, state})), _BOWL)
+        return attested is not None
+
+    def _way_so(self, want: Want, state: str) -> Attested | None:
+        """Return how hands bring a food into a state otherwise than by cutting it (sifted); ``None`` where none do."""
+        does = {way: self.known.motion(way[0]).does for way in self.operators.making(state)}
+        ways = [way for way, done in does.items() if not (done & (_NOT_BY_HAND | _CUTS) or done <= _BRINGS)]
+        return self.bench.attest(ways, want.names, act=True)
 
     def rinse(self, ready: Ready, state: str) -> bool:
         """Rinse a food where it lies, or in a strainer, which makes it ``state``; return whether the FOON shows how."""
@@ -393,8 +446,9 @@ class Preparer:
         asked = ready.want.asked
         drained = asked and self.known.state(asked).earns == _FROM_A_CAN
         states = (*ready.stuff.states, asked) if drained else None
-        ways = [("pour", ()), ("drain", ())]
-        attested = self.bench.attest(ways, ready.want.names) or self.bench.far(ways, ready.want.names)
+        ways: list[Way] = [("drain", ()), ("pour", ())] if drained else [("pour", ()), ("drain", ())]
+        foods = ready.want.names
+        attested = self.bench.attest(ways[:1], foods) or self.bench.attest(ways, foods) or self.bench.far(ways, foods)
         if attested is not None:
             self.bench.bring([ready.stuff], self.bench.vessel("strainer"), attested, states)
 
@@ -426,7 +480,8 @@ class Preparer:
         """Return the way to open the food's shell over a vessel, if there is one."""
         ways = [way for way in self.operators.ways.get("shell", ()) if "open" in self.known.motion(way[0]).does]
         ways = [way for way in ways if self.operators.onto.get(way) and not way[1]]
-        return self.bench.attest(ways, want.names, act=True) if "shell" in want.facts.owes else None
+        opens = "shell" in want.facts.owes and not want.facts.is_a(*word_list("is peeled and not cracked"))
+        return self.bench.attest(ways, want.names, act=True) if opens else None
 
     def shelled(self, ready: Ready, form: Sequence[str] = ()) -> None:
         """Take the shell off a food that was cooked in it, and cut it as it is asked."""
@@ -445,6 +500,7 @@ class Preparer:
         hard = want.facts.is_a(*word_list("is flesh")) and not word_list("is no work for a knife").isdisjoint(
             words(want.label)
         )
+        hard = hard or want.facts.is_a(*word_list("is a mouthful"))
         rows = [self.known.state(state) for state in want.leaf]
         if hard or not divided or any((row.fine or 0) > 0 or "cut" in row.earns for row in rows):
             return ""
@@ -596,6 +652,10 @@ class Preparer:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        if state in word_list("is pulled apart by hand"):
+            pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
+            pulls = [way for way in pulls if not way[1]]
+            return self.bench.attest(pulls, want.names, act=True) or self.bench.far(pulls, want.names, act=True)
         if state in _SHREDS and want.facts.is_a(*word_list("is flesh")):
             by_hand = [way for way in ways if way[0] in word_list("pulls flesh apart") and not way[1]]
             ways = by_hand or ways

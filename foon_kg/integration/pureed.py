@@ -52,6 +52,15 @@ def blended_when_done(
     return line, tuple(joins)
 
 
+def blended_drink(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a drink is made that is called blended (a smoothie), where its video blends none."""
+    called = not word_list("is called blended").isdisjoint(told)
+    solid = any(join.want.facts.is_a(*word_list("is blended to be drunk")) for join in joins)
+    if not called or not solid or any("blend" in stage.does for stage in line.all_stages()):
+        return line, tuple(joins)
+    return _with_stages(joins, (replace(_BLENDED),), replace(_SERVED, vessel="drinking glass"))
+
+
 def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
     """Whether all is cooked together in a pot: a title ends so, or flesh in pieces is asked with a sauce."""
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))
@@ -94,9 +103,11 @@ def _boiling(stages: Sequence[Stage], hot: Sequence[int]) -> Stage:
     return replace(stage, adds=tuple(add for add in stage.adds if isinstance(add, Slot)))
 
 
-def _with_stages(joins: Sequence[Join], works: tuple[Stage, ...]) -> tuple[Line, tuple[Join, ...]]:
+def _with_stages(
+    joins: Sequence[Join], works: tuple[Stage, ...], served: Stage = _SERVED
+) -> tuple[Line, tuple[Join, ...]]:
     """Return a line of these stages, at the first of which all joins that is not strewn on what is served."""
-    stages = (*works, replace(_SERVED))
+    stages = (*works, replace(served))
     found = []
     for join in joins:
         late = is_strewn(join) or join.want.facts.is_a(*word_list("floats on top"))

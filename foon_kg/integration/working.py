@@ -140,19 +140,37 @@ class Worker:
 
         self.bench.emit(attested, [vessel, (device, vessel), *stuffs], change, [vessel, *stuffs])
 
+    def cook_first_side(self, vessel: Vessel) -> None:
+        """Cook on one side what runs and lies in a pan over the heat: before that nobody can turn it over."""
+        half = {state for stuff in vessel.contents for state in stuff.states if self.known.state(state).half}
+        mixed = [stuff for stuff in vessel.contents if stuff.mixed]
+        done = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
+        if vessel.device is None or vessel.relation != "on" or len(mixed) != 1 or half or done:
+            return
+        ways = [way for way in self.bench.operators.ways.get("heat", ()) if self.known.motion(way[0]).does == {"heat"}]
+        ways = [way for way in ways if "cooked" in self.known.motion(way[0]).gives]
+        attested = self.bench.attest(ways, foods_of(vessel))
+        if attested is not None:
+            self.bench.work(vessel, attested, mixed[0].label, ("partly cooked",))
+
     def take_out(self, vessel: Vessel) -> None:
         """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how."""
         inside = {number for stuff in vessel.contents for number in stuff.wants}
         for want in (join.want for join in self.plan.joins if join.want.number in inside):
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
             in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
-            if in_pieces or not want.facts.is_a(*word_list("is taken out of the dish")) or len(whole.wants) < _LEAST:
+            if in_pieces or not self.is_taken_out(want) or len(whole.wants) < _LEAST:
                 continue
             ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
             ways = [way for way in ways if any(self._lifts(tool) for tool in way[1])]
             attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)
             if attested is not None:
                 self._take_out(vessel, whole, want, attested)
+
+    def is_taken_out(self, want: Want) -> bool:
+        """Whether a food only gives its taste, and nobody eats or drinks it."""
+        strained = self.plan.drunk and want.facts.is_a(*word_list("is taken out of what is drunk"))
+        return strained or want.facts.is_a(*word_list("is taken out of the dish"))
 
     def _lifts(self, tool: str) -> bool:
         row = self.known.utensil(tool)

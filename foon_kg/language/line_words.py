@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
@@ -62,6 +63,20 @@ def is_another_food(state: str, food: str) -> bool:
     """Whether the word for a state makes another food: ground beef is used as no beef is, diced tomato as tomatoes."""
     groups = food_groups()
     return not set(groups.of(canonical(f"{state} {food}"))) <= set(groups.of(canonical(food)))
+
+
+def is_bought_so(state: str, food: str) -> bool:
+    """Whether meat that is cooked is sold by such a name, and needs no more than to be cut: cooked chicken."""
+    name = f"{state} {food}"
+    return tables().foods.is_listed(name) and tables().foods.food(name).is_a("cooked meat")
+
+
+def as_bought(line: RecipeLine) -> RecipeLine:
+    """Return a line whose food is bought cooked under that name, where more was done to it than to cook it."""
+    first, rest = line.states[:1], line.states[1:]
+    if line.object is None or not rest or not is_bought_so(first[0], line.object):
+        return line
+    return replace(line, object=f"{first[0]} {line.object}", state=rest[-1], states=rest)
 
 
 def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from foon_kg.food.lists import word_list
-from foon_kg.language.line_words import RecipeLine, is_another_food, split_name, states_of
+from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.model.names import canonical
 from foon_kg.similarity.groups import food_groups
 from foon_kg.similarity.state_classes import state_classes
@@ -112,7 +112,7 @@ def read_quickly(line: str) -> RecipeLine | None:
     states = tuple(dict.fromkeys((*food[0], *done[0])))
     optional = ("(optional)",) if match["optional"] else ()
     inside = (f"{match['inside']} ounce{'' if match['inside'] == '1' else 's'}",) if match["inside"] else ()
-    return RecipeLine(
+    answer = RecipeLine(
         line,
         food[1],
         state=states[-1] if states else "",
@@ -123,6 +123,7 @@ def read_quickly(line: str) -> RecipeLine | None:
         left_over=(*done[1], *optional, *inside),
         confidence=AGREES,
     )
+    return as_bought(answer)
 
 
 def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:

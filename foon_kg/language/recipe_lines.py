@@ -19,7 +19,7 @@ from importlib.resources import files
 from multiprocessing import get_context
 from typing import Any, Self
 
-from foon_kg.language.line_words import RecipeLine, is_another_food, split_name, states_of
+from foon_kg.language.line_words import RecipeLine, as_bought, is_another_food, split_name, states_of
 from foon_kg.language.plain_lines import read_quickly
 from foon_kg.model.errors import FoonError, UsageError
 
@@ -111,6 +111,13 @@ def read_fully(line: str) -> RecipeLine:
     return replace(answer, text=line, quantity=str(quantity))
 
 
+_A_LITTLE = re.compile(
+    r"(?:an? )?(dash|drizzle|few|glug|handful|knob|pat|sleeve|splash|sprinkle|sprinkling|squeeze)(?: of)? (?=\w)",
+    re.IGNORECASE,
+)
+"""So a little of a food is called, in front of its name; of what is squeezed it is the juice."""
+
+
 @lru_cache(maxsize=_REMEMBERED)
 def _parse(text: str) -> RecipeLine:
     if not any(letter.isalpha() for letter in text):
@@ -128,9 +135,14 @@ def _parse(text: str) -> RecipeLine:
         name, preparation = f"{before} {name}", after
     in_name, name = split_name(name)
     prepared, unread = states_of(preparation)
+    name, _, aside = name.partition(" (")
+    few = _A_LITTLE.match(name)
+    name = name[few.end() :] if few else name
+    prepared = (*prepared, "juice") if few and few[1].lower() == "squeeze" else prepared
     remarks = [_text(part) for part in (parsed.comment, parsed.purpose) if part]
+    remarks += [f"({aside}"] if aside else []
     states = tuple(dict.fromkeys((*in_name, *prepared)))
-    return RecipeLine(
+    answer = RecipeLine(
         text,
         name,
         state=states[-1] if states else "",
@@ -142,6 +154,7 @@ def _parse(text: str) -> RecipeLine:
         left_over=(*unread, *remarks, *(part.text for part in parsed.amount[1:])),
         confidence=round(float(parsed.name[0].confidence), 4),
     )
+    return as_bought(answer)
 
 
 def _amount(amount: Any) -> tuple[str, str]:  # noqa: ANN401 - the package's own class, which mypy does not know

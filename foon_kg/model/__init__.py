@@ -20,6 +20,7 @@ from foon_kg.model.nodes import (
     Subgraph,
     Timing,
     content_key,
+    shared_node,
 )
 
 __all__ = [
@@ -39,4 +40,5 @@ __all__ = [
     "Subgraph",
     "Timing",
     "content_key",
+    "shared_node",
 ]

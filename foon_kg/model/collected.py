@@ -35,7 +35,10 @@ class CollectedLine:
 
 @dataclass(frozen=True)
 class CollectedRecipe:
-    """One recipe as a collection has it; ``place`` says where it stands (file and number, from 1)."""
+    """One recipe as a collection has it; ``place`` says where it stands (file and number, from 1).
+
+    ``instructions`` are its steps in words, for drafts: the graph does not keep them.
+    """
 
     id: str
     title: str
@@ -44,10 +47,11 @@ class CollectedRecipe:
     dish_type: str | None = None
     partition: str | None = None
     url: str | None = None
+    instructions: tuple[str, ...] = ()
 
     @cached_property
     def content(self) -> str:
-        """A hash of everything in it but its place: an equal one means that loading it again would change nothing."""
+        """A hash of all in it that the graph keeps: an equal one means that loading it again would change nothing."""
         lines = [(line.text, line.detected, line.state, line.quantity, line.unit) for line in self.lines]
         return content_key(self.id, self.title, lines, self.dish_type, self.partition, self.url)
 

@@ -139,8 +139,20 @@ class KnowledgeView(Protocol):
     """A FOON as it stands at one moment. All answers of one view describe the same state of the graph."""
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """How sure each draft of a recipe is (0 to 1), by the name by which it is evidence; nothing without drafts."""
+        ...
+
+    @property
     def memory(self) -> TreeMemory | None:
         """Where the reference trees that are retrieved from this FOON are kept, if anywhere."""
+        ...
+
+    def moved(self) -> bool:
+        """Return whether somebody wrote since the view began, so that its answers may be of two states.
+
+        From then on it is a view of the new state: who asked several things asks them again.
+        """
         ...
 
     def vocabulary(self) -> Vocabulary:

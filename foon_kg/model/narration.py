@@ -54,9 +54,13 @@ class Sentence:
 
 @dataclass(frozen=True)
 class Narration:
-    """A whole video or recipe: its actions where the source names them, else the sentences that tell of them."""
+    """A whole video or recipe: its actions where the source names them, else the sentences that tell of them.
+
+    ``ingredients`` are those that a recipe lists, with the states in which it asks for them.
+    """
 
     name: str
     actions: tuple[NarratedAction, ...] = ()
     sentences: tuple[Sentence, ...] = ()
     source: str = ""
+    ingredients: tuple[Mention, ...] = ()

@@ -9,7 +9,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 DISH_TYPES: tuple[str, ...] = (
     "bread", "soup", "roast", "pizza", "sandwich", "cake", "pie", "sauce", "pudding", "drinks",
@@ -81,6 +81,18 @@ class ObjectNode:
         if self.container:
             words.append(f"{self.relation or 'at'} {self.container}")
         return self.label + (f" ({'; '.join(words)})" if words else "")
+
+
+@lru_cache(maxsize=1 << 16)
+def shared_node(
+    label: str,
+    states: tuple[str, ...] = (),
+    ingredients: tuple[str, ...] = (),
+    relation: str | None = None,
+    container: str | None = None,
+) -> ObjectNode:
+    """Return such a node: where one was asked for of late the same, which is told at a glance to be equal."""
+    return ObjectNode(label, states, ingredients, relation, container)
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,11 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from foon_kg.model import KnownUnit, Recipe
-from foon_kg.model.errors import FoonError, NoTreeError, ReadError, UsageError
+from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
+from foon_kg.planning.considered import Considered
 from foon_kg.planning.explanation import Explanation
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.recipes import (
@@ -28,6 +29,9 @@ from foon_kg.planning.recipes import (
 from foon_kg.planning.settings import PlanSettings, Substitute
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
+
+MOST_WRITES = 20
+"""So often a question is asked anew because somebody wrote meanwhile."""
 
 MANY = 4
 """From so many recipes on a whole FOON is kept ready, and starting processes is worth its second."""
@@ -76,11 +80,15 @@ class Question:
 
 @dataclass(frozen=True)
 class Answer:
-    """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it."""
+    """What comes of one question: a tree or why there is none (``error``), and what had to be decided to read it.
+
+    Where reasons are asked it has ``explanations`` and the other dishes that were ``considered``.
+    """
 
     outcome: PlanResult | PlanFailure
     notes: tuple[str, ...] = ()
     explanations: tuple[Explanation, ...] = ()
+    considered: tuple[Considered, ...] = ()
     error: FoonError | None = None
 
 
@@ -90,16 +98,27 @@ class Cook:
     def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
+        self.units = units
         self.asks_for_parts = units is None
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
         """Answer one question, and why where that, or the settings, ask it.
 
-        What is raised is not about this recipe, and ends the batch.
+        Where somebody writes to the FOON meanwhile it is answered anew, from what is there then. What is raised is not
+        about this recipe, and ends the batch.
         """
+        for _ in range(MOST_WRITES):
+            answer = self._answer(question, explain=explain)
+            if not self.view.moved():
+                return answer
+            self.planner = Planner(self.view, self.settings)
+        raise GraphError("the FOON is written to all the time", hint="Ask again when it has been loaded.")
+
+    def _answer(self, question: Question, *, explain: bool) -> Answer:
         read = ReadRecipe(question.stand_in, ())
         explanations: tuple[Explanation, ...] = ()
+        considered: tuple[Considered, ...] = ()
         try:
             read = question.read(self.words_for(question), self.settings.avoided)
             if self.settings.method == "paper":
@@ -107,11 +126,12 @@ class Cook:
 
                 result = plan_by_the_paper(self.view, read.recipe)
             elif explain or self.settings.explain:
-                result, explanations = self.planner.explain(read.recipe)
+                result, explanations, considered = self.planner.reasons(read.recipe)
             else:
                 result = self.planner.plan(read.recipe)
-            notes = (*read.notes, *_chosen_dish(read, result), *_without_effect(self.settings.substitutes, result))
-            return Answer(result, notes, explanations)
+            own = (*_chosen_dish(read, result), *_after_a_draft(result))
+            notes = (*read.notes, *own, *_without_effect(self.settings.substitutes, result))
+            return Answer(result, notes, explanations, considered)
         except (NoTreeError, ReadError, UsageError) as error:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
 
@@ -132,6 +152,14 @@ def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
     if read.recipe.dish_type:
         return ()
     return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
+
+
+def _after_a_draft(result: PlanResult) -> tuple[str, ...]:
+    """Answer a note where a tree is made after a draft."""
+    sure = result.reference.draft_confidence
+    if sure is None:
+        return ()
+    return (f"made after {', '.join(result.reference.videos)}, a draft that nobody has reviewed ({sure:.2f} sure)",)
 
 
 def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> Iterator[str]:

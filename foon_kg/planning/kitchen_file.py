@@ -14,12 +14,14 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
 from pathlib import Path
 
 from foon_kg.food import tables
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
 from foon_kg.planning.recipes import IngredientWords
@@ -33,6 +35,11 @@ _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
 _ALIKE = 0.3
 _FIELDS = ("foods", "utensils")
+LONGEST_THING = 300
+"""Characters of one thing: to find out what a longer text may mean takes longer than anybody waits."""
+
+MOST_THINGS = 1_000
+
 _HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “utensils”, “foods” or both."
 
 
@@ -52,7 +59,9 @@ def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
     """
     text = _text_of(path)
     is_json = path.suffix.lower() == ".json" or text.lstrip()[:1] in {"[", "{"}
-    entries = list(_json_entries(path, text) if is_json else _lines(path, text))
+    entries = list(islice(_json_entries(path, text) if is_json else _lines(path, text), MOST_THINGS + 1))
+    if len(entries) > MOST_THINGS:
+        raise ReadError(f"{path}: it names more than {MOST_THINGS} things", hint="Name what one kitchen has.")
     if not entries:
         raise ReadError(f"{path}: it names nothing", hint=_HINT)
     return kitchen_with(entries, words)
@@ -183,7 +192,7 @@ def _lines(path: Path, text: str) -> Iterator[Entry]:
 
 def _json_entries(path: Path, text: str) -> Iterator[Entry]:
     try:
-        value = json.loads(text)
+        value = json_value(text)
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     if isinstance(value, list):
@@ -221,4 +230,6 @@ def _json_thing(item: object, where: str) -> str | ObjectNode:
 def _named(text: str, where: str) -> str:
     if not text.strip(" ,"):
         raise ReadError(f"{where}: a thing without a name", hint=_HINT)
+    if len(text) > LONGEST_THING:
+        raise ReadError(f"{where}: a thing of {len(text)} characters; {LONGEST_THING} are the most", hint=_HINT)
     return text

@@ -10,39 +10,38 @@ from __future__ import annotations
 
 import difflib
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, singular, tables
 from foon_kg.food.lists import word_list
-from foon_kg.food.rows import Dish
-from foon_kg.goals.choice import Fit, fits, is_baked, is_truly, missing_core, refusals, shortlisted, unexplained
+from foon_kg.goals.asked import Asked
+from foon_kg.goals.choice import Fit, fits, is_truly, refusals, shortlisted
+from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.bodies import made_apart
-from foon_kg.integration.coated import coated_alone
+from foon_kg.integration.called import Called, as_it_is_called
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
+from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.folded import folded, is_folded
-from foon_kg.integration.frames import Line
-from foon_kg.integration.lined import lined, topped
-from foon_kg.integration.mashed import mashed_only
+from foon_kg.integration.formed import formed_within, is_formed
+from foon_kg.integration.lined import topped
 from foon_kg.integration.methods import Methods
 from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
-from foon_kg.integration.places import Join, Matcher
-from foon_kg.integration.portions import in_portions, roasted
-from foon_kg.integration.pots import is_never_heated, unheated, unmixed
-from foon_kg.integration.poured_over import dressed_apart
+from foon_kg.integration.places import Join, Joiners, Matcher
+from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unmixed
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
-from foon_kg.integration.smeared import smeared_and_baked
+from foon_kg.integration.pureed import blended_drink, blended_when_done, is_stewed, stewed
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
+from foon_kg.planning.considered import Considered, nearer_goals, other_goals
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
@@ -50,7 +49,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult
+from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import Finding, Report, TaskTree, check
@@ -59,9 +58,6 @@ from foon_kg.world import Mention, Step
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
-
-MOST_PASSED = 3
-"""How many goals that were passed over are named."""
 
 
 def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
@@ -86,12 +82,21 @@ class Attempt:
     cooking: Cooking
 
 
+class Reasons(NamedTuple):
+    """A tree, why every required food is made as it is, and the other dishes that were considered."""
+
+    result: PlanResult
+    explanations: tuple[Explanation, ...]
+    considered: tuple[Considered, ...]
+
+
 class Teaching:
     """What a FOON teaches, or the part of it that matters to a question, with how well its foods stand for others."""
 
     def __init__(self, methods: Methods, settings: PlanSettings) -> None:
         self.methods = methods
         self.likes = FoodLikes(settings.similarity or food_similarity(), methods.operators.foods, settings.substitutes)
+        self.joiners = Joiners()
 
 
 class Planner:
@@ -136,8 +141,14 @@ class Planner:
 
     def explain(self, recipe: Recipe) -> tuple[PlanResult, tuple[Explanation, ...]]:
         """Return the tree, and why every required food is made as it is; raises as :func:`plan` does."""
+        result, why, _ = self.reasons(recipe)
+        return result, why
+
+    def reasons(self, recipe: Recipe) -> Reasons:
+        """Return what :meth:`explain` returns, and the other dishes that were considered; raises as that does."""
         question = _Question(self, recipe)
-        return self._told(question), explanations(question.best, question.likes)
+        others = other_goals(question.fits, question.best.fit, recipe.dish_type)
+        return Reasons(self._told(question), explanations(question.best, question.likes), tuple(others))
 
     def reference_tree(self, recipe: Recipe, goal: ObjectNode) -> tuple[KnownUnit, ...]:
         """Return the reference tree of ``goal`` for ``recipe``, as it was recorded.
@@ -196,14 +207,14 @@ class _Question:
             self.known,
         )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.in_slot)
+        self.matcher = Matcher(self.methods.posts, self.likes.in_slot, self.wants, self.teaching.joiners)
 
     @cached_property
     def best(self) -> Attempt:
         """The tree of the best frame that the judge accepts; raises :class:`NoTreeError` where there is none."""
         attempts: list[Attempt] = []
         troubles: list[str] = []
-        for fit in self._fits[:MOST_TRIES]:
+        for fit in _made_after(self.fits, self.settings.after)[:MOST_TRIES]:
             try:
                 attempt = self._attempt(fit)
             except RefusedError as error:
@@ -215,14 +226,15 @@ class _Question:
             elif attempt.missing:
                 attempts.append(attempt)
             else:
-                return attempt
+                return self._searched(attempt)
         if attempts:
             least = min(attempts, key=lambda one: len(one.missing))
             raise shortage(least.missing, least.result.goal, self.kitchen, self.likes.stands_for)
         raise self._no_way(troubles)
 
     @cached_property
-    def _fits(self) -> list[Fit]:
+    def fits(self) -> list[Fit]:
+        """How well each dish suits that may be taken, the best first; raises :class:`NoTreeError` where none may."""
         outlines = self.methods.outlines
         title = self.recipe.title or ""
         dish_type = _made_as(self.recipe.dish_type, title, self.known)
@@ -237,16 +249,13 @@ class _Question:
         if lacks:
             raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
         avoided = self.settings.avoided
-        keys = shortlisted(
-            outlines,
-            self.baked,
-            dish_type,
-            title,
-            known=self.known,
-            likes=self.likes,
-            allowed=(lambda label: why_avoided(label, avoided) is None) if avoided else None,
-        )
-        return fits(self.methods.layouts_of(keys), self.baked, dish_type, title, self.matcher)
+        asked = Asked(self.baked, dish_type, title, self.known)
+        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
+        keys = shortlisted(outlines, asked, self.likes, allowed)
+        after = self.settings.after
+        if after:
+            keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
+        return fits(self.methods.layouts_of(keys), asked, self.matcher)
 
     def _nearest(self, lacks: Sequence[str]) -> str:
         del lacks
@@ -255,50 +264,53 @@ class _Question:
     def _attempt(self, fit: Fit) -> Attempt:
         frame = fit.frame
         dish_type = self.recipe.dish_type or frame.dish_type
-        own = frame.dish_type == dish_type and not missing_core(frame, self.wants, self.known)
-        own = own and is_truly(fit, self.known)
-        own = own and not (self.recipe.title and unexplained(frame, self.wants, dish_type, self.recipe.title))
-        eased = frozenset(kind for dish in self.known.dishes_named(dish_type) for kind in dish.eases)
-        named = self.known.dishes_named(dish_type, self.recipe.title or "")
+        asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
+        own = frame.dish_type == dish_type and not missing_core(fit.dish, asked) and is_truly(fit)
+        own = own and not (asked.title and unexplained(fit.dish, asked))
+        eased = frozenset(kind for dish in asked.of_type for kind in dish.eases)
+        named = asked.dishes
         tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
+        own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        told = frozenset(words(f"{dish_type} {self.recipe.title or ''}"))
+        told = frozenset((*asked.type_words, *asked.told))
         line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
-        line, joins = baked_at_last(line, joins, self.recipe.title or "")
-        baked = is_baked(dish_type, self.recipe.title or "", self.known)
-        made, found = topped(line, joins, words(self.recipe.title or ""))
-        if made is not line:
-            line, joins = made, found
-        else:
-            line, joins = _put_together(line, joins, named, told, self.known, baked=baked)
-        if is_folded(joins, words(self.recipe.title or frame.goal.label)):
+        line, joins = baked_at_last(line, joins, asked.title)
+        made, found = topped(line, joins, asked.told)
+        called = Called(named, told, frame.goal.label, baked=asked.baked)
+        line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, self.known)
+        if is_folded(joins, asked.told if asked.title else fit.dish.words):
             line, joins = folded(joins)
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
-            line, joins = garnished(*stirred(line, joins), told)
+            line, joins = garnished(*stirred(*blended_drink(line, joins, told)), told)
+        if dish_type not in word_list("is drunk"):
+            line, joins = wedges_last(line, joins)
         line, joins = unmixed(line, joins)
+        joins = fat_in_the_heat(joins)
         if not tin and word_list("is called battered").isdisjoint(told):
             line, joins = sauce_apart(line, joins)
         boiled = not word_list("boils in the dish").isdisjoint(told)
-        one_pot = boiled or is_stewed(self.recipe.title or "", named, joins, self.known)
+        one_pot = boiled or is_stewed(asked.title, named, joins, self.known)
         if boiled:
             line, joins = blended_when_done(line, joins, told, cold=is_never_heated(named, joins, self.known))
         elif one_pot:
             line, joins = stewed(joins)
-        stacked = any(dish.stacked for dish in named)
+        stacked = asked.stacked
+        if is_formed(named, joins):
+            line, joins = formed_within(line, joins, self.known)
         plan = Plan(
             label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
             stacked=stacked,
             one_pot=one_pot,
             cold=not word_list("is served cold").isdisjoint(told),
             flat=not word_list("is rolled out").isdisjoint(told),
-            grilled=stacked and any(dish.grilled for dish in named),
-            in_pieces=any(dish.dressed for dish in named),
-            laid=any(dish.laid for dish in named),
+            grilled=stacked and asked.grilled,
+            in_pieces=asked.dressed,
+            laid=asked.laid,
             spooned=boiled,
             drunk=dish_type in word_list("is drunk"),
             closed_by=_closing(told, joins),
@@ -316,35 +328,25 @@ class _Question:
         frame = fit.frame
         core = tuple(dict.fromkeys(join.slot.food for join in fit.joins if join.slot is not None))
         goal = self.methods.goal_of(frame)
-        summary = self.planner.references.summary(goal, self.wanted(goal.ingredients), (frame.video,), core)
         return PlanResult(
             replace(self.recipe, dish_type=dish_type),
-            summary,
+            ReferenceSummary(goal.node, 0, 0, exact=False, videos=(frame.video,), core=core),  # see _searched
             tree.goal,
             tree.units,
             tree.kitchen,
             tree.substitutions,
             tree.assumptions,
-            passed_over=tuple(self._passed_over(fit)),
+            passed_over=tuple(
+                PassedOver(one.goal, one.similarity, one.why)
+                for one in nearer_goals(self.fits, fit, self.recipe.dish_type)
+            ),
         )
 
-    def _passed_over(self, taken: Fit) -> Iterator[PassedOver]:
-        """Yield the goals of the asked dish type that are nearer by their ingredients, and why they are not taken."""
-        rows = []
-        for fit in self._fits:
-            if fit.frame.goal == taken.frame.goal or fit.frame.dish_type not in {
-                self.recipe.dish_type,
-                taken.frame.dish_type,
-            }:
-                continue
-            if fit.similarity > taken.similarity:
-                rows.append((-fit.similarity, fit.frame.goal.sort_key, fit))
-        told: set[ObjectNode] = set()
-        for _, _, fit in sorted(rows, key=lambda row: row[:2]):
-            if fit.frame.goal not in told and len(told) < MOST_PASSED:
-                told.add(fit.frame.goal)
-                why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
-                yield PassedOver(fit.frame.goal, round(fit.similarity, 4), why)
+    def _searched(self, attempt: Attempt) -> Attempt:
+        """Return the attempt that is taken with its reference tree: only for that one it is searched (algorithm 3)."""
+        goal, told = self.methods.goal_of(attempt.fit.frame), attempt.result.reference
+        found = self.planner.references.summary(goal, self.wanted(goal.ingredients), told.videos, told.core)
+        return replace(attempt, result=replace(attempt.result, reference=found))
 
     def wanted(self, ingredients: Sequence[str]) -> dict[str, int]:
         """Return which ingredients of a goal may stand for which required food, by number: what counts as overlap."""
@@ -389,6 +391,18 @@ class _Question:
         )
 
 
+def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
+    """Return those of a dish or a video called ``after`` (``""``: any); raises :class:`NoTreeError` where none is."""
+    chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
+    if after and not chosen:
+        names = ", ".join(list(dict.fromkeys(fit.frame.goal.label for fit in found))[:5]) or "none"
+        hint = f"What suits these foods best: {names}."
+        raise NoTreeError(
+            f"these foods are not made after a dish or a video called “{after}”", code="no-goal", hint=hint
+        )
+    return chosen
+
+
 def _closing(told: Collection[str], joins: Sequence[Join]) -> str:
     """Return by which motion thin bread is closed around what lies on it, by the words of a title; ``""`` for none."""
     flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
@@ -400,28 +414,6 @@ def _made_as(dish_type: str, title: str, known: Tables) -> str:
     """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
-
-
-def _put_together(
-    line: Line, joins: Sequence[Join], dishes: Sequence[Dish], told: Collection[str], known: Tables, *, baked: bool
-) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made whose kind says how its parts come together, whatever its video does."""
-    joins = tuple(joins)
-    made, found = lined(line, joins, told)
-    if made is not line:
-        return made, found
-    if is_never_heated(dishes, joins, known):
-        line, joins = unheated(line, joins)
-    if any(dish.mashed for dish in dishes):
-        line, joins = mashed_only(joins)
-    if any(dish.stacked for dish in dishes):
-        line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
-    elif any(dish.coated for dish in dishes) and not any(dish.dressed for dish in dishes):
-        made, found = coated_alone(line, joins, told, known)
-        line, joins = in_portions(line, joins, told, known, baked=baked) if made is line else (made, found)
-    elif not any(dish.dressed for dish in dishes):
-        line, joins = roasted(*smeared_and_baked(line, joins), told)
-    return dressed_apart(line, joins) if any(dish.dressed for dish in dishes) else (line, joins)
 
 
 def _as_tree(result: PlanResult) -> TaskTree:

@@ -17,6 +17,7 @@ from foon_kg.food import singular, tables
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
@@ -24,6 +25,9 @@ from foon_kg.plans.kitchen import Kitchen
 
 _CLOSE = 0.74
 """How alike two words are, by the letters that they share in order, that may be the same word misspelled."""
+
+NO_FOOD, NO_STATE = "no food is called", "no state is called"
+"""How notes begin that say that something asked is not known."""
 
 UNTOUCHED = "whole"
 """The state of a food of which FOON knows no state in which it is sold."""
@@ -100,7 +104,9 @@ class IngredientWords:
         meant = None if canonical(food) in self._labels else self.meant(text)
         if not self.knows(food):
             asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
-            notes = (*notes, f"no food is called “{food}”{asked}")
+            notes = (*notes, f"{NO_FOOD} “{food}”{asked}")
+        elif strange := self._strange(wanted.state):
+            notes = (*notes, f"{NO_STATE} “{wanted.state}”: did you mean “{strange}”?")
         elif meant is not None and meant != " ".join(text.replace(",", " ").lower().split()):
             notes = (*notes, f"“{text}” is taken at its word; if you mean “{meant}”, write that")
         return wanted, notes
@@ -111,6 +117,15 @@ class IngredientWords:
         words = canonical(food).split()
         ends = (" ".join(words[place:]) for place in range(len(words)))
         return canonical(food) in self._labels or any(map(listed, ends)) or any(map(listed, words))
+
+    def _strange(self, state: str) -> str:
+        """Return what a state that nobody knows may mean; ``""`` of a known one, and where nothing is like it."""
+        words = state.lower().split()
+        known = tables().states
+        if state.lower() in self.states or any(word in self.states or word in known for word in words):
+            return ""
+        meant = self.meant(state) or state
+        return meant if meant != state.lower() else ""
 
     def meant(self, text: str) -> str | None:
         """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
@@ -271,7 +286,7 @@ def foods_named(path: Path) -> tuple[str, ...]:
 
 def _json(path: Path) -> object:
     try:
-        return json.loads(read_text(path))
+        return json_value(read_text(path))
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     except UnicodeDecodeError as error:

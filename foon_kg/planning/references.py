@@ -49,7 +49,10 @@ class References:
     ) -> ReferenceSummary:
         """Return the reference tree in figures, with the videos and foods that the final tree takes over."""
         tree = self.tree(goal, wanted)
-        return ReferenceSummary(goal.node, len(tree.units), tree.overlap, tree.exact, videos, core)
+        sure = [self.view.sureness[video] for video in videos if video in self.view.sureness]
+        return ReferenceSummary(
+            goal.node, len(tree.units), tree.overlap, tree.exact, videos, core, min(sure) if sure else None
+        )
 
     def _index_for(self, goal: Goal) -> UnitIndex:
         if self.units is None:

@@ -26,8 +26,9 @@ class PlanSettings:
 
     Without a ``similarity`` it is :func:`~foon_kg.similarity.food_similarity`, which every process makes for itself. A
     person's own wishes come before what it says: ``substitutes`` are tried first however unlike they are, and no tree
-    has a food of ``avoided`` (names of foods or of kinds of food). ``explain`` asks for the reasons with every tree.
-    The paper's ``method`` knows nothing of all this.
+    has a food of ``avoided`` (names of foods or of kinds of food). ``after`` names the recorded dish, or the video, to
+    make it after. ``explain`` asks for the reasons with every tree. ``with_drafts`` plans with drafts of recipes, too,
+    where the FOON has some; whoever opens it minds that. The paper's ``method`` knows nothing of all this.
     """
 
     kitchen: Kitchen = field(default_factory=Kitchen.default)
@@ -35,5 +36,7 @@ class PlanSettings:
     time_limit: float | None = 20.0
     substitutes: tuple[Substitute, ...] = ()
     avoided: tuple[str, ...] = ()
+    after: str = ""
     explain: bool = False
     method: Method = "frames"
+    with_drafts: bool = False

@@ -111,31 +111,31 @@ def lines_of_things(
 
     A thing that a unit takes and does not put out has become part of the food that names it among its ingredients.
     """
-    return tuple(dict.fromkeys(_line_of_thing(units, goal, food, number) for food, number in foods))
+    inputs = [_by_thing(unit.input_nodes, unit.input_things) for unit in units]
+    outputs = [_by_thing(unit.output_nodes, unit.output_things) for unit in units]
+    found = []
+    for food, number in foods:
+        name, steps, now = singular(food.object), [], number
+        for unit, taken_by, made_by in zip(units, inputs, outputs, strict=True):
+            taken = taken_by.get(now)
+            if taken is None:
+                continue
+            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
+            if now not in made_by:
+                holding = [thing for thing, node in made_by.items() if name in map(singular, node.ingredients)]
+                now = holding[-1] if holding else now
+        ends = outputs[-1].get(now) == goal
+        found.append(ProgressLine(food.object, tuple(steps), goal.label if ends else None))
+    return tuple(dict.fromkeys(found))
 
 
-def _line_of_thing(
-    units: Sequence[NumberedUnit], goal: ObjectNode, food: RequiredIngredient, number: int
-) -> ProgressLine:
-    name, steps, now = singular(food.object), [], number
-    for unit in units:
-        taken = next(
-            (n for n, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True) if thing == now), None
-        )
-        if taken is None:
-            continue
-        steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
-        things = [thing for thing, _ in unit.output_things]
-        if now not in things:
-            outputs = zip(unit.output_nodes, things, strict=True)
-            holding = [t for n, t in outputs if t is not None and name in map(singular, n.ingredients)]
-            now = holding[-1] if holding else now
-    ends = any(
-        node == goal
-        for node, (thing, _) in zip(units[-1].output_nodes, units[-1].output_things, strict=True)
-        if thing == now
-    )
-    return ProgressLine(food.object, tuple(steps), goal.label if ends else None)
+def _by_thing(nodes: Sequence[ObjectNode], things: Sequence[tuple[int | None, int | None]]) -> dict[int, ObjectNode]:
+    """Return the first node of each numbered thing of a unit."""
+    found: dict[int, ObjectNode] = {}
+    for node, (thing, _) in zip(nodes, things, strict=True):
+        if thing is not None:
+            found.setdefault(thing, node)
+    return found
 
 
 class _Stage(NamedTuple):

@@ -75,6 +75,7 @@ class ReferenceSummary:
 
     ``exact`` says that the search proved that no other tree of the goal covers more, or as much in fewer units.
     ``videos`` are those after which the final tree is made, ``core`` the foods of theirs that the recipe has too.
+    Where it is made after a draft, which nobody has watched or reviewed, ``draft_confidence`` says how sure that is.
     """
 
     goal: ObjectNode
@@ -83,10 +84,11 @@ class ReferenceSummary:
     exact: bool
     videos: tuple[str, ...] = ()
     core: tuple[str, ...] = ()
+    draft_confidence: float | None = None
 
     def to_json(self) -> JsonObject:
         """Answer the ``reference`` field of a plan result."""
-        return {
+        told: JsonObject = {
             "goal": node_to_json(self.goal),
             "units": self.units,
             "overlap": self.overlap,
@@ -94,6 +96,7 @@ class ReferenceSummary:
             "videos": list(self.videos),
             "core": list(self.core),
         }
+        return told if self.draft_confidence is None else told | {"draft_confidence": self.draft_confidence}
 
     @classmethod
     def from_json(cls, fields: Fields) -> Self:
@@ -106,6 +109,7 @@ class ReferenceSummary:
             fields.truth("exact"),
             fields.texts("videos") if "videos" in fields else (),
             fields.texts("core") if "core" in fields else (),
+            fields.number("draft_confidence") if "draft_confidence" in fields else None,
         )
 
 
@@ -241,6 +245,10 @@ class Alternative:
     confidence: float
 
 
+UNLIKE = 0.1
+"""Below this confidence a food is like nothing that is known."""
+
+
 @dataclass(frozen=True)
 class Substitution:
     """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
@@ -254,6 +262,18 @@ class Substitution:
     equivalent: str
     confidence: float
     alternatives: tuple[Alternative, ...] = ()
+
+    @property
+    def for_want(self) -> bool:
+        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
+        return self.kind == "object" and self.confidence < UNLIKE
+
+    @property
+    def how(self) -> str:
+        """How a food is handled, in words that follow its name."""
+        if self.for_want:
+            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
+        return f"is handled like {self.equivalent}"
 
     def to_json(self) -> JsonObject:
         """Answer one of the ``substitutions`` of a plan result."""

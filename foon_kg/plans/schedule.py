@@ -65,9 +65,22 @@ class Schedule:
     alone: float
     shortest: bool
 
+    @property
+    def untimed(self) -> int:
+        """How many of the steps nobody has timed: how long all of it takes, nobody knows then."""
+        return sum(step.duration is None for step in self.steps)
+
+    @property
+    def known_until(self) -> float:
+        """The second up to which it is known when something begins: the start of the first step that nobody timed."""
+        return min((step.start for step in self.steps if step.duration is None), default=self.length)
+
     def to_json(self) -> JsonObject:
-        """Answer the schedule field by field; a step is named by its ``unit``, its place among the units, from 0."""
-        fields: JsonObject = asdict(self)
+        """Answer the schedule field by field; a step is named by its ``unit``, its place among the units, from 0.
+
+        With ``untimed`` steps all times behind the first of them are those of usual steps, and no knowledge.
+        """
+        fields: JsonObject = asdict(self) | {"untimed": self.untimed}
         fields["steps"] = [{"unit": step.pop("place"), **step} for step in fields["steps"]]
         return fields
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.model.json_fields import JsonObject
 from foon_kg.plans.result import PlannedUnit
 
 Change = Literal["kept", "changed", "left out", "added"]
@@ -28,6 +29,14 @@ class StepChange:
     after: tuple[int, PlannedUnit] | None
     gone: tuple[str, ...] = ()
     come: tuple[str, ...] = ()
+
+    def to_json(self) -> JsonObject:
+        """Return the change field by field; a step is its number, from 1, and its motion."""
+        before = self.before and {"step": self.before[0], "motion": self.before[1].unit.motion}
+        after = self.after and {"step": self.after[0], "motion": self.after[1].motion_node}
+        return {
+            "change": self.change, "before": before, "after": after, "gone": list(self.gone), "come": list(self.come)
+        }  # fmt: skip
 
 
 def step_changes(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -> tuple[StepChange, ...]:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from foon_kg.similarity.answers import Confidences, Similarity
     from foon_kg.similarity.food import food_similarity
     from foon_kg.similarity.lists import count_similar, matching
-    from foon_kg.similarity.raw import cosine_similarity, spacy_similarity
+    from foon_kg.similarity.raw import cosine_similarity, plugged_similarity, spacy_similarity
 
 __all__ = [
     "Confidences",
@@ -24,6 +24,7 @@ __all__ = [
     "count_similar",
     "food_similarity",
     "matching",
+    "plugged_similarity",
     "spacy_similarity",
 ]
 
@@ -35,6 +36,7 @@ _HOMES = {
     "count_similar": "foon_kg.similarity.lists",
     "food_similarity": "foon_kg.similarity.food",
     "matching": "foon_kg.similarity.lists",
+    "plugged_similarity": "foon_kg.similarity.raw",
     "spacy_similarity": "foon_kg.similarity.raw",
 }
 

@@ -11,8 +11,11 @@ import numpy as np
 from foon_kg.model.errors import UsageError
 from foon_kg.model.knowledge import Neighbour
 from foon_kg.model.names import canonical
+from foon_kg.model.plugins import SIMILARITY, plugin
 from foon_kg.similarity.answers import DECIMALS, Confidences, best
 from foon_kg.similarity.vectors import Vectors, food_vectors
+
+_TABLE = 2  # dimensions
 
 
 class CosineSimilarity:
@@ -40,6 +43,26 @@ class CosineSimilarity:
 def cosine_similarity() -> CosineSimilarity:
     """Answer the raw cosine of the food vectors."""
     return CosineSimilarity(food_vectors().embed)
+
+
+def plugged_similarity(name: str) -> CosineSimilarity | None:
+    """Return the cosine of the vectors that a plug-in of this name gives; ``None`` where there is none.
+
+    Raises UsageError where it fails, or gives anything but a row of numbers a name.
+    """
+    embedding = plugin(SIMILARITY, name)
+    if embedding is None:
+        return None
+
+    def embed(names: Sequence[str]) -> Vectors:
+        rows = np.asarray(embedding(list(names)), dtype=np.float64)
+        if rows.ndim != _TABLE or len(rows) != len(names):
+            told = f"the plug-in “{name}” gave vectors of the shape {rows.shape} for {len(names)} names"
+            raise UsageError(told, hint="It gives a row a name.", code="plugin")
+        lengths = np.linalg.norm(rows, axis=1, keepdims=True)
+        return rows / np.where(lengths == 0, 1.0, lengths)
+
+    return CosineSimilarity(embed)
 
 
 @lru_cache(maxsize=2)

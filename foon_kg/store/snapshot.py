@@ -50,9 +50,18 @@ class Snapshot:
         return nullcontext(self)
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """Nothing: all of it are videos."""
+        return {}
+
+    @property
     def memory(self) -> None:
         """A snapshot keeps no reference trees: it is gone with the program that has it."""
         return
+
+    def moved(self) -> bool:
+        """Return that it stays as it is."""
+        return False
 
     def vocabulary(self) -> Vocabulary:
         """Answer the words that the FOON knows."""

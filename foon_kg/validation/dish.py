@@ -13,6 +13,9 @@ from foon_kg.validation.robot import of_world
 from foon_kg.world import Happening, Part, Vessel
 from foon_kg.world.becoming import meets
 
+_GROUND = 4
+"""As fine as this (crushed, grated), a topping binds what it is stirred into."""
+
 
 def defined(case: Case) -> Iterator[Finding]:
     """K5: what defines the named dish is in it, it is finished, and a hot dish was heated."""
@@ -187,7 +190,8 @@ def sense(case: Case) -> Iterator[Finding]:
         if happening.does("dry"):
             yield from _ungreased(case, happening)
     yield from _misread(case)
-    toppings = {part.name for part in case.parts if part.food.is_a("topping") and part.mixed is not None}
+    stirred = [part for part in case.parts if part.food.is_a("topping") and part.mixed is not None]
+    toppings = {part.name for part in stirred if part.fine < _GROUND}
     if toppings:
         yield Finding("K7", f"{names(toppings)} belongs on top and is stirred in", minor=True)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from foon_kg.food import singular, words
-from foon_kg.model import DISH_TYPES, ObjectNode, RequiredIngredient
+from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case
 from foon_kg.validation.dish import missing_namesakes
 from foon_kg.validation.report import Finding
@@ -133,18 +133,17 @@ def complete(case: Case) -> Iterator[Finding]:
         return
     declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
     declared |= {(singular(e.object), e.equivalent or "") for e in case.tree.substitutions or () if e.kind == "state"}
+    shown: dict[str, set[str]] = {}
+    for node in case.tree.nodes:
+        shown.setdefault(singular(node.label), set()).update(node.states)
     for wanted in sorted(set(case.required)):
         food = singular(wanted.object)
-        shown = any(_is(node, wanted) for node in case.tree.nodes)
-        if not shown and (food, wanted.state) not in declared:
+        is_shown = food in shown and (not wanted.state or wanted.state in shown[food])
+        if not is_shown and (food, wanted.state) not in declared:
             state = f" in the state “{wanted.state}”" if wanted.state else ""
             yield Finding("C4", f"no node of the tree is {wanted.object}{state}, as required")
         if food not in case.parts_by_name:
             yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
-
-
-def _is(node: ObjectNode, wanted: RequiredIngredient) -> bool:
-    return singular(node.label) == singular(wanted.object) and (not wanted.state or wanted.state in node.states)
 
 
 def nothing_else(case: Case) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from typing import Annotated, Any, TypeVar
 
 from mcp.server import MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
+from mcp.server.mcpserver.prompts import Prompt
 from mcp_types import ToolAnnotations
 from pydantic import Field
 
@@ -50,7 +51,43 @@ def agent_server(service: FoonService, cypher: Cypher | None = None) -> MCPServe
     server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING")
     for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher):
         server.add_tool(tool, annotations=_LOOKS)
+    for prompt in (cook_with, what_can_i_make, explore_graph):
+        server.add_prompt(Prompt.from_function(prompt))
     return server
+
+
+def cook_with(
+    ingredients: Annotated[str, Field(description="What there is, with commas: “chopped onion, egg, cheddar”.")],
+    dish: Annotated[str, Field(description="The dish type (salad, soup, …); empty for the one that fits best.")] = "",
+) -> str:
+    """Plan a dish from these ingredients, and tell a cook how to make it."""
+    wanted = f"a {dish}" if dish else "the dish that fits best"
+    return (
+        f"I have: {ingredients}. Plan {wanted} with the tool “plan” (one entry an ingredient, its state first). "
+        "Tell me the steps in order in plain sentences, with the video that shows each. Then say what was guessed: "
+        "every substitution with its confidence, every assumption, and every food that is like nothing known. Add no "
+        "step that the plan does not have. Where there is no tree, say what is missing."
+    )
+
+
+def what_can_i_make(
+    foods: Annotated[str, Field(description="What is at hand, with commas.")],
+) -> str:
+    """Name the dishes nearest to what is at hand, and what is missing for each."""
+    return (
+        f"I have: {foods}. Ask the tool “suggest” what can be made of it. Name the best three dishes, what each takes "
+        "of mine, and what is missing. For what is missing ask “similar” whether something of mine can stand for it, "
+        "and say how sure that is."
+    )
+
+
+def explore_graph(question: Annotated[str, Field(description="What you want to know of the FOON.")]) -> str:
+    """Answer a question about the FOON with Cypher that only looks."""
+    return (
+        f"Answer from the graph: {question} Ask with the tool “cypher”; its description has the model of the graph. "
+        "Begin with a count, take parameters for names, show the query that gave the answer, and say so where the "
+        "graph has no answer. Labels and properties that the answer's warnings name do not exist."
+    )
 
 
 class _Tools:
@@ -87,7 +124,8 @@ class _Tools:
         """Ask the graph in Cypher; whatever does more than look at the graph is refused.
 
         (:Object {label, states, ingredients, relation, container})-[:INPUT_OF]->(:Motion {verb})-[:OUTPUTS]->(:Object);
-        (:Motion)-[:SEEN_IN {position, start, end}]->(:Video {name}); (:Object)-[:CALLED]->(:Label {name}).
+        (:Motion)-[:SEEN_IN {position, start, end}]->(:Video {name}); (:Object)-[:CALLED]->(:Label {name});
+        (:Motion)-[:NEXT {video, position}]->(:Motion); o.utensil marks knives and bowls.
         """
         ask = self._cypher
         if ask is None:

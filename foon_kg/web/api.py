@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Collection
+from collections.abc import AsyncIterator, Callable, Collection, Sequence
 from contextlib import asynccontextmanager
 from importlib import resources
 from pathlib import Path
@@ -14,6 +14,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse, Response
 from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
+from starlette.routing import BaseRoute, Route
 from starlette.staticfiles import StaticFiles
 
 from foon_kg import __version__
@@ -21,11 +22,13 @@ from foon_kg.formats.pictures.svg import dark_colours
 from foon_kg.model.errors import FoonError
 from foon_kg.planning.settings import Substitute
 from foon_kg.web import asking, telling, telling_plans
+from foon_kg.web.api_page import api_page
 from foon_kg.web.asked_before import AskedBefore, edition_told, told
 from foon_kg.web.callers import Callers
 from foon_kg.web.explore.cypher import CypherDesk
 from foon_kg.web.explore.routes import router as explore_router
 from foon_kg.web.limits import BodyLimit, CrowdLimit, Limits, RateLimit
+from foon_kg.web.metrics import Metered, Metrics
 from foon_kg.web.questions import (
     BusyError,
     ExamplesQuestion,
@@ -38,6 +41,8 @@ from foon_kg.web.questions import (
 )
 from foon_kg.web.security import HEADERS, KnownHosts, SecurityHeaders, TokenRequired
 from foon_kg.web.service import FoonService
+from foon_kg.web.teach.routes import router as teach_router
+from foon_kg.web.watching import router as watching
 from foon_kg.web.words import FoonWords, Kind
 
 _REFUSALS: dict[int | str, dict[str, Any]] = {
@@ -90,7 +95,9 @@ def web_app(
     ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk the explorer takes questions in Cypher.
     """
     limits = limits or Limits()
+    metrics = Metrics(())
     middleware = [
+        Middleware(Metered, metrics=metrics),
         Middleware(SecurityHeaders),
         Middleware(CrowdLimit, limits=limits),
         Middleware(KnownHosts, names=names, public=public),
@@ -104,18 +111,24 @@ def web_app(
         version=__version__,
         description="Task trees for cooking, planned from a functional object-oriented network.",
         openapi_url="/api/openapi.json",
-        docs_url=None,  # those pages fetch their program from elsewhere
+        docs_url=None,  # those pages fetch their program from elsewhere: see _api_described
         redoc_url=None,
         middleware=middleware,
         lifespan=_closing(service),
     )
-    app.state.service, app.state.limits, app.state.cypher = service, limits, cypher
+    app.state.service, app.state.limits, app.state.cypher, app.state.metrics = service, limits, cypher, metrics
     app.include_router(router)
     app.include_router(explore_router, prefix="/api", responses=REFUSALS)
+    app.include_router(watching)
+    app.add_api_route("/api/docs", _api_described, include_in_schema=False)
+    app.include_router(teach_router, prefix="/api", responses=REFUSALS)
     app.add_api_route("/picture.css", _picture_colours, include_in_schema=False)
     app.add_api_route("/stage.js", _stage, include_in_schema=False)
     app.add_api_route("/explore", _explore_page, include_in_schema=False)
+    metrics.paths = _paths(router.routes, watching.routes, app.routes, explore_router.routes)
     app.mount("/explore", StaticFiles(directory=_folder("foon_kg.web.explore")))
+    app.add_api_route("/teach", _teach_page, include_in_schema=False)
+    app.mount("/teach", StaticFiles(directory=_folder("foon_kg.web.teach")))
     app.mount("/", StaticFiles(directory=_folder("foon_kg.web"), html=True))
     app.add_exception_handler(FoonError, _told)
     app.add_exception_handler(RequestValidationError, _invalid)
@@ -175,6 +188,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         chosen,
         tuple(asked.avoid),
         tuple(asked.kitchen),
+        asked.after,
         explain=asked.explain,
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
@@ -190,11 +204,12 @@ async def plan_again(
     avoid: Annotated[list[asking.Words], _AVOIDED] = [],  # noqa: B006 - FastAPI copies it
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
     *,
+    after: asking.After = "",
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
     return await _answered(
-        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), explain=explain)
+        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), after, explain=explain)
     )
 
 
@@ -242,7 +257,7 @@ def _invalid(_: Request, error: Exception) -> Response:
         raise error
     first = error.errors()[0]
     place = ".".join(map(str, first["loc"]))
-    told = FoonError(f"{place}: {first['msg']}", hint="See /api/openapi.json.", code="request")
+    told = FoonError(f"{place}: {first['msg']}", hint="See /api/docs.", code="request")
     return Response(Reply.of_error(told).body, 422, media_type="application/json")
 
 
@@ -250,7 +265,7 @@ def _refused(_: Request, error: Exception) -> Response:
     if not isinstance(error, HTTPException):
         raise error
     code = {400: "request", 404: "unknown", 405: "method"}.get(error.status_code, "http")
-    told = {"code": code, "message": error.detail, "hint": "See /api/openapi.json."}
+    told = {"code": code, "message": error.detail, "hint": "See /api/docs."}
     return JSONResponse({"error": told}, error.status_code, error.headers)
 
 
@@ -269,14 +284,31 @@ def _stage() -> Response:
     return Response(program, media_type="text/javascript")
 
 
+def _api_described(request: Request) -> Response:
+    """Answer the page that describes the API: what a browser would have to run for it is against its policy."""
+    return Response(api_page(request.app.openapi()), media_type="text/html")
+
+
 def _explore_page() -> Response:
     """Answer the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
     page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
     return Response(page, media_type="text/html")
 
 
+def _teach_page() -> Response:
+    """Answer the page that teaches."""
+    page = resources.files("foon_kg.web.teach").joinpath("teach.html").read_text(encoding="utf-8")
+    return Response(page, media_type="text/html")
+
+
 def _folder(package: str) -> Path:
     return Path(str(resources.files(package).joinpath("page")))
+
+
+def _paths(*routes: Sequence[BaseRoute]) -> frozenset[str]:
+    """Return the paths under which something is answered, those of the explorer below ``/api`` as well."""
+    found = {route.path for some in routes for route in some if isinstance(route, Route)}
+    return frozenset({"/", *found, *(f"/api{path}" for path in found if path.startswith("/explore/"))})
 
 
 def _closing(service: FoonService) -> Callable[[FastAPI], Any]:

@@ -20,6 +20,14 @@ AT_HAND = (
     "What is at hand: “knife”, “oven, preheated”, “chopped onion”, “egg in carton”. Naming utensils says that there "
     "are no others, and so with foods; of a kind that is not named everything is there."
 )
+After = Annotated[
+    str,
+    Field(
+        max_length=MOST_LETTERS,
+        pattern=r"^[^\x00-\x1f\x7f]*$",
+        description="The recorded dish, or the video, to make it after; empty for the one that suits best.",
+    ),
+]
 Pairs = Annotated[int, Field(ge=1, le=4)]
 Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
 
@@ -50,6 +58,7 @@ class PlanAsked(Asked):
     substitutes: list[SubstituteAsked] = Field([], max_length=MOST_INGREDIENTS, examples=[[]])
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
     kitchen: Kitchen = []
+    after: After = ""
     explain: bool = Field(default=False, description="Also answer why each ingredient is made as it is.")
     hands: list[Pairs] = Field(
         [], max_length=4, description="Also answer a schedule for each of these pairs of hands.", examples=[[1, 2]]

@@ -7,13 +7,17 @@ import itertools
 from functools import partial
 from typing import Any
 
+import h11
 import uvicorn
 from fastapi import FastAPI
 from uvicorn.protocols.http.h11_impl import H11Protocol
 from uvicorn.server import ServerState
 
+from foon_kg.model.errors import FoonError
 from foon_kg.web.callers import Callers
 from foon_kg.web.limits import Limits
+from foon_kg.web.questions import Reply
+from foon_kg.web.security import HEADERS
 
 _KEPT_OPEN = 5
 """Seconds for which a connection on which nothing more is asked is kept."""
@@ -69,6 +73,15 @@ class PatientProtocol(H11Protocol):
         super().data_received(data)
         if not self.waits():
             self._stop_waiting()
+
+    def send_400_response(self, msg: str) -> None:
+        """Refuse what is no request of HTTP, as every error of this service looks."""
+        reply = Reply.of_error(FoonError(msg.rstrip(".").lower(), hint="Send HTTP/1.1.", code="request"))
+        headers = {**HEADERS, "content-type": "application/json", "connection": "close"}
+        raw = [(name.encode(), value.encode()) for name, value in headers.items()]
+        for event in (h11.Response(status_code=400, headers=raw), h11.Data(data=reply.body), h11.EndOfMessage()):
+            self.transport.write(self.conn.send(event) or b"")
+        self.transport.close()
 
     def on_response_complete(self) -> None:
         """Wait for the next request."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
 from foon_kg.formats.exports.sentences import sentence
@@ -10,8 +10,9 @@ from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.language.plain_lines import amount_in_front
+from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.model.node_json import node_to_json
+from foon_kg.model.node_json import node_to_json, sighting_to_json
 from foon_kg.planning.batch import Answer
 from foon_kg.planning.explanation import Explanation
 from foon_kg.plans.durations import Durations
@@ -20,26 +21,38 @@ from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
 from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.web.evidence import Place, stands_in
 from foon_kg.web.questions import PlanQuestion
-from foon_kg.web.words import seen_at
+from foon_kg.web.words import place_to_see, seen_at
 
 
-def plan_to_json(answer: Answer, question: PlanQuestion, durations: Durations, foon: KnownFoon) -> JsonObject:
+def plan_to_json(
+    answer: Answer,
+    question: PlanQuestion,
+    durations: Durations,
+    foon: KnownFoon,
+    places: Mapping[Place, KnownUnit],
+) -> JsonObject:
     """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
 
-    Why has what the judge says of the plan, who compares it with ``foon``.
+    Why has what the judge says of the plan, who compares it with ``foon``. ``places`` are its units by where they are
+    seen.
     """
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
+    looked_at = [place_to_see(unit.seen_in, plan.reference.videos) for unit in plan.units]
     told: JsonObject = plan.to_json() | {
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
-        "videos": [seen_at(unit.seen_in) for unit in plan.units],
+        "seen": [seen and sighting_to_json(seen) for seen in looked_at],
+        "videos": [seen and seen_at([seen]) for seen in looked_at],
+        "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
         "sentences": [sentence(unit.as_unit(), kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:
+        told["considered"] = [one.to_json() for one in answer.considered]
         told["explanations"] = list(map(explanation_to_json, answer.explanations))
         told["judged"] = check(TaskTree.from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from foon_kg.foon import Foon
+from foon_kg.model import KnownUnit
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.batch import Answer
@@ -16,6 +17,7 @@ from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.validation import KnownFoon
+from foon_kg.web.evidence import Place, by_place
 from foon_kg.web.examples import example_dishes
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
@@ -54,14 +56,14 @@ class PlanningDesk:
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
-        return Reply.of(plan_to_json(answer, question, self._durations, self._known) | {"notes": notes})
+        return Reply.of(plan_to_json(answer, question, self._durations, self._known, self._places) | {"notes": notes})
 
     def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
         asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients)
         chosen, avoided = question.substitutes, question.avoided
-        if not (chosen or avoided or question.kitchen):
+        if not (chosen or avoided or question.kitchen or question.after):
             return self._foon.answer(asked, _NO_WISHES, explain=question.explain)
-        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, explain=question.explain)
+        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, question.after, explain=question.explain)
         with self._foon.answers([asked], settings) as answers:  # nothing is kept ready for what others do not wish
             return next(iter(answers))
 
@@ -75,6 +77,10 @@ class PlanningDesk:
     @cached_property
     def _known(self) -> KnownFoon:
         return KnownFoon.of(self.snapshot.units, self.snapshot.goals())
+
+    @cached_property
+    def _places(self) -> dict[Place, KnownUnit]:
+        return by_place(self.snapshot.units)
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         read = self._at_hand((*question.foods, *question.kitchen))

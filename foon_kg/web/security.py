@@ -102,8 +102,15 @@ class KnownHosts:
         return scheme in {"http", "https"} and (asker.lower() == host.lower() or _name_of(asker) in self.public)
 
 
+GUARDED, OPEN = ("/api/", "/metrics/"), "/api/docs/"
+"""What asks for the token, and what of it does not."""
+
+
 class TokenRequired:
-    """Refuses (401) what asks below ``/api`` without the token; the page itself holds nothing and may be seen."""
+    """Refuses (401) what asks below ``/api``, or for what was counted, without the token.
+
+    The pages themselves hold nothing and may be seen, the one that describes the API too.
+    """
 
     def __init__(self, app: ASGIApp, token: str) -> None:
         self.app = app
@@ -111,7 +118,8 @@ class TokenRequired:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on, or refuse it."""
-        if scope["type"] == "http" and f"{scope['path']}/".startswith("/api/"):
+        path = f"{scope['path']}/" if scope["type"] == "http" else ""
+        if path.startswith(GUARDED) and path != OPEN:
             given = Headers(scope=scope).get("authorization", "").encode()
             if not secrets.compare_digest(given, self.expected):
                 return await refuse(scope, send, 401, _NO_TOKEN, {"www-authenticate": "Bearer"})

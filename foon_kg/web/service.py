@@ -143,6 +143,11 @@ class FoonService:
                 self._kept.popitem(last=False)
             return edition, future
 
+    def there(self) -> tuple[Edition | None, int]:
+        """Return the edition that answers, if any does yet, and how many answers are kept; waits for nobody."""
+        with self._turn:
+            return self._edition, len(self._kept)
+
     def ask(self, question: Question) -> Future[Reply]:
         """Take a question that takes a while; raises what :meth:`asked` raises."""
         return self.asked(question)[1]

@@ -57,6 +57,25 @@ class GoalPassedOver(BaseModel):
     why: str
 
 
+class StandsTold(BaseModel):
+    """A food of a step, the one that a video shows in its place, and how sure it is (0..1) that a cook accepts it."""
+
+    object: str
+    equivalent: str
+    confidence: float
+
+
+class ConsideredTold(BaseModel):
+    """Another dish that was considered: how near its foods are (0..1; ``nearer`` than the taken one's), why not it."""
+
+    goal: Node
+    video: str
+    dish_type: str
+    similarity: float
+    nearer: bool
+    why: str
+
+
 class SubstitutionTold(BaseModel):
     """What stood in the FOON (``equivalent``) where the recipe wants ``required``."""
 
@@ -158,13 +177,15 @@ class ScheduledTold(BaseModel):
 class ScheduleTold(BaseModel):
     """Who does what when, for so many pairs of hands. ``alone`` is how long the steps take one after the other.
 
-    ``shortest`` says that no schedule with these durations can be shorter.
+    ``shortest`` says that no schedule with these durations can be shorter. With ``untimed`` steps nobody knows how long
+    it takes.
     """
 
     hands: int
     length: float
     alone: float
     shortest: bool
+    untimed: int
     steps: list[ScheduledTold]
 
 
@@ -209,10 +230,11 @@ class JudgedTold(BaseModel):
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
-    ``shopping`` are the foods of the kitchen as one buys them; ``videos`` has for each unit the web address of the
-    second in which it is seen, or null, and ``sentences`` what a cook does; ``amounts`` how much of each ingredient of
-    the recipe was asked, or "". Explanations with the judge's findings, schedules and pictures are there where they
-    are asked.
+    ``shopping`` are the foods of the kitchen as one buys them; ``seen`` has for each unit the place to look at, in the
+    video that the plan is made after where that shows it, ``videos`` the web address of its second, or null, ``stands``
+    the foods that stand for others in what was seen, ``sentences`` what a cook does; ``amounts`` how much of each
+    ingredient of the recipe was asked, or "". Explanations with the dishes
+    considered and the judge's findings, schedules and pictures are there where they are asked.
     """
 
     recipe: RecipeTold
@@ -226,10 +248,13 @@ class PlanTold(BaseModel):
     passed_over: list[GoalPassedOver]
     notes: list[str]
     explanations: list[ExplanationTold] | None = None
+    considered: list[ConsideredTold] | None = None
     judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
     shopping: list[Node]
+    seen: list[SeenIn | None]
     videos: list[str | None]
+    stands: list[list[StandsTold]]
     sentences: list[str]
     amounts: list[str]
     pictures: Pictures | None = None

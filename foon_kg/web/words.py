@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
@@ -20,7 +20,7 @@ from foon_kg.similarity.groups import food_groups
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
-Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish"]
+Kind = Literal["ingredient", "food", "avoidable", "object", "thing", "state", "dish", "goal"]
 
 MOST_UNITS = 40
 """How many of the units that make an object, and of those that take it, are told; the rest is counted."""
@@ -49,13 +49,15 @@ class FoonWords:
         """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
 
         An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
-        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food.
+        first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food. A goal is a
+        dish that some video makes.
         """
         if kind == "ingredient":
             return self._ingredients(text, limit)
         names = {
             "food": self.foods, "avoidable": (*food_groups().groups, *self.foods), "object": self._objects,
             "thing": self._objects, "state": self.states, "dish": self.dish_types,
+            "goal": self._goals,
         }[kind]  # fmt: skip
         found = _matching(dict.fromkeys(names), text.strip().lower())
         if kind == "thing":
@@ -109,6 +111,10 @@ class FoonWords:
         return [f"{state} {food}" for food in foods][:limit]
 
     @cached_property
+    def _goals(self) -> list[str]:
+        return sorted({goal.node.label for goal in self.snapshot.goals()})
+
+    @cached_property
     def _objects(self) -> list[str]:
         return sorted(self._units_by_label)
 
@@ -122,9 +128,18 @@ class FoonWords:
         return units
 
 
-def seen_at(sightings: Sequence[Sighting]) -> str | None:
-    """Answer the web address of the second in which a unit is seen (at the first place with a time), or ``None``."""
-    seen = next((one for one in sightings if one.start is not None), sightings[0] if sightings else None)
+def place_to_see(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> Sighting | None:
+    """Return of all places where a unit is seen the one to look at, or ``None`` where there is none.
+
+    It is in one of ``videos``, where one of them shows it; of those the first that has a time.
+    """
+    own = [one for one in sightings if one.video in videos] or sightings
+    return next((one for one in own if one.start is not None), own[0] if own else None)
+
+
+def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str | None:
+    """Return the web address of the second in which a unit is seen, as :func:`place_to_see` says, or ``None``."""
+    seen = place_to_see(sightings, videos)
     if seen is None or seen.source is None or urlsplit(seen.source).scheme not in {"http", "https"}:
         return None
     return video_address(seen.source, seen.start)

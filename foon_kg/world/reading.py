@@ -12,6 +12,9 @@ from foon_kg.model import ObjectNode
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
 """Relations whose ``[]`` is not where a thing is, but what is on it."""
 
+MOST_READ = 1 << 16
+"""For how many nodes it is kept what they say."""
+
 _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")
 
 
@@ -64,6 +67,8 @@ class Reader:
         """Return what ``node`` says."""
         said = self._read.get(node)
         if said is None:
+            if len(self._read) >= MOST_READ:
+                self._read.clear()
             said = self._read[node] = self._said(node)
         return said
 
@@ -107,7 +112,7 @@ class Reader:
 def _place_in_states(node: ObjectNode) -> str | None:
     """Return the place that a loader kept among the states, as it does of a node with two: ``on [cutting board]``."""
     for state in node.states:
-        found = _PLACE.fullmatch(state.lower())
+        found = _PLACE.fullmatch(state.lower()) if state.endswith("]") else None
         if found:
             return singular(found.group(1))
     return None

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from foon_kg.model import ObjectNode
 
 
-@dataclass(frozen=True)
-class Mention:
+class Mention(NamedTuple):
     """An object node as a tree mentions it.
 
     ``thing`` is the number of the thing that it is, ``container_thing`` that of its container; ``None`` where the tree

@@ -6,6 +6,8 @@ cooked. Mixing in a hot pot does not cook.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from foon_kg.food.lists import word_list
 from foon_kg.world import power
 from foon_kg.world.happening import Happening
@@ -32,9 +34,11 @@ _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 def apply(supply: Supply, happening: Happening) -> None:
     """Write down what the step did to its foods."""
     happening.treated = _treated(happening)
-    for lump in happening.treated:
-        for part in lump.parts:
-            _treat(part, lump, supply, happening)
+    earned = [treatment for name in sorted(happening.motion.does) for treatment in GIVES.get(name, ())]
+    if earned or happening.does("separate"):
+        for lump in happening.treated:
+            for part in lump.parts:
+                _treat(part, lump, earned, supply, happening)
     if happening.does("heat", "warm"):
         happening.heated = power.heated_vessels(happening)
         happening.in_oven = any(power.stands_in_oven(vessel) for vessel in happening.heated)
@@ -42,9 +46,11 @@ def apply(supply: Supply, happening: Happening) -> None:
             vessel.hot = True
         _heat(supply, happening)
     _join(happening)
+    before = {state for mention in happening.step.inputs for state in mention.node.states}
     for said in happening.said_out:
         if said.is_food:
-            _claimed(said, happening.outputs.get(said.node), supply, happening)
+            fresh = [state for state in said.node.states if state not in before]
+            _claimed(said, fresh, happening.outputs.get(said.node), supply, happening)
 
 
 def _treated(happening: Happening) -> list[Lump]:
@@ -61,13 +67,12 @@ def _treated(happening: Happening) -> list[Lump]:
     return changed or [*out, *went_in]
 
 
-def _treat(part: Part, lump: Lump, supply: Supply, happening: Happening) -> None:
+def _treat(part: Part, lump: Lump, earned: Sequence[str], supply: Supply, happening: Happening) -> None:
     if part.remains:
         return
-    for name in sorted(happening.motion.does):
-        for treatment in GIVES.get(name, ()):
-            part.done.setdefault(treatment, happening.number)
-        part.fine = max(part.fine, FINE.get(name, 0)) if name != "cut" else part.fine
+    for treatment in earned:
+        part.done.setdefault(treatment, happening.number)
+    part.fine = max(part.fine, *(FINE.get(name, 0) for name in happening.motion.does if name != "cut"), 0)
     became = supply.reader.tables.foods.food(lump.label, lump.states)
     comes_off = happening.does("grate") and became.is_a(*word_list("is grated off the whole"))
     if comes_off or (happening.does("separate") and became.is_a("liquid")):
@@ -132,14 +137,13 @@ def _note(lump: Lump, number: int, *, joins: bool, mixes: bool) -> None:
             part.mixed = number
 
 
-def _claimed(said: Said, lump: Lump | None, supply: Supply, happening: Happening) -> None:
-    """Tell states that this motion cannot give (K4), and that nothing earned (K7)."""
-    if lump is None or lump in happening.made:
+def _claimed(said: Said, fresh: Sequence[str], lump: Lump | None, supply: Supply, happening: Happening) -> None:
+    """Tell fresh states that this motion cannot give (K4), and that nothing earned (K7)."""
+    if not fresh or lump is None or lump in happening.made:
         return
-    before = {state for mention in happening.step.inputs for state in mention.node.states}
-    for state in said.node.states:
+    for state in fresh:
         row = supply.reader.tables.state(state)
-        if state in before or row.sold or not (row.earns or row.fine):
+        if row.sold or not (row.earns or row.fine):
             continue
         if row.before and not any(one in part.states for part in lump.parts for one in row.before):
             happening.fault(

@@ -30,6 +30,9 @@ READS = {
     ("draft accept", "paths"): ("draft", "accept", "@.csv"),
     ("draft review", "paths"): ("draft", "review", "@.csv", *FILES),
     ("draft review", "--files"): ("draft", "review", "DRAFT", "--files", "@.txt"),
+    ("draft recipes", "paths"): ("draft", "recipes", "@.json", *FILES, "--output", "DRAFTED"),
+    ("draft recipes", "--files"): ("draft", "recipes", "COLLECTION", "--files", "@.txt", "--output", "DRAFTED"),
+    ("draft review", "paths: recipes"): ("draft", "review", "@.jsonl", "--recipe", "r1"),
     ("draft text", "paths"): ("draft", "text", "@.txt", *FILES, "--output", "OUT"),
     ("draft text", "--files"): ("draft", "text", "TEXT", "--files", "@.txt", "--output", "OUT"),
     ("draft videos", "paths"): ("draft", "videos", "@.csv", *FILES, "--output", "OUT"),
@@ -49,6 +52,8 @@ READS = {
     ("export", "--recipe"): ("export", "PLAN", "--format", "markdown", "--recipe", "@.json"),
     ("export", "--weights"): ("export", "PLAN", "--format", "graphml", "--weights", "@.json"),
     ("export", "--files"): ("export", "--format", "dot", "--files", "@.txt"),
+    ("load drafts", "paths"): ("load", "drafts", "@.jsonl", "--dry-run"),
+    ("load drafts", "paths: gzip"): ("load", "drafts", "@.jsonl.gz", "--dry-run"),
     ("load foon", "paths"): ("load", "foon", "@.txt", "--dry-run"),
     ("load muhai", "paths"): ("load", "muhai", "@.lisp", "--dry-run"),
     ("load recipes", "paths"): ("load", "recipes", "@.jsonl", "--dry-run"),
@@ -75,13 +80,18 @@ READS = {
     ("stats", "--files"): ("stats", "--files", "@.txt"),
     ("suggest", "--kitchen"): ("suggest", "onion", "--kitchen", "@.txt", *FILES),
     ("suggest", "--files"): ("suggest", "onion", "--files", "@.txt"),
+    ("draft recipes", "-o"): ("draft", "recipes", "COLLECTION", *FILES, "--output", "@.jsonl"),
 }
-"""By command and option: ``@.txt`` is the special file; PLAN, TEXT, DRAFT, NARRATED and OUT are good ones beside it."""
+"""By command and option: ``@.txt`` is the special file; words in capitals are good ones beside it (:data:`GOOD`).
+
+What would begin a file anew comes last.
+"""
 
 ONLY_WRITES = {
     "--report",
     "--html",
     "--scores-to",
+    ("draft review", "-o"),
     ("draft text", "-o"),
     ("draft videos", "-o"),
     ("export", "-o"),
@@ -108,7 +118,15 @@ def main(folder: Path) -> None:
         print(json.dumps(told), flush=True)
 
 
-GOOD = {"PLAN": "plan.json", "TEXT": "soup.txt", "DRAFT": "draft.csv", "NARRATED": "narrated.csv", "OUT": "drafts"}
+GOOD = {
+    "PLAN": "plan.json",
+    "TEXT": "soup.txt",
+    "DRAFT": "draft.csv",
+    "NARRATED": "narrated.csv",
+    "COLLECTION": "recipes.json",
+    "DRAFTED": "drafted.jsonl",
+    "OUT": "drafts",
+}
 
 
 def _place(words: tuple[str, ...]) -> int:

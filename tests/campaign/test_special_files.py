@@ -70,6 +70,8 @@ def good(tmp_path):
     (folder / GOOD["DRAFT"]).write_text(
         f"{head}\n0,1,chop,onion (whole);knife,onion (chopped),,0.5,,,\n", encoding="utf-8"
     )
+    recipe = {"id": "r1", "title": "Soup", "ingredients": ["onion"], "instructions": ["Chop the onion."]}
+    (folder / GOOD["COLLECTION"]).write_text(json.dumps([recipe]), encoding="utf-8")
     (folder / GOOD["NARRATED"]).write_text(
         "narration_id,participant_id,video_id,narration_timestamp,start_timestamp,stop_timestamp,start_frame,stop_frame,"
         "narration,verb,verb_class,noun,noun_class,all_nouns,all_noun_classes\n"

@@ -89,7 +89,7 @@ def test_without_a_dish_type_nothing_is_written_to_a_file_that_goes_on(tmp_path)
 
 
 def test_enumerate_lists_candidates_in_order_beside_the_exact_search():
-    answer = foon("plan", *SALAD, "--enumerate", "--most", "50", "--json", "--quiet")
+    answer = foon("plan", *SALAD, "--enumerate", "--limit", "50", "--json", "--quiet")
     value = json.loads(answer.stdout)
     ranks = [(tree["penalty"], -tree["overlap"], tree["units"]) for tree in value["candidates"]]
     assert ranks == sorted(ranks)
@@ -102,7 +102,7 @@ def test_enumerate_lists_candidates_in_order_beside_the_exact_search():
 
 @pytest.mark.slow
 def test_enumerate_says_when_it_stopped_and_when_these_were_all():
-    some = foon("plan", *SALAD, "--enumerate", "--most", "20")
+    some = foon("plan", *SALAD, "--enumerate", "--limit", "20")
     assert "Stopped after 20 combinations of producers" in some.stdout
     assert "The exact search chooses" in some.stdout
     every = foon("plan", "--dish", "drinks", "milk", "banana", "--enumerate")
@@ -118,7 +118,7 @@ def test_enumerate_is_a_form_of_its_own(other):
 
 
 def test_suggest_names_dishes_with_what_is_missing_and_left_over():
-    answer = foon("suggest", "egg", "onion", "grated cheddar", "--most", "2")
+    answer = foon("suggest", "egg", "onion", "grated cheddar", "--limit", "2")
     assert answer.exit_code == 0, answer.stderr
     for words in ("(omelette): ", "takes cheddar, egg", "missing butter, milk, salt", "leaves onion"):
         assert words in answer.stdout

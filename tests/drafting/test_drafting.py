@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from math import exp
 
@@ -13,11 +14,11 @@ from hypothesis import strategies as st
 from foon_kg.language.drafting import draft
 from foon_kg.language.drafting.calibration import ACTIONS, probability
 from foon_kg.language.drafting.drafting import plain_name
-from foon_kg.language.drafting.nodes import done
 from foon_kg.language.drafting.tables import read_draft, write_draft
+from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import ObjectNode
-from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
 
 FOON = precedents()
 
@@ -29,6 +30,12 @@ def action(verb, *objects, to=None, **fields):
 
 def drafted(*actions, **wishes):
     return draft(Narration("video", tuple(actions)), FOON, **wishes)
+
+
+def from_text(*actions):
+    """Draft the actions as if they had been read in free text."""
+    narration = Narration("video", tuple(actions), (Sentence("as it was said"),))
+    return [row.annotation.unit for row in draft(narration, FOON).units]
 
 
 def units(*actions):
@@ -116,7 +123,8 @@ def test_verbs_are_read_by_their_words_their_stems_and_the_table():
     assert verbs.reading("Chopping").motions == ("chop",)
     assert verbs.reading("put-down").motions == ("pick-and-place",)
     assert verbs.reading("chop").confidence > verbs.reading("chopping").confidence > verbs.reading("put").confidence
-    assert not verbs.reading("squeeze it out").motions
+    assert verbs.reading("squeeze it out").motions == ("squeeze",), "the table of motions knows it, the FOON does not"
+    assert not verbs.reading("ponder it").motions
 
 
 def test_the_dish_is_what_is_made_last():
@@ -188,8 +196,8 @@ def test_what_a_verb_does_to_a_food_is_its_state_where_the_foon_does_not_say():
     twice = drafted(action("peel", "onion"), action("peel", "onion"))
     assert len(twice.units) == 1, "what is peeled can become no more so"
     assert twice.left_out[0].reason == "nothing is said that peel would change: left out"
-    (cook,) = drafted(NarratedAction("cook", (Mention("potato"),))).units
-    assert "cooked" in cook.annotation.unit.output_nodes[0].states
+    (*_, cook) = drafted(NarratedAction("cook", (Mention("potato"),))).units
+    assert "cooked" in next(node for node in cook.annotation.unit.output_nodes if node.label == "potato").states
     assert done("coat") == "coated"
     assert done("flip") == "flipped"
     assert done("slice") == "sliced"
@@ -243,3 +251,62 @@ def test_what_was_taken_out_of_something_comes_from_there():
 def test_a_thing_is_called_as_the_kitchen_calls_it():
     (unit,) = units(action("pour", "onion", to="dirty bowl"))
     assert ObjectNode("bowl", (), ("onion",)) in unit.output_nodes
+
+
+def test_what_cooks_is_lit_once_and_a_bowl_stays_out_of_the_fire():
+    pour, light, moved, cook = from_text(action("pour", "potato", to="bowl"), action("cook", "potato"))
+    assert light.output_nodes == (ObjectNode("stove", ("on",)),)
+    assert light.output_nodes[0] in cook.input_nodes
+    assert "bowl" in {node.label for node in moved.input_nodes}
+    assert {node.container for node in cook.input_nodes if node.label == "potato"} == {"pot"}
+    assert pour.motion == "pour"
+
+
+def test_what_nobody_names_is_what_is_at_hand():
+    mix, stir = units(action("mix", "egg", "flour", to="bowl"), action("shake"))
+    (mixture,) = [node for node in mix.output_nodes if node.ingredients and node.container]
+    assert mixture in stir.input_nodes
+
+
+def test_a_mixture_is_called_by_what_is_in_it():
+    mixed = (action("mix", "egg", "flour", to="bowl"), action("mix", "onion", "salt", to="pot"))
+    (_, _, pour) = units(*mixed, action("pour", "flour mixture", to="pan"))
+    assert "egg mixture" in {node.label for node in pour.input_nodes}
+    (_, _, pour) = units(*mixed, action("pour", "onion mixture", to="pan"))
+    assert "onion mixture" in {node.label for node in pour.input_nodes}
+
+
+def test_foods_that_come_together_for_the_first_time_get_a_bowl_of_their_own():
+    first, second = units(action("mix", "egg", "flour"), action("mix", "onion", "salt"))
+    bowls = [{node.label for node in unit.output_nodes if node.ingredients} for unit in (first, second)]
+    assert bowls[0].isdisjoint(bowls[1])
+    assert not any("egg" in node.ingredients for node in second.output_nodes)
+
+
+def test_what_is_mixed_in_joins_what_is_at_hand():
+    into = (Place("into", "it"),)
+    _, mix = units(action("mix", "egg", "flour"), NarratedAction("mix", (Mention("salt"),), into))
+    (mixture,) = [node for node in mix.output_nodes if node.container]
+    assert set(mixture.ingredients) == {"egg", "flour", "salt"}
+
+
+def test_another_bowl_is_another_one_and_the_bowl_the_same():
+    egg = replace(action("mix", "egg", "flour"), places=(Place("in", "bowl"),))
+    other = replace(action("mix", "onion", "salt"), places=(Place("in", "bowl"),), said="mix onion in another bowl")
+    same = replace(other, said="mix onion in the bowl")
+    assert not any("egg" in node.ingredients for node in units(egg, other)[1].output_nodes)
+    assert any("egg" in node.ingredients for node in units(egg, same)[1].output_nodes)
+
+
+def test_what_is_put_into_a_fridge_is_chilled_there():
+    into = replace(action("pick-and-place", "it"), places=(Place("in", "fridge"),))
+    _, chill = units(action("mix", "egg", "flour", to="bowl"), into)
+    assert chill.motion == "refrigerate"
+    assert {node.container for node in chill.output_nodes} <= {"bowl", None}
+
+
+@pytest.mark.parametrize("name", ["egg mixture", "it", "dough", "the mixture", "everything"])
+def test_no_mixture_is_made_of_itself(name):
+    into = (Place("into", name),)
+    made = units(action("mix", "egg", "flour"), NarratedAction("mix", (Mention("salt"),), into), action("mix", name))
+    assert not [node for unit in made for node in unit.output_nodes if node.label in node.ingredients]

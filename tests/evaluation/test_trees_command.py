@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
-import sys
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 from validation.soups import SOUP, SUBGRAPHS, salad, soup, without
 
-from foon_kg.cli import app, console, evaluate_trees
+from foon_kg.cli import app
 from foon_kg.demo import demo_folder
 from foon_kg.loaders import write_text
 from foon_kg.validation import RULES
@@ -155,20 +153,3 @@ def test_every_recorded_video_is_judged(evaluate):
     every = value["dish_types"][-1]
     assert every["trees"] == 111
     assert sum(dish["trees"] for dish in value["dish_types"][:-1]) == 111
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="a terminal is made with pty, which Windows has not")
-@pytest.mark.parametrize(("after", "shown"), [(0.0, True), (3600.0, False)])
-def test_progress_is_shown_on_a_terminal_where_it_takes_long(monkeypatch, after, shown):
-    terminal, end = os.openpty()
-    monkeypatch.setenv("TERM", "xterm")
-    with os.fdopen(end, "w") as stream, os.fdopen(terminal, "rb", buffering=0) as written:
-        monkeypatch.setattr(sys, "stderr", stream)
-        assert list(console.progress_bar(iter("abc"), 3, 0, after)) == ["a", "b", "c"]
-        stream.write("end")
-        stream.flush()
-        text = b""
-        while b"end" not in text:
-            text += written.read(65536)
-    assert (b"3/3" in text) == shown
-    assert evaluate_trees.SHOWN_AFTER == 1.0

@@ -128,5 +128,5 @@ def test_a_load_says_in_one_line_what_no_table_has(folder):
 
 def test_a_command_that_reads_files_says_so_too(folder):
     answer = foon("stats", "--files", folder)
-    assert "3 words are in no table of foon-kg" in answer.stderr
+    assert "3 words in no table in these files" in answer.stderr
     assert "xylocarp" not in foon("stats", "--files", folder, "--quiet").stderr

@@ -12,18 +12,15 @@ from integration import videos
 from integration.school import SALAD
 from integration.told import Likes, snapshot_of
 
-from foon_kg.food import tables
-from foon_kg.goals.choice import (
-    MOST_FITTED,
-    fits,
-    missing_core,
-    named_alike,
-    refusals,
-    shortlisted,
-    weight,
-)
+from foon_kg.food import singular, tables
+from foon_kg.goals.asked import Asked, weight
+from foon_kg.goals.choice import MOST_FITTED, fits, refusals, shortlisted
+from foon_kg.goals.names import named_alike
+from foon_kg.goals.recorded import recorded
+from foon_kg.goals.score import missing_core
+from foon_kg.integration.layouts import MAIN, is_need
 from foon_kg.integration.outlines import Outline, Outlines, closing_heat
-from foon_kg.integration.places import Matcher
+from foon_kg.integration.places import NATURAL, Joiners, Matcher
 from foon_kg.integration.preparation import wants_of
 from foon_kg.model import RequiredIngredient
 
@@ -40,7 +37,7 @@ def wants(**foods):
 
 
 def chosen(asked, dish_type, title="", layouts=LAYOUTS):
-    return fits(layouts, asked, dish_type, title, Matcher(METHODS.posts, LIKES.alike))
+    return fits(layouts, Asked(asked, dish_type, title, KNOWN), Matcher(METHODS.posts, LIKES.alike, asked))
 
 
 def layout(video):
@@ -79,7 +76,8 @@ def test_each_food_joins_once_and_in_its_own_form_where_the_dish_has_such_a_food
 
 def test_of_equally_like_foods_the_first_is_the_place():
     both = Likes({("kohlrabi", "onion"): 0.9, ("kohlrabi", "potato"): 0.9})
-    (best,) = fits([layout("forgetful_soup")], wants(kohlrabi="diced"), "soup", "", Matcher(METHODS.posts, both.alike))
+    asked = Asked(wants(kohlrabi="diced"), "soup", "", KNOWN)
+    (best,) = fits([layout("forgetful_soup")], asked, Matcher(METHODS.posts, both.alike, asked.wants))
     assert [slot.food for slot in layout("forgetful_soup").frame.line.all_slots()].index("potato") == 1
     assert best.joins[0].slot.food == "potato"
 
@@ -145,8 +143,9 @@ def test_what_defines_a_dish_is_asked_of_type_and_title():
 
 
 def test_a_goal_promises_what_its_name_says():
-    assert missing_core(layout("tomato_sandwich").frame, wants(salt="granulated"), KNOWN)
-    assert missing_core(layout("tomato_sandwich").frame, wants(bread="sliced"), KNOWN) == ()
+    sandwich = recorded(layout("tomato_sandwich"), KNOWN)
+    assert missing_core(sandwich, Asked(wants(salt="granulated"), "sandwich", "", KNOWN))
+    assert missing_core(sandwich, Asked(wants(bread="sliced"), "sandwich", "", KNOWN)) == ()
 
 
 @pytest.mark.parametrize(
@@ -173,7 +172,7 @@ def test_what_a_dish_is_built_on_weighs_most_and_what_seasons_least():
 
 
 def test_the_shortlist_has_the_type_first_and_no_dish_that_ends_otherwise():
-    keys = shortlisted(Outlines(OUTLINES), SOUP, "soup", "", known=KNOWN, likes=LIKES)
+    keys = shortlisted(Outlines(OUTLINES), Asked(SOUP, "soup", "", KNOWN), LIKES)
     found = [next(one for one in OUTLINES if one.key == key) for key in keys]
     assert found[0].dish_type == "soup"
     ends = next(one.ends for one in OUTLINES if one.dish_type == "soup")
@@ -194,6 +193,73 @@ def test_the_order_of_frames_does_not_matter(chance: random.Random, dish_type):
     for asked in (SOUP, CAKE):
         assert chosen(asked, dish_type, "", shuffled) == chosen(asked, dish_type)
         outlines = Outlines(chance.sample(OUTLINES, len(OUTLINES)))
-        assert shortlisted(outlines, asked, dish_type, "", known=KNOWN, likes=LIKES) == shortlisted(
-            Outlines(OUTLINES), asked, dish_type, "", known=KNOWN, likes=LIKES
-        )
+        question = Asked(asked, dish_type, "", KNOWN)
+        assert shortlisted(outlines, question, LIKES) == shortlisted(Outlines(OUTLINES), question, LIKES)
+
+
+FOODS = [
+    *SOUP,
+    *CAKE,
+    *wants(spaghetti="dried", tomato="diced", leek="sliced", honey="liquid", chicken="raw", salmon="raw", cucumber=""),
+    *wants(tomato="canned", potato="mashed", chicken="cooked", salmon="smoked", egg="hard-boiled", cucumber="pickled"),
+]
+RECIPES = st.lists(st.sampled_from(FOODS), min_size=1, max_size=5).map(
+    lambda foods: tuple(replace(food, number=number) for number, food in enumerate(dict.fromkeys(foods), start=1))
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.tuples(RECIPES, st.sampled_from(("soup", "cake", "sandwich"))), min_size=2, max_size=4))
+def test_what_is_kept_of_other_recipes_changes_no_choice(asked):
+    joiners = Joiners()
+    for foods, dish_type in asked * 2:
+        question = Asked(foods, dish_type, "", KNOWN)
+        kept = fits(LAYOUTS, question, Matcher(METHODS.posts, LIKES.alike, foods, joiners))
+        assert kept == chosen(foods, dish_type)
+        assert all([join.want for join in fit.joins] == list(foods) for fit in kept)
+
+
+def is_plain(one):
+    """Whether only its slots say where a food joins a dish that has a place for it."""
+    ways = (one.laid, one.bound, one.pan, one.turned, one.batter)
+    side = any(spot.side for spot in one.spots) or any(place.slot.cooked for place in one.places)
+    return not side and not one.made and all(way is None for way in ways)
+
+
+def best_place(one, food, alike):
+    """Return the slot that a food takes and how well: of all places that are looked at, the first of the best."""
+    likely = {post: METHODS.posts.likely(food, post, one.frame.dish_type) for post in one.posts}
+    needs = {n for dish in KNOWN.dishes_named(one.frame.dish_type) for ns in dish.needs for n in ns}
+    mine = {need for need in needs if is_need(need, food.facts)}
+    rows = [(NATURAL - 1e-9, None)]
+    for place in one.places:
+        slot, same = place.slot, place.slot.kind == food.facts.kind
+        if slot.kind == "water" and not food.facts.is_a("liquid", "water", "creamy", "frozen"):
+            continue
+        fit = alike(singular(food.label), slot.food)
+        fit = max(fit, 0.6) if same else fit if slot.kind in food.facts.kinds or fit >= 0.8 else 0.7 * fit
+        fit = 1.0 if slot.food in {singular(food.label), food.facts.taken_for} else fit
+        if mine & place.needs or (mine and place.main and food.facts.is_a(*MAIN)):
+            fit = max(fit, 0.55)
+        share = likely[place.spot.post] / max(likely.values())
+        if NATURAL <= fit < 0.99 and not same:
+            fit *= 0.6 + 0.4 * share if share >= 0.75 else 0.0
+        rows.append((fit, slot))
+    return max(rows, key=lambda row: row[0])
+
+
+PLAIN = [one for one in LAYOUTS if is_plain(one)]
+
+
+@settings(max_examples=100, deadline=None)
+@given(
+    RECIPES, st.sampled_from(PLAIN), st.lists(st.sampled_from((0.0, 0.5, 0.72, 0.8, 0.9, 1.0)), min_size=9, max_size=9)
+)
+def test_a_food_takes_the_best_place_of_all(foods, one, sure):
+    kept = [food for food in foods if not food.facts.is_a("herb", "made", "dough", "ready")]
+    pairs = ((food, place) for food in kept for place in one.places)
+    likes = Likes({(singular(f.label), p.slot.food): sure[n % 9] for n, (f, p) in enumerate(pairs)})
+    for join in Matcher(METHODS.posts, likes.alike, kept).joins(one, kept):
+        fit, slot = best_place(one, join.want, likes.alike)
+        assert join.slot is slot
+        assert slot is None or join.fit == pytest.approx(fit)

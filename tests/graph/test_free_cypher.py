@@ -40,6 +40,11 @@ DISGUISED = (
     "PROFILE CREATE (n:Video {name: 'x'})",
     "EXPLAIN CREATE (n:Video {name: 'x'})",
     "CYPHER 25 PROFILE CREATE (n:Video {name: 'x'})",
+    "PROFILE EXPLAIN CREATE (n:Video {name: 'x'})",
+    "PROFILE PROFILE CREATE (n:Video {name: 'x'})",
+    "PROFILE CALL () { CREATE (n:Video {name: 'x'}) } RETURN 1 AS one",
+    "CYPHER 25 SHOW INDEXES YIELD name CREATE (n:Video {name: name})",
+    "SHOW INDEXES YIELD name CREATE (n:Video {name: name}) RETURN n",
     "cReAtE (n:Video {name: 'x'})",
     "\\u0043REATE (n:Video {name: 'x'})",
     "/* MATCH (n) RETURN n */ CREATE (n:Video {name: 'x'})",
@@ -78,8 +83,15 @@ SERVER = (
     "SHOW SETTINGS",
     "SHOW PROCEDURES",
     "SHOW FUNCTIONS",
-    "SHOW INDEXES",
-    "SHOW CONSTRAINTS YIELD name RETURN name",
+    "SHOW ALL SETTINGS",
+    "SHOW ALL PRIVILEGES",
+    "SHOW INDEXES YIELD name SHOW SETTINGS YIELD value RETURN name, value",
+    "SHOW CONSTRAINTS YIELD name TERMINATE TRANSACTIONS 'x' YIELD message RETURN message",
+    "SHOW TEXT DATABASES",
+    "EXPLAIN SHOW USERS",
+    "PROFILE SHOW TRANSACTIONS",
+    "RETURN 1 AS name UNION SHOW INDEXES YIELD name RETURN name",
+    "CALL () { SHOW INDEXES YIELD name RETURN name } RETURN name",
     "CYPHER 25 SHOW TRANSACTIONS",
     "CALL tx.setMetaData({name: 'x'})",
     "CALL db.clearQueryCaches()",
@@ -121,6 +133,15 @@ LOOKS = (
     "CALL db.index.fulltext.queryNodes('object_words', 'onion') YIELD node RETURN node.label AS label",
     "CALL db.schema.visualization()",
     "EXPLAIN MATCH (n) RETURN n",
+    "SHOW INDEXES",
+    "SHOW INDEX WHERE name = 'object_label'",
+    "SHOW VECTOR INDEXES YIELD name RETURN name",
+    "CYPHER 25 SHOW CONSTRAINTS YIELD name RETURN name",
+    "EXPLAIN SHOW ALL CONSTRAINTS",
+    "show node key constraints",
+    "PROFILE MATCH (o:Object) RETURN count(*) AS n",
+    "CYPHER 5 PROFILE MATCH (o:Object) RETURN count(*) AS n",
+    "CYPHER runtime=slotted profile MATCH (o:Object) RETURN count(*) AS n",
 )
 
 
@@ -201,6 +222,71 @@ def test_a_question_that_takes_too_long_is_given_up(everything):
 def test_what_is_no_cypher_is_told_as_the_database_tells_it(everything):
     with pytest.raises(GraphError, match="Invalid input"):
         ask_freely(everything[0], "MAKE ME A SANDWICH")
+
+
+def test_the_plan_of_a_question_is_an_answer_row_by_row(everything):
+    text = "MATCH (o:Object {label: 'onion'}) RETURN o.states AS states"
+    planned = ask_freely(everything[0], f"EXPLAIN {text}")
+    assert planned.columns == ("operator", "details", "estimated_rows")
+    assert planned.rows[0][0] == "ProduceResults"
+    assert planned.rows[1][0].startswith("  ")
+    profiled = ask_freely(everything[0], f"PROFILE {text}")
+    assert profiled.columns[-2:] == ("rows", "db_hits")
+    found = len(ask_freely(everything[0], text).rows)
+    assert profiled.rows[0][3] == found > 0
+    assert sum(row[4] for row in profiled.rows) > 0
+
+
+def test_to_explain_what_would_write_writes_nothing(everything):
+    connection, look = everything
+    before = look()
+    planned = ask_freely(connection, "EXPLAIN MATCH (n) DETACH DELETE n", write=True)
+    assert "operator" in planned.columns
+    assert look() == before
+
+
+@pytest.mark.parametrize(
+    ("text", "where", "mark"),
+    [
+        ("MATCH (o:Object) RETRN o", "(line 1, column 18)", "RETRN o"),
+        ("  MATCH (o:Object)\n  RETURN x", "(line 2, column 10)", "x"),
+        ("EXPLAIN MATCH (o:Object) RETURN x", "(line 1, column 33)", "x"),
+        ("CYPHER 25\nPROFILE\nMATCH (o:Object) // all\nRETURN o.label,\n foo(o)", "(line 5, column 2)", "foo(o)"),
+        ("/* what */ MATCH (o:Object RETURN o", "(line 1, column 28)", "RETURN o"),
+    ],
+)
+@pytest.mark.parametrize("write", [False, True])
+def test_an_error_stands_where_the_person_typed_it(everything, text, where, mark, write):
+    with pytest.raises(GraphError) as told:
+        ask_freely(everything[0], text, write=write)
+    first, shown, pointer = told.value.message.split("\n")
+    assert first.endswith(where)
+    assert shown[pointer.index("^") :].startswith(mark)
+
+
+def test_an_error_says_what_may_have_been_meant(everything):
+    with pytest.raises(GraphError) as told:
+        ask_freely(everything[0], "MATCH (o:Object) RETRN o")
+    assert told.value.hint == "Did you mean RETURN?"
+    with pytest.raises(GraphError) as told:
+        ask_freely(everything[0], "MATCH (o:Object {label: $x, key: $y}) RETURN o")
+    assert "-P x=VALUE -P y=VALUE" in told.value.hint
+
+
+def test_names_that_nothing_in_the_graph_has_are_told(everything):
+    answer = ask_freely(everything[0], "MATCH (n:Objct)-[:INPUTOF]->()\nRETURN n.labl, n.labl AS again")
+    assert answer.rows == ()
+    assert answer.warnings == (
+        "no node has the label “Objct” (line 1, column 10): did you mean “Object”?",
+        "no relationship has the type “INPUTOF” (line 1, column 19): did you mean “INPUT_OF”?",
+        "nothing has the property “labl” (line 2, column 10): did you mean “label”?",
+    )
+    assert ask_freely(everything[0], "MATCH (n:Object) RETURN n.label AS label").warnings == ()
+
+
+def test_nothing_is_logged_beside_the_answer(everything, caplog):
+    ask_freely(everything[0], "MATCH (n:Objct) RETURN n")
+    assert caplog.records == []
 
 
 def test_with_write_the_graph_changes_and_the_changes_are_counted(empty_graph):

@@ -122,7 +122,6 @@ def test_what_is_boiled_is_boiled_in_something(demo):
     assert "water" in {node.label for node in result.kitchen}
 
 
-@pytest.mark.xfail(strict=True, reason="a trifle is stirred, which its video does not")
 def test_what_is_laid_in_layers_is_not_stirred(demo):
     _, result = planned(ASKED["strawberry_trifle"], [*demo, NEW["strawberry_trifle"]])
     motions = [unit.motion_node for unit in result.units]

@@ -33,6 +33,10 @@ def test_a_chart_has_a_row_a_step_and_says_which_were_never_timed():
     words = texts(schedule_svg(tree, plan))
     for number, unit in enumerate(tree.units, start=1):
         assert any(text.startswith(f"{number} {unit.motion_node} ") for text in words)
+    titles = [one.text for one in ET.fromstring(schedule_svg(tree, plan, 640)).iter(f"{SVG}title")][1:]
+    for step, title in zip(plan.steps, titles, strict=True):
+        known = step.end <= plan.known_until
+        assert title.startswith(f"{clock(step.start)} to {clock(step.end)}: " if known else "nobody knows when: ")
     chopped = sum(unit.motion_node == "chop" for unit in tree.units)
     assert words.count("never timed") == len(tree.units) - chopped
     assert {"pair of hands 1", "pair of hands 2"} <= set(words)
@@ -54,7 +58,8 @@ def test_bars_of_a_chart_stand_where_their_times_are_and_on_the_paper(width):
         assert float(bar.get("x")) == pytest.approx(min(starts) + scale * step.start, abs=0.2)
         assert float(bar.get("width")) == pytest.approx(max(scale * (step.end - step.start), 2), abs=0.2)
         assert float(bar.get("x")) + float(bar.get("width")) <= width
-        told = f"{clock(step.start)} to {clock(step.end)}: step {step.place + 1}"
+        assert plan.untimed == len(plan.steps), "nothing in the demo was ever timed"
+        told = f"nobody knows when: step {step.place + 1}"
         assert row.find(f"{SVG}title").text.startswith(told)
 
 

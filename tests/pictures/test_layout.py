@@ -5,11 +5,11 @@ from __future__ import annotations
 import itertools
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
-from foon_kg.formats.pictures.layout import GAP, _settle, layered
+from foon_kg.formats.pictures.layout import GAP, _settle, banded, layered
 
 NEARLY = 1e-6
 
@@ -95,3 +95,47 @@ def test_places_are_the_closest_to_what_was_wished(rows):
 
     expected = [exact(i) + offset for i, offset in enumerate(offsets)]
     assert _settle(desired, weights, gaps) == pytest.approx(expected)
+
+
+@st.composite
+def in_bands(draw):
+    """Boxes with arrows as above, each in a band that is not above that of any box before it."""
+    sizes, arrows = draw(graphs())
+    steps = draw(st.lists(st.integers(0, 1), min_size=len(sizes), max_size=len(sizes)))
+    return sizes, arrows, list(itertools.accumulate(steps))
+
+
+LINKS = "0-1 2-3 3-4 4-5 1-6 6-7 7-8 5-9 8-10 9-10 7-11 10-12 11-13 12-13 13-14"
+ONE_SALAD = (
+    [(60.0, 30.0)] * 15,
+    [tuple(map(int, one.split("-"))) for one in LINKS.split()],
+    [0] * 7 + [1, 1, 0] + [1] * 5,
+)
+"""The lower band has a long arrow and numbers that are not the first ones."""
+
+
+@settings(max_examples=100)
+@example(ONE_SALAD)
+@given(in_bands())
+def test_all_of_a_band_stands_above_all_of_the_next(graph):
+    sizes, arrows, bands = graph
+    layout = banded(sizes, arrows, bands)
+    boxes = [sides(middle, size) for middle, size in zip(layout.middles, sizes, strict=True)]
+    for one, other in itertools.permutations(range(len(sizes)), 2):
+        if bands[one] < bands[other]:
+            assert boxes[one][3] < boxes[other][2]
+    for left, right, top, bottom in boxes:
+        assert -NEARLY <= left < right <= layout.size[0] + NEARLY
+        assert -NEARLY <= top < bottom <= layout.size[1] + NEARLY
+    for one, other in itertools.combinations(boxes, 2):
+        beside = one[1] + GAP <= other[0] + NEARLY or other[1] + GAP <= one[0] + NEARLY
+        assert beside or one[3] <= other[2] or other[3] <= one[2]
+    assert set(layout.ways) == set(arrows)
+    for (one, other), points in layout.ways.items():
+        heights = [boxes[one][3], *(y for _, y in points), boxes[other][2]]
+        assert all(a <= b + NEARLY for a, b in itertools.pairwise(heights))
+        assert (points[0][0], points[-1][0]) == (layout.middles[one][0], layout.middles[other][0])
+
+
+def test_bands_in_which_an_arrow_leads_back_are_none():
+    assert banded([(10.0, 10.0), (10.0, 10.0)], [(0, 1)], [1, 0]) is None

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import pytest
 from planner.public_foon import public_snapshot
+from planner.told_steps import planned_steps
 
 from foon_kg.food import tables
-from foon_kg.model import Recipe, RequiredIngredient
-from foon_kg.planning.planner import Planner
-from foon_kg.planning.settings import PlanSettings
 
 pytestmark = pytest.mark.shared_data
 KNOWN = tables()
@@ -16,17 +14,7 @@ KNOWN = tables()
 
 @pytest.fixture(scope="module")
 def steps():
-    """Return a function that plans a dish and answers its steps: the labels that go in, the motion, what comes out."""
-    snapshot = public_snapshot()
-    planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
-
-    def plan(dish_type, title, *asked):
-        pairs = (one.rpartition(":")[::2] for one in asked)
-        foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
-        units = planner.plan(Recipe(dish_type, foods, "x", title)).units
-        return [({n.label for n in one.input_nodes}, one.motion_node, one.output_nodes) for one in units]
-
-    return plan
+    return planned_steps(public_snapshot())
 
 
 def with_food(steps, food, motions):

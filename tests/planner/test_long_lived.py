@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from planner.dishes import KITCHEN, SETTINGS, questions
 
+from foon_kg.integration import operators, places
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import likes, references
@@ -16,8 +17,12 @@ from foon_kg.planning.planner import Planner
 from foon_kg.plans.result import PlanFailure
 from foon_kg.search import ground
 from foon_kg.store.snapshot import Snapshot
+from foon_kg.world import reading
 
-ROOM = ((references, "MOST_TREES"), (ground, "MOST_TREES"), (likes, "MOST_KEPT"))
+ROOM = (
+    (references, "MOST_TREES"), (ground, "MOST_TREES"), (likes, "MOST_KEPT"), (operators, "MOST_KEPT"),
+    (places, "MOST_JOINERS"), (places, "MOST_JOINED"), (reading, "MOST_READ"),
+)  # fmt: skip
 
 
 def answer(planner: Planner, recipe: Recipe) -> str:

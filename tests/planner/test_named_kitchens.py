@@ -18,6 +18,7 @@ from foon_kg.model.errors import NoTreeError
 from foon_kg.planning import planner
 from foon_kg.planning.candidates import reference_question
 from foon_kg.planning.planner import Planner, plan
+from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.result import PlanFailure
 from foon_kg.plans.shortage import ShortageError, nearest_first, remedy
@@ -121,6 +122,17 @@ def test_of_dishes_that_lack_a_utensil_so_many_are_tried(monkeypatch):
 def test_of_dishes_that_all_lack_something_the_one_that_lacks_least_is_told():
     at_hand = ("onion", "salt", "cutting board", "knife", "spoon", "plate")
     assert {thing.label for thing in refused(*at_hand, snapshot=UNLIKELIER).missing} == {"tomato"}
+
+
+def test_what_is_missing_is_told_before_any_search_and_of_all_that_are_tried_one_dish_is_searched(monkeypatch):
+    searched = []
+    tree = References.tree
+    monkeypatch.setattr(References, "tree", lambda *asked: searched.append(asked[1].node.label) or tree(*asked))
+    refused(*FOODS, "bowl", "spoon", snapshot=UNLIKELIER)
+    assert searched == []
+    result = planned(*FOODS, "cutting board", "knife", "spoon", "plate", snapshot=UNLIKELIER)
+    assert searched == [result.reference.goal.label]
+    assert (result.reference.units, result.reference.exact) == (len(LEEK), True)
 
 
 @pytest.mark.parametrize(

@@ -74,6 +74,12 @@ def test_the_python_of_a_page_runs(page, capsys):
     assert capsys.readouterr().out
 
 
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "py")], ids=lambda page: page.stem)
+def test_python_for_what_is_not_installed_here_is_python(page):
+    for example in blocks(page, "py"):
+        compile(example, page.name, "exec")
+
+
 @pytest.fixture(scope="module")
 def generate():
     spec = importlib.util.spec_from_file_location("generate", ROOT / "docs" / "generate.py")

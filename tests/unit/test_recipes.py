@@ -193,3 +193,13 @@ def test_a_recipe_of_which_nothing_is_known_is_refused():
         recipe_of("salad", ["choped oinon", "xyzzy"], WORDS)
     assert "chopped onion" in str(refused.value)
     assert recipe_of("salad", ["xyzzy", "olive oil"], WORDS).recipe.ingredients
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [("choped onion", "chopped"), ("onion, mincd", "minced"), ("chopped onion", ""), ("xqz onion", "")],
+)
+def test_a_state_that_is_misspelled_is_told_with_what_may_be_meant(text, meant):
+    _, notes = WORDS.read(text)
+    told = [note for note in notes if note.startswith("no state is called")]
+    assert [note.rpartition("did you mean ")[2] for note in told] == ([f"“{meant}”?"] if meant else [])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -166,3 +167,13 @@ def test_a_vessel_is_left_out_only_where_its_foods_say_that_they_are_in_it(some)
 @given(st.lists(nodes, min_size=1, max_size=5))
 def test_of_what_comes_out_something_is_always_shown_where_anything_is_left(some):
     assert bool(shown_outputs(some)) == bool(shown_inputs(some))
+
+
+@pytest.mark.parametrize(("confidence", "alarmed"), [(0.09, True), (0.1, False), (0.0, True)])
+def test_a_food_without_an_equivalent_has_a_mark_and_a_line(confidence, alarmed):
+    [object_, *others] = PLAN.substitutions
+    plan = replace(PLAN, substitutions=(replace(object_, confidence=confidence), *others))
+    lines = lines_of(plan_view(plan), width=139)
+    told = f"  {confidence:.2f} ! ~kohlrabi has no equivalent, and is handled like carrot for want of one"
+    assert (told in lines) == alarmed
+    assert any("~kohlrabi is handled like carrot" in line for line in lines) != alarmed

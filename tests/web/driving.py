@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-VIEWS = ("steps", "cook", "tree", "when", "why")
+VIEWS = ("steps", "cook", "tree", "when", "why", "compare")
 PLANNED = "return !!document.querySelector('#result .tabs') && result.getAttribute('aria-busy') === 'false'"
 ENTER, TAB, DOWN, LEFT, RIGHT, CONTROL = "\ue007", "\ue004", "\ue015", "\ue012", "\ue014", "\ue009"
 

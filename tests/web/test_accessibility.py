@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 from chromium import as_wide_as_the_screen, on_screen
@@ -12,9 +13,11 @@ AXE = Path(__file__).parents[1] / "vendor" / "axe.min.js"
 SOUP = "dish=soup&with=cube+bouillon&with=200+g+sliced+mushroom&with=chopped+leek&with=boiling+water"
 STATES = {
     "opening": "",
-    **{name: f"{SOUP}&view={name}" for name in ("steps", "cook", "when", "why")},
+    **{name: f"{SOUP}&view={name}" for name in ("steps", "cook", "when", "why", "compare")},
     "cooking": f"{SOUP}&view=cook&step=10",
     "tree": f"{SOUP}&view=tree&step=7",
+    "compared": f"{SOUP}&view=compare&other={quote(SOUP + '&without=leek')}",
+    "not compared": f"{SOUP}&view=compare&other={quote(SOUP + '&have=spoon')}",
     "suggestions": "with=egg&with=chopped+onion&view=make",
     "around": "look=onion",
     "refused": "with=egg&dish=soup&have=spoon",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 
 import anyio
@@ -130,6 +131,33 @@ def test_foon_mcp_speaks_over_its_standard_input_and_output():
     assert value(answer)["recipe"]["dish_type"] == "salad"
 
 
+@pytest.mark.slow
+def test_prompts_come_over_standard_input_and_output_and_name_tools_that_there_are():
+    program = "import sys; from foon_kg.cli import main; sys.exit(main())"
+    arguments = ["-c", program, "mcp", "--files", str(demo_folder()), "--quiet"]
+    given = {
+        "cook_with": {"ingredients": "chopped onion, egg", "dish": "omelette"},
+        "what_can_i_make": {"foods": "egg, leek"},
+        "explore_graph": {"question": "What is done to eggs?"},
+    }
+
+    async def ask():
+        async with Client(StdioServerParameters(command=sys.executable, args=arguments)) as client:
+            tools = {tool.name for tool in (await client.list_tools()).tools}
+            prompts = (await client.list_prompts()).prompts
+            told = {name: await client.get_prompt(name, values) for name, values in given.items()}
+            return tools, prompts, {name: one.messages[0].content.text for name, one in told.items()}
+
+    tools, prompts, told = anyio.run(ask)
+    assert {prompt.name for prompt in prompts} == set(given)
+    assert all(prompt.description for prompt in prompts)
+    for name, values in given.items():
+        assert all(value in told[name] for value in values.values())
+        named = set(re.findall(r"“(\w+)”", told[name]))
+        assert named
+        assert named <= tools
+
+
 @pytest.mark.neo4j
 def test_cypher_of_a_real_graph_only_looks(empty_graph):
     from foon_kg.cli.demo import demo_subgraphs
@@ -140,5 +168,5 @@ def test_cypher_of_a_real_graph_only_looks(empty_graph):
         count = ("cypher", {"query": "MATCH (v:Video) RETURN count(v) AS videos"})
         write = ("cypher", {"query": "MATCH (n) DETACH DELETE n"})
         before, refused, after = asked(agent_server(service, _cypher(foon)), count, write, count)
-    assert value(before) == value(after) == {"columns": ["videos"], "rows": [[2]], "cut": False}
+    assert value(before) == value(after) == {"columns": ["videos"], "rows": [[2]], "cut": False, "warnings": []}
     assert "(read-only)" in refusal(refused)

@@ -27,6 +27,8 @@ OPERATIONS = (
     ("/api/explore/way", "POST"),
     ("/api/explore/questions", "GET"),
     ("/api/explore/cypher", "POST"),
+    ("/api/teach/review", "POST"),
+    ("/api/teach/subgraph", "POST"),
 )
 
 

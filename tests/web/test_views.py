@@ -143,7 +143,19 @@ def test_why_names_nearer_dishes_that_were_passed_over(page, address):
     go(page, address, "dish=drinks&" + "&".join(f"with={one}" for one in asked["ingredients"]) + "&view=why")
     told = text_of(page, "#view-why")
     for one in nearer:
-        assert f"{one['goal']['label']} {one['similarity']:.2f}: {one['why']}" in told
+        assert f"{one['goal']['label']} of video " in told
+        assert f" {one['similarity']:.2f}: {one['why']}" in told
+
+
+def test_another_dish_is_followed_from_why_and_the_wish_stands_in_the_form(page, address):
+    go(page, address, f"{SALAD}&view=why")
+    page.find_element("css selector", "[aria-label='make it so, after the winter salad of winter_salad']").send_keys(
+        ENTER
+    )
+    until(page, "return document.querySelector('#view-why')?.innerText.includes('made like the winter salad')")
+    assert page.execute_script("return document.getElementById('after').value") == "winter_salad"
+    assert "after winter_salad" in page.execute_script("return document.getElementById('wishes-told').textContent")
+    assert "greek salad of video greek_salad" in text_of(page, "#view-why")
 
 
 def test_what_the_judge_finds_leads_to_its_step(page, address, monkeypatch):

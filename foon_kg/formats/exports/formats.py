@@ -19,6 +19,7 @@ from foon_kg.loaders import write_json, write_text
 from foon_kg.loaders.weights import write_weights
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.errors import UsageError
+from foon_kg.model.plugins import EXPORTS, names, plugin
 from foon_kg.store.snapshot import Snapshot
 
 Amounts = Mapping[RequiredIngredient, str]
@@ -70,7 +71,10 @@ def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None, costs: Mo
         return write_recipe(tree, amounts)
     if form == "behaviour-tree":
         return write_behaviour_tree(tree, costs)
-    raise _not_for("a task tree", form)
+    write = None if form in ENDINGS else plugin(EXPORTS, form)
+    if write is None:
+        raise _not_for("a task tree", form)
+    return str(write(tree))
 
 
 def export_foon(foon: Snapshot, form: str, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
@@ -112,8 +116,13 @@ def file_name(name: str) -> str:
     return _OUTSIDE_FILE_NAMES.sub("_", name).strip("._") or "tree"
 
 
+def all_formats() -> dict[str, tuple[str, ...]]:
+    """Return every format with its endings, those of plug-ins as well: their files end with their names."""
+    return {**{name: (f".{name}",) for name in names(EXPORTS)}, **ENDINGS}
+
+
 def _ending(form: str) -> str:
-    return next(iter(ENDINGS.get(form, ())), "")
+    return next(iter(ENDINGS.get(form, (f".{form}",))), "")
 
 
 def _not_for(what: str, form: str) -> UsageError:

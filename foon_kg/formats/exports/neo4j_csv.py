@@ -27,6 +27,7 @@ _NODES = {
     "Label": ("name",),
     "Object": (
         "key", "label", "states:string[]", "ingredients:string[]", "relation", "container", "start:boolean",
+        "utensil:boolean",
     ),
     "Motion": ("key", "verb", "accepts_any:boolean", "cost:double"),
     "DishType": ("name",),
@@ -37,8 +38,9 @@ _NODES = {
 _SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
 _EDGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "CALLED": ("Object", "Label", ()),
-    "INPUT_OF": ("Object", "Motion", ()),
-    "OUTPUTS": ("Motion", "Object", ()),
+    "INPUT_OF": ("Object", "Motion", ("moving:long",)),
+    "OUTPUTS": ("Motion", "Object", ("moving:long",)),
+    "NEXT": ("Motion", "Motion", ("video", "position:long")),
     "SEEN_IN": (
         "Motion",
         "Video",

@@ -11,6 +11,7 @@ from foon_kg.model import ObjectNode, Subgraph
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import singular
 from foon_kg.similarity.points import indexed_points
+from foon_kg.store.graph.movements import following, movements
 from foon_kg.store.graph.rows import properties_of
 from foon_kg.store.snapshot import Snapshot, goals_of
 from foon_kg.store.vocabulary import WordCounts
@@ -37,7 +38,7 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
     return {
         "Video": [(video.name, video.content_key, video.sources) for video in foon.subgraphs],
         "Label": _names(node.label for node in objects),
-        "Object": [(*_fields(node), foon.kitchen.has(node) or None) for node in objects],
+        "Object": [(*_fields(node), *_flags(node, foon)) for node in objects],
         "Motion": [(known.unit.key, known.unit.motion, known.unit.accepts_any) for known in foon.units],
         "DishType": _names(goal.dish_type for goal in foon.goals()),
         "Ingredient": [
@@ -54,14 +55,23 @@ def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
 
     A node is named by its key or its name, whichever it has.
     """
-    counts = _counts(foon)
+    counts, moving = _counts(foon), movements(foon.subgraphs)
     units = [known.unit for known in foon.units]
     goals = [(node, dish, video.name) for video in foon.subgraphs for node, dish in goals_of(video, foon.kitchen)]
     made_of = sorted({(node.key, food) for node, _, _ in goals for food in node.ingredients})
     return {
         "CALLED": [(node.key, node.label) for node in _objects(foon)],
-        "INPUT_OF": [(node.key, unit.key) for unit in units for node in unit.input_nodes],
-        "OUTPUTS": [(unit.key, node.key) for unit in units for node in unit.output_nodes],
+        "INPUT_OF": [
+            (node.key, unit.key, moving.get((unit.key, "inputs", node.key)))
+            for unit in units
+            for node in unit.input_nodes
+        ],
+        "OUTPUTS": [
+            (unit.key, node.key, moving.get((unit.key, "outputs", node.key)))
+            for unit in units
+            for node in unit.output_nodes
+        ],
+        "NEXT": [(one, other, video.name, place) for video in foon.subgraphs for one, other, place in following(video)],
         "SEEN_IN": [row for video in foon.subgraphs for row in _sightings(video)],
         "IS_A": [(node.key, dish, video) for node, dish, video in goals],
         "MADE_OF": list(made_of),
@@ -83,6 +93,10 @@ def _objects(foon: Snapshot) -> list[ObjectNode]:
 
 def _fields(node: ObjectNode) -> Row:
     return (node.key, node.label, node.states, node.ingredients, node.relation, node.container)
+
+
+def _flags(node: ObjectNode, foon: Snapshot) -> Row:
+    return (foon.kitchen.has(node) or None, foon.kitchen.is_utensil(node.label) or None)
 
 
 def _sightings(video: Subgraph) -> Iterable[Row]:

@@ -67,7 +67,7 @@ def _notes(result: PlanResult) -> list[list[str]]:
 
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
-        return f"{one.required} is handled like {one.equivalent} (confidence {one.confidence:.2f})"
+        return f"{one.required} {one.how} (confidence {one.confidence:.2f})"
     if one.kind == "state":
         said = f"{one.object} is {one.required}"
     else:

@@ -108,7 +108,8 @@ class _Sheet:
         for tick in range(int(self.plan.length // between) + 1):
             x = self._x(tick * between)
             element(root, "line", {"x1": x, "x2": x, "y1": top, "y2": bottom}, "rule")
-            write_line(root, Line(clock(tick * between), "aside", 11), x, top - 5)
+            if tick * between <= self.plan.known_until and self.plan.known_until:
+                write_line(root, Line(clock(tick * between), "aside", 11), x, top - 5)
 
     def draw_step(self, root: ET.Element, step: ScheduledStep, top: float) -> None:
         """Draw the row of a step; a program that points at it is told all that is known of it."""
@@ -138,7 +139,8 @@ class _Sheet:
         who = ITSELF if step.hands is None else f"pair of hands {step.hands + 1}"
         seen = f"seen {seen_words(step.duration)}" if step.duration else NEVER
         what = f"step {step.place + 1}, {unit.motion_node} {handled(unit.input_nodes)}"
-        return f"{clock(step.start)} to {clock(step.end)}: {what}; {who}; {seen}"
+        when = f"{clock(step.start)} to {clock(step.end)}" if step.end <= self.plan.known_until else "nobody knows when"
+        return f"{when}: {what}; {who}; {seen}"
 
 
 def _told(text: str, width: float, kind: str, size: float) -> list[Line]:

@@ -9,7 +9,7 @@ neighbours as the order and the widths allow, which is isotonic regression (pool
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -42,7 +42,11 @@ class Layout:
     size: Size
 
 
-def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], row: float = ROW) -> Layout:
+def layered(
+    sizes: Sequence[Size],
+    arrows: Sequence[tuple[int, int]],
+    row: float = ROW,
+) -> Layout:
     """Place boxes of these ``sizes``; ``arrows`` lead from a box to one that stands in a lower layer.
 
     Every box must be at an end of some arrow. Parts without connection stand side by side, in rows of ``row``
@@ -52,17 +56,82 @@ def layered(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], row: float
     middles: dict[int, Point] = {}
     ways: dict[tuple[int, int], tuple[Point, ...]] = {}
     left, top, width, depth = 0.0, 0.0, 0.0, 0.0
-    for positions, _, _, links in sorted(parts, key=lambda part: min(number for number, _ in part[0])):
-        part = _Part.of(positions, links or (), sizes)
+    for positions, _, _, drawn in sorted(parts, key=lambda part: min(number for number, _ in part[0])):
+        part = _Part.of(positions, drawn or (), sizes)
         across = part.across()
         if left and left + part.width(across) > row:
             left, top = 0.0, depth + 3 * GAP
-        places, reach, size = part.placed(across, left, top)
+        places, reach, size = part.placed(across, left, top, part.heights())
         middles.update({number: place for number, place in places.items() if number < len(sizes)})
         ways.update(part.ways(places, reach))
         width, depth = max(width, left + size[0]), max(depth, top + size[1])
         left += size[0] + 3 * GAP
     return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (width, depth))
+
+
+def banded(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], bands: Sequence[int]) -> Layout | None:
+    """Place boxes so that all of one band stand above all of the next; ``None`` where an arrow leads back.
+
+    ``bands`` has a number for each box. Within its band a box stands as low as what follows it allows.
+    """
+    if any(bands[one] > bands[other] for one, other in arrows):
+        return None
+    layers, top = [0] * len(sizes), 0
+    for band in sorted(set(bands)):
+        heights = _heights([place for place, own in enumerate(bands) if own == band], arrows)
+        top += max(heights.values()) + 1
+        for place, height in heights.items():
+            layers[place] = top - 1 - height
+    return _in_layers(sizes, arrows, layers)
+
+
+def _in_layers(sizes: Sequence[Size], arrows: Sequence[tuple[int, int]], layers: Sequence[int]) -> Layout:
+    """Place boxes in these ``layers`` (from 0 down), which all parts share; the parts stand side by side."""
+    links = list(_divided(arrows, layers, len(sizes)))
+    drawn = cast("list[_Drawn]", fast_sugiyama.from_edges(links, dummy_vertices=True, vertex_spacing=1))
+    parts = []
+    for positions, _, _, own in sorted(drawn, key=lambda part: min(number for number, _ in part[0])):
+        part = _Part.of(positions, own or (), sizes)
+        first = min(layers[n] - row for row, layer in enumerate(part.layers) for n in layer if n < len(sizes))
+        parts.append((first, part))
+    heights = [0.0] * (max(layers) + 1)
+    for first, part in parts:
+        for row, height in enumerate(part.heights()):
+            heights[first + row] = max(heights[first + row], height)
+    tops = [0.0, *itertools.accumulate(height + LAYER_GAP for height in heights)]
+    middles: dict[int, Point] = {}
+    ways: dict[tuple[int, int], tuple[Point, ...]] = {}
+    left = 0.0
+    for first, part in parts:
+        across = part.across()
+        places, reach, size = part.placed(across, left, tops[first], heights[first : first + len(part.layers)])
+        middles.update({number: place for number, place in places.items() if number < len(sizes)})
+        ways.update(part.ways(places, reach))
+        left += size[0] + 3 * GAP
+    return Layout(tuple(middles[i] for i in range(len(sizes))), ways, (left - 3 * GAP, tops[-1] - LAYER_GAP))
+
+
+def _heights(boxes: Sequence[int], arrows: Sequence[tuple[int, int]]) -> dict[int, int]:
+    """Return how many layers above the lowest of its band each box stands, by network simplex within the band."""
+    heights = dict.fromkeys(boxes, 0)
+    inside = [arrow for arrow in arrows if heights.keys() >= set(arrow)]
+    if not inside:
+        return heights
+    names = list(dict.fromkeys(itertools.chain.from_iterable(inside)))  # the library adds numbers after these
+    numbers = {box: number for number, box in enumerate(names)}
+    links = [(numbers[one], numbers[other]) for one, other in inside]
+    for positions, _, _, _ in cast("list[_Drawn]", fast_sugiyama.from_edges(links, dummy_vertices=True)):
+        rows = sorted({y for _, (_, y) in positions})
+        heights.update({names[number]: rows.index(y) for number, (_, y) in positions if number < len(names)})
+    return heights
+
+
+def _divided(arrows: Sequence[tuple[int, int]], layers: Sequence[int], free: int) -> Iterator[tuple[int, int]]:
+    """Yield links of one layer each: what is between the ends of a long arrow is numbered from ``free`` on."""
+    numbers = itertools.count(free)
+    for one, other in arrows:
+        between = list(itertools.islice(numbers, layers[other] - layers[one] - 1))
+        yield from itertools.pairwise((one, *between, other))
 
 
 @dataclass(frozen=True)
@@ -93,17 +162,23 @@ class _Part:
         return min(across[n] - self.sizes[n][0] / 2 for n in across)
 
     def placed(
-        self, across: Mapping[int, float], left: float, top: float
+        self, across: Mapping[int, float], left: float, top: float, heights: Sequence[float]
     ) -> tuple[dict[int, Point], dict[int, Point], Size]:
-        """Answer the middle of each box, from where to where down its layer reaches, and the size of the part."""
+        """Answer the middle of each box, from where to where down its layer reaches, and the size of the part.
+
+        ``heights`` has the height of each of its layers.
+        """
         start, first = self._start(across), top
         places, reach = {}, {}
-        for layer in self.layers:
-            height = max(self.sizes[n][1] for n in layer)
+        for layer, height in zip(self.layers, heights, strict=True):
             places.update({n: (across[n] - start + left, top + height / 2) for n in layer})
             reach.update(dict.fromkeys(layer, (top, top + height)))
             top += height + LAYER_GAP
         return places, reach, (self.width(across), top - LAYER_GAP - first)
+
+    def heights(self) -> list[float]:
+        """Return the height of the highest box of each layer."""
+        return [max(self.sizes[n][1] for n in layer) for layer in self.layers]
 
     def across(self) -> dict[int, float]:
         """Answer how far to the right every box stands: sweep down and up until the layers lie well."""

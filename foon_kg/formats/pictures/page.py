@@ -115,7 +115,7 @@ def _span(kind: str, text: str, title: str = "") -> str:
 
 def _substitution(one: Substitution) -> str:
     if one.kind == "object":
-        told = f"{_span('unseen', UNSEEN_SIGN + one.required)} is handled like {_text(one.equivalent)}"
+        told = f"{'! ' if one.for_want else ''}{_span('unseen', UNSEEN_SIGN + one.required)} {_text(one.how)}"
     else:
         told = f"{_text(one.object)}: {_text(one.required)} where FOON has {_text(one.equivalent)}"
     others = ", ".join(f"{_text(other.name)} {other.confidence:.2f}" for other in one.alternatives)

@@ -58,6 +58,41 @@ def scene_of(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen, *
     return _Drawing(units, goal, kitchen, takings, shown).scene(folded=folded)
 
 
+_PHASES = ("prepare", "heat", "finish")
+
+
+def phases_of(scene: Scene) -> tuple[int, ...]:
+    """Return for each box the place of its phase (making ready, cooking, serving), or nothing where a unit has none.
+
+    What is made has the phase of the unit that makes it, what comes from the kitchen that of the unit that takes it.
+    """
+    phases: dict[int, int] = {}
+    for place, box in enumerate(scene.boxes):
+        if isinstance(box, MotionBox):
+            if box.unit.phase is None:
+                return ()
+            phases[place] = _PHASES.index(box.unit.phase)
+    made = {end: phases[start] for start, end in scene.arrows if start in phases}
+    taken = {start: phases[end] for start, end in scene.arrows if end in phases}
+    found = taken | made | phases
+    return tuple(found[place] for place in range(len(scene.boxes)))
+
+
+def foods_of(scene: Scene, kitchen: Kitchen) -> tuple[frozenset[str], ...]:
+    """Return for each box the foods that it shows: itself, what it is mixed of, what is in a vessel."""
+
+    def foods(node: ObjectNode) -> frozenset[str]:
+        own = (node.label,) if kitchen.is_food(node) else ()
+        return frozenset((*own, *kitchen.foods_in(node)))
+
+    def of_box(box: ObjectBox | MotionBox) -> frozenset[str]:
+        if isinstance(box, ObjectBox):
+            return foods(box.node)
+        return frozenset().union(*map(foods, (*box.unit.input_nodes, *box.unit.output_nodes)))
+
+    return tuple(map(of_box, scene.boxes))
+
+
 def _taken(unit: PlannedUnit) -> tuple[Mentioned, ...]:
     return tuple(dict.fromkeys(one._replace(container=None) for one in unit.taken))
 

@@ -55,9 +55,10 @@ export const stage = (box) => {
     show();
   };
   const done = (act) => (...how) => { begin(); act(...how); show(); };
+  const look = (x, y) => Object.assign(view, { x: x - view.w / 2, y: y - view.h / 2 });
   const centre = (group) => {
     const { x, y } = middle(group);
-    Object.assign(view, { x: x - view.w / 2, y: y - view.h / 2 });
+    look(x, y);
   };
 
   const keys = {
@@ -122,5 +123,5 @@ export const stage = (box) => {
     draw();
   }).observe(box);
   paper.addEventListener("change", draw);
-  return { larger: done(keys["+"]), smaller: done(keys["-"]), all: done(fit), own: done(legible), centre: done(centre) };
+  return { larger: done(keys["+"]), smaller: done(keys["-"]), all: done(fit), own: done(legible), centre: done(centre), look: done(look) };
 };

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from foon_kg.formats.pictures.layout import Layout, Point, layered
-from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, Scene, scene_of
+from foon_kg.formats.pictures.layout import LAYER_GAP, Layout, Point, banded, layered
+from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, Scene, foods_of, phases_of, scene_of
 from foon_kg.formats.pictures.svg import (
     Line,
     as_text,
@@ -31,6 +31,7 @@ _EDGE = 24.0
 _HEAD = 74.0
 _ROUND = {"kitchen": 6.0, "made": 12.0, "goal": 12.0}
 _PAINT = {"kitchen": "kitchen", "made": "object", "goal": "goal"}
+_BANDS = ("making ready", "cooking", "serving")
 _DASHED = "5 3"
 _NOTHING = 0.5  # pixels
 _LEGEND = (
@@ -54,6 +55,8 @@ class _Picture:
     texts: Sequence[Sequence[Line]]
     sizes: Sequence[tuple[float, float]]
     layout: Layout
+    phases: Sequence[int]
+    foods: Sequence[frozenset[str]]
 
     @classmethod
     def of(cls, tree: ShownTree, kitchen: Kitchen, *, folded: bool) -> _Picture:
@@ -61,7 +64,10 @@ class _Picture:
         words = _Words(tree, set())
         texts = [words.of_motion(box) if isinstance(box, MotionBox) else words.of_object(box) for box in scene.boxes]
         sizes = [_size(box, lines) for box, lines in zip(scene.boxes, texts, strict=True)]
-        return cls(tree, scene, texts, sizes, layered(sizes, scene.arrows))
+        phases = phases_of(scene)
+        layout = banded(sizes, scene.arrows, phases) if len(set(phases)) > 1 else None
+        foods = foods_of(scene, kitchen)
+        return cls(tree, scene, texts, sizes, layout or layered(sizes, scene.arrows), phases if layout else (), foods)
 
     def drawn(self) -> ET.Element:
         width, height = self.layout.size
@@ -70,6 +76,7 @@ class _Picture:
         _arrow_head(root)
         write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
         _draw_legend(root, self.tree)
+        self._draw_bands(root, wide)
         stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {_HEAD})")
         for arrow in self.scene.arrows:
             self._draw_arrow(stage, arrow)
@@ -77,17 +84,35 @@ class _Picture:
             self._draw_box(stage, place)
         return root
 
+    def _draw_bands(self, root: ET.Element, wide: float) -> None:
+        """Draw what is made ready, cooked and served as bands from side to side, each with its name."""
+        ends = [
+            (phase, y + _HEAD - height / 2, y + _HEAD + height / 2)
+            for phase, (_, y), (_, height) in zip(
+                self.phases, self.layout.middles, self.sizes, strict=bool(self.phases)
+            )
+        ]
+        for phase in sorted(set(self.phases)):
+            top = min(top for own, top, _ in ends if own == phase) - LAYER_GAP / 2
+            height = max(bottom for own, _, bottom in ends if own == phase) + LAYER_GAP / 2 - top
+            if phase % 2 == 0:
+                element(root, "rect", {"x": 0, "y": top, "width": wide, "height": height}, "band")
+            turned = ET.SubElement(root, "g", transform=f"translate(15 {number(top + height / 2)}) rotate(-90)")
+            write_line(turned, Line(_BANDS[phase], "aside", 11), 0, 0)
+
     def _draw_arrow(self, stage: ET.Element, arrow: tuple[int, int]) -> None:
         (x, y), (to_x, to_y) = (self.layout.middles[place] for place in arrow)
         start, end = (x, y + self.sizes[arrow[0]][1] / 2), (to_x, to_y - self.sizes[arrow[1]][1] / 2)
         path = _curve([start, *self.layout.ways[arrow], end])
-        element(stage, "path", {"d": path, "stroke-width": 1.3, "marker-end": "url(#way-end)"}, "way")
+        way = element(stage, "path", {"d": path, "stroke-width": 1.3, "marker-end": "url(#way-end)"}, "way")
+        _name_foods(way, self.foods[arrow[0]] & self.foods[arrow[1]])
 
     def _draw_box(self, stage: ET.Element, place: int) -> None:
         box, (x, y), (width, height) = self.scene.boxes[place], self.layout.middles[place], self.sizes[place]
         group = ET.SubElement(stage, "g")
         if isinstance(box, MotionBox):
             group.set("data-step", str(box.number))
+        _name_foods(group, self.foods[place])
         ET.SubElement(group, "title").text = writable(self._told(box))
         attributes: dict[str, object] = {"x": x - width / 2, "y": y - height / 2, "width": width, "height": height}
         element(group, "rect", attributes | _manner(box, self.tree.unseen), *_paint(box, self.tree.unseen))
@@ -171,6 +196,12 @@ def _manner(box: ObjectBox | MotionBox, unseen: Mapping[str, Substitution]) -> d
         return {"rx": 2, "stroke-width": 1.4} | ({"stroke-dasharray": _DASHED} if changed else {})
     strange = not unseen.keys().isdisjoint((box.node.label, *box.node.ingredients))
     return {"rx": _ROUND[box.part], "stroke-width": 1.3} | ({"stroke-dasharray": _DASHED} if strange else {})
+
+
+def _name_foods(drawn: ET.Element, foods: Collection[str]) -> None:
+    """Write the names of foods to what is drawn of them, for a page that follows one."""
+    if foods:
+        drawn.set("data-foods", writable("\n".join(sorted(foods))))
 
 
 def _curve(points: Sequence[Point]) -> str:

@@ -47,7 +47,7 @@ def _ended(found: Enumeration) -> str:
     trees = "1 tree" if len(found.found) == 1 else f"{len(found.found)} trees"
     if found.complete:
         return f"These are all: {trees} in {found.looked_at} combinations of producers."
-    return f"Stopped after {found.looked_at} combinations of producers, with {trees} (--most N looks at more)."
+    return f"Stopped after {found.looked_at} combinations of producers, with {trees} (--limit N looks at more)."
 
 
 def _choice(found: Enumeration, exact: ReferenceTree) -> str:

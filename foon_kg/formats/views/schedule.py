@@ -20,22 +20,44 @@ HANDS = ("cyan", "yellow", "magenta", "blue")
 def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
     """Answer a table of the steps by their start: when, whose hands, what, and how sure the time is."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
-    for title, justify in (("from", "right"), ("to", "right"), ("hands", "left"), ("step", "left"), ("seen", "left")):
+    timed = plan.known_until > 0
+    for title, justify in (("from", "right"), ("to", "right")) if timed else ():
         table.add_column(title, justify=justify)  # type: ignore[arg-type]
+    for title in ("hands", "step", "seen"):
+        table.add_column(title)
     for step in plan.steps:
-        table.add_row(clock(step.start), clock(step.end), _hands(step), _step(tree, step), _seen(step.duration))
-    caution = Text(f"{CAUTION} ? was never timed.", ASIDE)
-    return Group(Text(tree.title, "bold"), table, Text(), Text(summary(plan)), caution)
+        times = (_when(plan, step.start), _when(plan, step.end)) if timed else ()
+        table.add_row(*times, _hands(step), _step(tree, step), _seen(step.duration))
+    parts: list[RenderableType] = [Text(tree.title, "bold"), table, Text(), Text(summary(plan))]
+    return Group(*parts, *([Text(CAUTION, ASIDE)] if plan.untimed < len(plan.steps) else []))
 
 
 CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself."
+UNKNOWN = "unknown"
 
 
 def summary(plan: Schedule) -> str:
-    """Answer in a sentence how long the schedule is, and how good."""
+    """Answer in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
+    if plan.untimed:
+        return _untimed(plan)
     pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
     proven = "proven the shortest" if plan.shortest else "the shortest found"
     return f"{clock(plan.length)} with {pairs} ({proven}); {clock(plan.alone)} one step after the other."
+
+
+def _untimed(plan: Schedule) -> str:
+    count = len(plan.steps)
+    if plan.untimed == count:
+        return f"How long it takes is unknown: no video of this FOON times any of its {count} steps."
+    alone = sum(step.duration.median for step in plan.steps if step.duration is not None)
+    return (
+        f"How long it takes is unknown: {plan.untimed} of {count} steps were never timed; "
+        f"the others take {clock(alone)} one after the other."
+    )
+
+
+def _when(plan: Schedule, seconds: float) -> str:
+    return clock(seconds) if seconds <= plan.known_until else UNKNOWN
 
 
 def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
@@ -67,4 +89,4 @@ def _step(tree: ShownTree, step: ScheduledStep) -> Text:
 
 
 def _seen(duration: Duration | None) -> Text:
-    return Text("?" if duration is None else seen_words(duration), ASIDE)
+    return Text(UNKNOWN if duration is None else seen_words(duration), ASIDE)

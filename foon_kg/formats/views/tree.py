@@ -14,6 +14,7 @@ from rich.text import Text
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
+    ALARM,
     ASIDE,
     MOTION,
     STATE,
@@ -112,7 +113,11 @@ def _reference(result: PlanResult) -> Text:
     proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
     seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
-    return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+    if reference.draft_confidence is None:
+        return Text(f"{reference.goal.label}{seen}: {covered}, {proven}")
+    names = ", ".join(reference.videos)
+    told = f" ({names}: drafted from a recipe's words, not reviewed, {reference.draft_confidence:.2f} sure)"
+    return Text.assemble(reference.goal.label, (told, "yellow"), f": {covered}, {proven}")
 
 
 def _plain_header(tree: ShownTree) -> RenderableType:
@@ -183,8 +188,10 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 
 def _substitution(one: Substitution) -> Text:
+    if one.for_want:
+        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {one.how}", ALARM))
     if one.kind == "object":
-        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" is handled like {one.equivalent}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {one.how}")
     else:
         text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)

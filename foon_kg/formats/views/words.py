@@ -17,6 +17,7 @@ STATE = "green"
 MOTION = "bold red"
 UNSEEN = "blue"
 ASIDE = "dim"
+ALARM = "bold red"
 UNSEEN_SIGN = "~"
 EMPTY = "empty"
 

@@ -8,14 +8,17 @@ from dataclasses import replace
 
 from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
+from foon_kg.food.words import words
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.language.drafting.larder import Larder
+from foon_kg.language.drafting.naming import rename, renamed
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents
-from foon_kg.language.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
+from foon_kg.language.drafting.referents import Referents
+from foon_kg.language.drafting.scene import Scene
 from foon_kg.language.drafting.units import UnitDrafter
 from foon_kg.language.drafting.verbs import Reading
-from foon_kg.language.line_words import split_name
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
@@ -25,10 +28,10 @@ _MOST_OBJECTS = 40
 
 _NOT_IN_NAMES = re.compile(r"[^\w&'%/ -]+|_")
 _ARTICLES = frozenset({"a", "an", "the", "some", "more", "of", "remaining", "other", "another", "your", "each"})
-_MIXED = word_list("called a mixture")
-"""What cooks call a mixture that they just made."""
 _ROOM = word_list("belongs to the room")
 """What belongs to the room and not to the dish; no FOON has it."""
+_CHILL = "refrigerate"
+_PREPARES_A_VESSEL = frozenset({"coat", "cover"})
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
 
 
@@ -37,12 +40,12 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
-    drafter = _Drafter(precedents)
-    rows: list[DraftUnit | LeftOut] = []
+    drafter = _Drafter(precedents, narration)
     drafter.look_ahead(narration.actions)
-    for action in drafter.with_products(narration.actions):
-        rows += drafter.rows(action)
-    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in rows]
+    for action in narration.actions:
+        drafted = drafter.rows(action)  # it may name anew what was told before
+        drafter.told += drafted
+    rows = [_calibrated(row, parsed=bool(narration.sentences)) for row in drafter.told]
     if dish_type in DISH_TYPES:
         _mark_goal(rows, dish_type, precedents)
     return Draft(narration.name, tuple(rows), narration.source, dish_type)
@@ -58,11 +61,15 @@ def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOu
 class _Drafter:
     """Reads the names of actions, and hands what is meant on to the drafting of units."""
 
-    def __init__(self, precedents: FoonPrecedents) -> None:
+    def __init__(self, precedents: FoonPrecedents, narration: Narration) -> None:
+        free = bool(narration.sentences)
+        title, larder = _dish_of(narration.name), Larder.of(narration.ingredients)
+        self.told: list[DraftUnit | LeftOut] = []
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
-        self._units = UnitDrafter(NodeDrafter(precedents, self._scene))
+        self._units = UnitDrafter(NodeDrafter(precedents, self._scene), free=free)
+        self._referents = Referents(precedents, self._scene, title if free else None, larder=larder)
 
     def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
         """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""
@@ -73,31 +80,11 @@ class _Drafter:
                 name = canonical(plain_name(mention.name))
                 self._scene.coming.setdefault(name, changing[0])
 
-    def with_products(self, actions: Sequence[NarratedAction]) -> list[NarratedAction]:
-        """Answer ``actions``, where a mixture that nobody names has the name by which it is spoken of next: the batter.
-
-        Of a mixture of its own speaks the first who says batter, dough or sauce, and it is what was mixed last.
-        """
-        told = list(actions)
-        mixed: int | None = None
-        names: set[str] = set()
-        for place, action in enumerate(actions):
-            new = [one.name for one in action.objects if _is_mixed(one.name) and canonical(one.name) not in names]
-            if new and mixed is not None and canonical(new[0]) != MIXTURE:
-                told[mixed], mixed = replace(told[mixed], product=plain_name(new[0])), None
-            names |= {canonical(one.name) for one in action.objects}
-            if action.product is None and self._makes_a_mixture(action):
-                mixed = place
-        return told
-
-    def _makes_a_mixture(self, action: NarratedAction) -> bool:
-        motions_said = self._precedents.verbs.reading(action.verb).motions[:1]
-        mixing = any(motions.mixes(motion) and self._precedents.merges(motion) for motion in motions_said)
-        return mixing and (len(action.objects) != 1 or self._is_everything(action.objects[0].name))
-
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
         """Answer the units of one action."""
         reading = self._precedents.verbs.reading(action.verb)
+        if not reading.motions and self._keeps_cold(action):
+            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         if not reading.motions:
             if action.origin and action.objects:  # it is held until somebody says where it is put
                 origin = self._known_as(plain_name(action.origin))
@@ -116,61 +103,58 @@ class _Drafter:
         )
 
     def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
-        objects, doubts = self._objects(action)
-        if not objects:
+        places = self._referents.places(action)
+        action, reading = self._with_appliances(replace(action, places=places), reading)
+        places = action.places
+        objects, doubts = self._referents.objects(replace(action, places=places))
+        for label, name in self._referents.called.items():
+            self.told = renamed(self.told, label, name)
+            rename(self._scene, label, name)
+            objects = tuple(replace(one, name=name) if one.name == label else one for one in objects)
+            places = tuple(replace(one, name=name) if one.name == label else one for one in places)
+        self._referents.called.clear()
+        if not objects or (not action.objects and not places and all(map(motions.transfers, reading.motions))):
             return ()
         foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
         motion = self._precedents.motion(reading.motions, objects[0].name)
+        if not foods and tables().motion(action.verb).does & _PREPARES_A_VESSEL:
+            motion = action.verb  # a tray is greased, though butter is spread
         if len(reading.motions) > 1 and reading.motions[0] != motion:
             doubts = (*doubts, f"“{action.verb}” taken as {motion}, as the FOON does it with {objects[0].name}")
         elif canonical(motion) != canonical(action.verb) and reading.confidence < 1 and not reading.why:
             doubts = (*doubts, f"“{action.verb}” taken as {motion}")
         doubts = (*doubts, *([reading.why] if reading.why else ()))
-        action = replace(action, objects=tuple(foods or objects))
+        action = replace(action, objects=tuple(foods or objects), places=places)
         return self._units.units(action, motion, reading.confidence, doubts)
 
-    def _objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
-        """Answer the objects by the names of scene and FOON; where none is named, what is at hand."""
-        named: list[Mention] = []
-        doubts: list[str] = []
-        for mention in action.objects:
-            if self._is_everything(mention.name):
-                named += [Mention(label) for label in self._meant(mention.name)]
-            else:
-                found, doubt = self._named(mention)
-                named.append(found)
-                doubts += [doubt] if doubt else []
-        if not action.objects:
-            named = [Mention(label) for label in self._scene.at_hand()]
-            doubts += [f"nobody says what “{action.verb}” is done to: taken as what is at hand"] if named else []
-        return tuple(dict.fromkeys(named)), tuple(doubts)
+    def _keeps_cold(self, action: NarratedAction) -> bool:
+        """Whether something is kept in what cools."""
+        rows = [tables().utensil(self._known_as(plain_name(place.name))) for place in action.places]
+        return any(row is not None and row.source == "cold" for row in rows)
+
+    def _with_appliances(self, action: NarratedAction, reading: Reading) -> tuple[NarratedAction, Reading]:
+        """Return the action with what heats or cools among the instruments; what is put into a fridge is chilled."""
+        source = tables().motion(next(iter(reading.motions), "")).source
+        listed = [tables().utensil(one.name) for one in action.objects]
+        heats = bool(source) and "heat" in tables().motion(reading.motions[0]).does
+        if heats and listed and all(row is not None and row.source == source for row in listed):
+            places = (*action.places, *(Place("in", one.name) for one in action.objects))
+            action = replace(action, objects=(), places=places)  # "bake the oven" is said of nothing
+        rows = {place.name: tables().utensil(place.name) for place in action.places}
+        named = [name for name, row in rows.items() if row is not None and row.source in {"heat", "cold"}]
+        if not named or (all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects):
+            return action, reading
+        row, motion = rows[named[0]], next(iter(reading.motions), "")
+        if row is not None and row.source == "cold" and not tables().motion(motion).source:
+            action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
+        elif not tables().motion(motion).source:
+            return action, reading
+        places = tuple(place for place in action.places if place.name not in named)
+        return replace(action, places=places, instruments=(*named, *action.instruments)), reading
 
     def _is_of_the_room(self, name: str) -> bool:
         known = canonical(name)
         return known not in self._precedents.labels and not {known, known.split()[-1]}.isdisjoint(_ROOM)
-
-    def _is_everything(self, name: str) -> bool:
-        words = set(canonical(name).split())
-        return name.lower() in PRONOUNS or (bool(words) and words <= EVERYTHING)
-
-    def _meant(self, name: str) -> tuple[str, ...]:
-        if name.lower() in PRONOUNS and self._scene.last:
-            return tuple(food for food in self._scene.last if food in self._scene.foods) or self._scene.at_hand()
-        mixture = self._scene.mixture()
-        return (mixture,) if canonical(name) == MIXTURE and mixture else self._scene.at_hand()
-
-    def _named(self, mention: Mention) -> tuple[Mention, str]:
-        known = self._scene.called(mention.name)
-        if known is not None:
-            return Mention(known, mention.states), ""
-        label = self._precedents.labels.get(canonical(mention.name))
-        if label is not None or self._kitchen.is_utensil(mention.name):
-            return Mention(label or mention.name, mention.states), ""
-        states, name = split_name(mention.name)
-        label = self._scene.called(name) or self._precedents.labels.get(canonical(name))
-        if label is None and (mixture := self._scene.mixture()) is not None and _is_mixed(name):
-            return Mention(mixture), f"“{name}” was not named before: taken as the mixture"
-        return Mention(label or name, (*mention.states, *states)), ""
 
     def _plain(self, action: NarratedAction) -> NarratedAction:
         """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
@@ -217,8 +201,10 @@ def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
     return LeftOut(action.said, reason, action.timing)
 
 
-def _is_mixed(name: str) -> bool:
-    return canonical(name) in _MIXED
+def _dish_of(name: str) -> str:
+    """Return the dish in the name of a recipe, the bread of "easy banana bread 2"; ``""`` where there is none."""
+    last = next((word for word in reversed(words(name)) if len(word) > 1), "")
+    return last if last in tables().dishes else ""
 
 
 def plain_name(name: str) -> str:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
+from foon_kg.language.drafting.told_states import done
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
-from foon_kg.similarity.states import state_in
 
 
 @dataclass(frozen=True)
@@ -48,7 +50,7 @@ class NodeDrafter:
             relation, container = self.precedents.relation(origin), origin
         elif at is not None:
             relation, container = self.precedents.relation(at), at
-        elif container is not None and (container == away_from or self._in_use(container)):
+        elif container is not None and (container == away_from or self._in_use(container) or _cooks(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
@@ -64,6 +66,9 @@ class NodeDrafter:
             coming = self.scene.coming.get(canonical(mention.name))
             later = self.precedents.of(coming, mention.name) if coming else like
             states, share = (later if later.rows else like).before()
+            told = done((later if later.rows else like).rows[0].motion)
+            if told in states and (sold := self.precedents.start(mention.name)) is not None:
+                states = sold[0]  # the FOON beats eggs that are beaten already
             evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
             evidence.weigh(max(at, UNSEEN))
             return states, place
@@ -73,7 +78,8 @@ class NodeDrafter:
             doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
             evidence.weigh_states(near.confidence * SOMETHING, doubt)
         if known is None:
-            states = mention.states or ("whole",)
+            made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
+            states = mention.states or (() if made else ("whole",))
             evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
             return states, (None, None)
         return mention.states or known[0], known[1]
@@ -93,9 +99,13 @@ class NodeDrafter:
     ) -> tuple[str, ...]:
         """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
-        if action.results:
+        if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
-        if set(states) == set(before.states) and not like.keeps(before.states) and (told := done(action.verb)):
+        known = tables().motion(action.verb)
+        if set(states) == set(before.states) and "wait" in known.does:
+            so = word_list("is so by cooling" if known.source == "cold" else "is so by waiting")
+            states, share = tuple(dict.fromkeys((*states, *sorted(so)))), UNSEEN
+        if set(states) == set(before.states) and (told := done(action.verb)):
             states, share = (*states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
@@ -109,7 +119,7 @@ class NodeDrafter:
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
         """Answer the instruments that are told, else those of the FOON; none of ``besides``."""
-        names = action.instruments or like.tools()
+        names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
 
@@ -127,8 +137,7 @@ class NodeDrafter:
     ) -> str | None:
         """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
         for place in action.places:
-            name = self.scene.called(place.name) or place.name
-            label = self.precedents.labels.get(name, name)
+            label = self._place_called(place.name)
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
         focus = self.scene.focus
@@ -152,27 +161,36 @@ class NodeDrafter:
     def utensil_place(self, action: NarratedAction) -> str | None:
         """Answer the first place that is told and that is a utensil."""
         for place in action.places:
-            name = self.scene.called(place.name) or place.name
-            label = self.precedents.labels.get(name, name)
+            label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
                 return label
         return None
 
+    def _place_called(self, name: str) -> str:
+        if self.precedents.kitchen.is_utensil(name):
+            return name
+        known = self.scene.called(name) or name
+        return self.precedents.labels.get(known, known)
+
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Answer the utensil that holds one of the objects, else the one that was used last."""
+        """Answer the utensil that holds one of the objects; none where they all come for the first time."""
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
-        return next((at for at in held if at is not None and at in self.scene.utensils), self.scene.focus)
+        return next((at for at in held if at is not None and at in self.scene.utensils), None)
 
     def in_utensil(self, node: ObjectNode) -> bool:
         """Say whether a node is in or on a utensil."""
         return node.container is not None and self.precedents.kitchen.is_utensil(node.container)
 
 
-def done(verb: str) -> str | None:
-    """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
-    word = verb.split(" ", maxsplit=1)[0]
-    forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", word)
-    return next((state for form in forms if (state := state_in(form))), None)
+def _runs_water(name: str) -> bool:
+    row = tables().utensil(name)
+    return row is not None and row.source == "water"
+
+
+def _cooks(container: str) -> bool:
+    """Whether a vessel stands over the heat: no food begins there, though the FOON has it so before such an action."""
+    row = tables().utensil(container)
+    return row is not None and "cook" in row.can
 
 
 def listed(states: Sequence[str]) -> str:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
 
+from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
 from foon_kg.model.knowledge import Neighbour
@@ -55,8 +56,9 @@ class Precedents:
     doubt: str = ""
 
     def before(self) -> tuple[States, float]:
-        """Answer the commonest states before, and their share."""
-        return _commonest((row.before, row.weight) for row in self.rows)
+        """Answer the commonest states before, and their share: of the rows in which it was not so before already."""
+        first = [row for row in self.rows if done(row.motion) not in row.before] or self.rows
+        return _commonest((row.before, row.weight) for row in first)
 
     def after(self, before: States) -> tuple[States, float]:
         """Answer the states after, of rows that begin alike where there are such, and their share."""

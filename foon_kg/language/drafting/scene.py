@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 
 MIXTURE = "mixture"
 EMPTY = "empty"
-EVERYTHING = frozenset({"all", "everything", "ingredient", "content", "rest", "mix", MIXTURE})
+EVERYTHING = word_list("speaks of everything")
 PRONOUNS = frozenset({"it", "them", "this", "these", "that", "those"})
 
 
@@ -54,11 +56,25 @@ class Scene:
     def at_hand(self) -> tuple[str, ...]:
         """Answer what an action without an object is done to: all in the vessel of the last one, else its foods."""
         held = tuple(food for food in self.held(self.focus or "") if food in self.foods)
-        return held or tuple(food for food in self.last if food in self.foods)
+        last = tuple(food for food in self.last if food in self.foods)
+        return held if set(last) <= set(held) else last
 
-    def mixture(self) -> str | None:
-        """Answer the mixture that was made last."""
-        return next((label for label in reversed(self.foods) if label.endswith(MIXTURE)), None)
+    def lying(self, besides: Collection[str] = ()) -> str | None:
+        """Return the vessel with several foods in it that was touched last, none of them among ``besides``."""
+        vessels = (label for label in reversed(self.utensils) if len(self.held(label)) > 1)
+        return next((label for label in vessels if set(self.held(label)).isdisjoint(besides)), None)
+
+    def made(self) -> tuple[str, ...]:
+        """Return the foods that are made of several, in the order in which they were last touched."""
+        return tuple(label for label, food in self.foods.items() if len(food.ingredients) > 1)
+
+    def another(self, vessel: str) -> str:
+        """Return the name of an empty vessel like ``vessel``: another of its group, else the same with a number."""
+        row = tables().utensil(vessel)
+        alike = [one.name for one in tables().utensils.values() if row is not None and one.group == row.group]
+        head = vessel.rsplit(maxsplit=1)[-1]
+        named = [name for name in alike if name.split()[-1] == head and not self.held(name)]
+        return named[0] if named else f"other {vessel}"
 
     def keep(self, nodes: Sequence[ObjectNode]) -> None:
         """Remember how these nodes are now."""

@@ -13,12 +13,14 @@ from importlib.resources import files
 
 import numpy as np
 
+from foon_kg.food import tables
 from foon_kg.similarity.vectors import food_vectors, stem
 
 SAME, SAME_STEM, BY_TABLE = 1.0, 0.95, 0.85
 """How sure a motion is that the verb names outright, in another form, or by way of the table."""
 
 _LIKE = 0.6
+_LOOKS_ONLY = frozenset({"inspect"})
 _NO_MOTION = "-"
 _WORD = re.compile(r"[^\W\d_]+")
 
@@ -51,6 +53,10 @@ class Verbs:
         said = " ".join(_words(verb))
         if not said:
             return Reading((), why="there is no verb in it")
+        return self._of_foon(said) or self._of_parts(said) or self._of_motion_table(said) or self._alike(said)
+
+    def _of_foon(self, said: str) -> Reading | None:
+        """Return the motions of the FOON that are called so, by the table or by their stems."""
         if said in self._by_words:
             return Reading(self._by_words[said], SAME)
         if (listed := _table().get(said)) is not None:
@@ -58,16 +64,31 @@ class Verbs:
         if (stems := _stems(said)) in self._by_stems:
             return Reading(self._by_stems[stems], SAME_STEM)
         by_stem = next((listed for other, listed in _table().items() if _stems(other) == stems), None)
-        if by_stem is not None:
-            return self._listed(said, by_stem)
+        return self._listed(said, by_stem) if by_stem is not None else None
+
+    def _of_parts(self, said: str) -> Reading | None:
+        """Return the reading of the first of several words, unless they mean another thing together (turn out)."""
         first, _, rest = said.partition(" ")
-        return self.reading(first) if rest else self._alike(said)
+        if not rest or said in tables().motions:
+            return None
+        found = self.reading(first)
+        return found if found.motions else None
+
+    def _of_motion_table(self, said: str) -> Reading | None:
+        """Return the verb itself as motion, where the table of motions says what that does."""
+        known = said in tables().motions or said in tables().motion_words
+        if not known or not tables().motion(said).does - _LOOKS_ONLY:
+            return None
+        why = f"no unit of the FOON has the motion “{said}”: taken as the table of motions has it"
+        return Reading((said,), BY_TABLE, why)
 
     def _listed(self, said: str, listed: tuple[str, ...]) -> Reading:
         if listed == (_NO_MOTION,):
             return Reading((), why=f"“{said}” changes no object")
         motions = tuple(motion for name in listed for motion in self._by_words.get(" ".join(_words(name)), ()))
         if not motions:
+            if (own := self._of_motion_table(said)) is not None:
+                return own
             return Reading(
                 (), why=f"“{said}” stands for {' or '.join(listed)}, and no unit of the FOON has such a motion"
             )
@@ -97,7 +118,7 @@ class Verbs:
 def is_verb(word: str, motions: Iterable[str]) -> bool:
     """Say whether ``word`` is a verb that the table lists or the first word of one of ``motions``."""
     known = {name.split()[0] for name in _table()} | {_words(motion)[0] for motion in motions if _words(motion)}
-    return word.lower() in known
+    return word.lower() in known or word.lower() in tables().motion_words
 
 
 def _grouped(pairs: Iterable[tuple[str, str]]) -> dict[str, tuple[str, ...]]:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
-from typing import Self
+from typing import Any, Self
 
 import neo4j
 from neo4j import exceptions as driver_errors
@@ -48,12 +49,20 @@ class Connection:
         return driver
 
     @contextmanager
-    def session(self, *, writing: bool = False) -> Iterator[neo4j.Session]:
-        """Open a session: of a cluster, reads go to followers. Whatever the driver raises becomes a GraphError."""
+    def session(self, *, writing: bool = False, warned: bool = False) -> Iterator[neo4j.Session]:
+        """Open a session: of a cluster, reads go to followers. Whatever the driver raises becomes a GraphError.
+
+        Who wants to be ``warned`` finds in the summaries what the server finds odd about a question.
+        """
+        told: dict[str, Any] = {"notifications_min_severity": neo4j.NotificationMinimumSeverity.WARNING}
+        if warned:
+            logging.getLogger("neo4j.notifications").setLevel(logging.ERROR)  # who asks reads them, and tells them
         mode = neo4j.WRITE_ACCESS if writing else neo4j.READ_ACCESS
         with (
             explained(self.settings),
-            self._driver.session(database=self.settings.database, default_access_mode=mode) as session,
+            self._driver.session(
+                database=self.settings.database, default_access_mode=mode, **(told if warned else {})
+            ) as session,
         ):
             yield session
 

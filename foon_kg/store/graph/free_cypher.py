@@ -2,15 +2,15 @@
 
 The READ access mode of Neo4j refuses every write to the graph, its schema and its users. It lets through what
 reaches outside the graph (``LOAD CSV``), what disturbs others (``TERMINATE TRANSACTIONS``, some procedures) and what
-tells about the server (``SHOW …``). So its words are read first (:mod:`foon_kg.store.graph.looking`), then its plan is
-looked at, and nothing of that kind is run.
+tells about the server (``SHOW …``, but for indexes and constraints). So its words are read first
+(:mod:`foon_kg.store.graph.looking`), then its plan is looked at, and nothing of that kind is run.
 """
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import neo4j
@@ -18,7 +18,12 @@ from neo4j import exceptions as driver_errors
 
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
-from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, read
+from foon_kg.store.graph.cypher_faults import told_error, unknown_names
+from foon_kg.store.graph.interruptible import interruptible
+from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking
+from foon_kg.store.graph.preface import unplanned
+from foon_kg.store.graph.question_words import read
+from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
 
 ROW_LIMIT = 1_000
 TIME_LIMIT = 30.0
@@ -31,6 +36,8 @@ MOST_BYTES = 16_000_000
 """How large an answer may be."""
 
 _REFUSED_OPERATORS = ("AdministrationCommand", "LoadCSV", "Show", "Terminate", "Transaction")
+_SHOWN = frozenset({"ShowIndexes", "ShowConstraints"})
+_ASKED_FOR_ITS_PLAN = "EXPLAIN\n"
 _ACCESS_MODE = "Neo.ClientError.Statement.AccessMode"
 _TIMED_OUT = "Neo.ClientError.Transaction.TransactionTimedOut"
 _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError.General.MemoryPoolOutOfMemoryError")
@@ -38,12 +45,17 @@ _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError
 
 @dataclass(frozen=True)
 class Answer:
-    """The rows of a query. ``cut`` says that there were more; ``changes`` counts what a write changed."""
+    """The rows of a query. ``cut`` says that there were more; ``changes`` counts what a write changed.
+
+    ``warnings`` name labels, types and properties that nothing in the graph has. The rows of ``EXPLAIN`` and
+    ``PROFILE`` are the operators of the plan.
+    """
 
     columns: tuple[str, ...]
     rows: tuple[tuple[Any, ...], ...]
     cut: bool
     changes: Mapping[str, int]
+    warnings: tuple[str, ...] = ()
 
 
 def ask_freely(
@@ -62,19 +74,26 @@ def ask_freely(
     told to end it and may not heed, the caller is answered nevertheless) or answers more than ``MOST_BYTES``
     (``too-much``).
     """
+    typed = endable = text
     if write:
         read(text)
     else:
-        text = only_looking(text)
+        pieces = only_looking(text, parameters)
+        text, endable = "".join(piece.text for piece in pieces), interruptible(pieces)
 
     def ask() -> Answer:
-        with connection.session(writing=write) as session:
+        with connection.session(writing=write, warned=True) as session:
             try:
-                if not write:
-                    _refuse_all_but_looking(_plan(session, text, parameters, timeout))
-                return _run(session, text, parameters, limit, timeout)
+                planned = _planned(session, text, typed, parameters, timeout, write=write)
+                if planned is not None and planned.mode == "explain":
+                    return _answered_plan(planned.summary.plan, planned.warnings, limit)
+                answer = _run(session, endable, parameters, limit, timeout)
+                if planned is None:
+                    return answer
+                columns = answer.columns if planned.mode else planned.columns
+                return replace(answer, columns=columns, warnings=planned.warnings)
             except driver_errors.Neo4jError as error:
-                raise _explained(error, timeout) from error
+                raise _explained(error, endable, timeout) from error
             except driver_errors.SessionExpired as error:
                 raise GraphError(
                     "the server ended while it was at this question, most likely because it needed too much memory",
@@ -116,11 +135,51 @@ def _late(timeout: float, *, stubborn: bool = False) -> GraphError:
     return GraphError(f"no answer within {timeout:g} seconds", hint=hint, code="timeout")
 
 
-def _plan(
-    session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, timeout: float
-) -> neo4j.ResultSummary:
-    # The one place where query text is put together: the person's own, behind the word that keeps it from running.
-    return session.run(_typed(f"EXPLAIN {text}", timeout), dict(parameters or {})).consume()
+@dataclass(frozen=True)
+class _Planned:
+    """How the columns of a question are called, as it is written, and what the server says of its plan.
+
+    ``mode`` is the word before it that asks for the plan, or nothing.
+    """
+
+    columns: tuple[str, ...]
+    summary: neo4j.ResultSummary
+    mode: str
+    warnings: tuple[str, ...]
+
+
+def _planned(
+    session: neo4j.Session, text: str, typed: str, parameters: Mapping[str, Any] | None, timeout: float, *, write: bool
+) -> _Planned | None:
+    """Return how the server goes about a question; ``None`` of one that may write and is to be run.
+
+    Raises :class:`~foon_kg.model.errors.WriteRefused` where one that may not write does more than look, and GraphError
+    in lines and columns of the text as it was ``typed``.
+    """
+    question, mode = unplanned(text)
+    if write and mode != "explain":
+        return None
+    try:
+        # The one place where query text is put together: the person's own, behind the word that keeps it from running.
+        result = session.run(_typed(_ASKED_FOR_ITS_PLAN + question, timeout), dict(parameters or {}))
+        columns, summary = tuple(result.keys()), result.consume()
+    except driver_errors.Neo4jError as error:
+        raise _explained(error, typed, timeout, lines_before=1) from error
+    if not write:
+        _refuse_all_but_looking(summary)
+
+    def known(procedure: str) -> list[str]:
+        return [str(record[0]) for record in session.run("CALL " + procedure)]
+
+    warnings = tuple(unknown_names(summary.gql_status_objects, known, lines_before=1))
+    return _Planned(columns, summary, mode, warnings)
+
+
+def _answered_plan(
+    plan: Mapping[str, Any] | None, warnings: tuple[str, ...], limit: int, *, profiled: bool = False
+) -> Answer:
+    rows = tuple(rows_of(plan or {}, profiled=profiled))
+    return Answer(PROFILED if profiled else COLUMNS, rows[:limit], len(rows) > limit, {}, warnings)
 
 
 def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float) -> Answer:
@@ -137,7 +196,10 @@ def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None
         records.append(record)
         if len(records) > limit:
             break
-    counters = vars(result.consume().counters)
+    summary = result.consume()
+    counters = vars(summary.counters)
+    if summary.profile:
+        return _answered_plan(summary.profile, (), limit, profiled=True)
     changes = {name: count for name, count in sorted(counters.items()) if type(count) is int and count}
     rows = tuple(tuple(record.values()) for record in records[:limit])
     return Answer(columns, rows, len(records) > limit, changes)
@@ -161,23 +223,14 @@ def _typed(text: str, timeout: float) -> neo4j.Query:
 def _refuse_all_but_looking(summary: neo4j.ResultSummary) -> None:
     if summary.query_type != "r":
         raise WriteRefused("this would change the graph, its schema, its users or the server", hint=HINT)
-    for operator, details in _operators(summary.plan or {}):
-        if operator.startswith(_REFUSED_OPERATORS):
+    for operator, details in map(name_and_details, (step for _, step in operators(summary.plan or {}))):
+        if operator.startswith(_REFUSED_OPERATORS) and operator not in _SHOWN:
             raise WriteRefused(f"this does more than look at the graph ({operator})", hint=HINT)
         if operator.startswith("ProcedureCall") and (name := details.partition("(")[0]) not in PROCEDURES:
             raise WriteRefused(f"the procedure {name} does more than look at the graph", hint=HINT)
 
 
-def _operators(plan: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Answer every operator of a plan with its details."""
-    waiting = [plan]
-    while waiting:
-        step = waiting.pop()
-        yield str(step.get("operatorType", "")), str(step.get("args", {}).get("Details", ""))
-        waiting.extend(step.get("children", ()))
-
-
-def _explained(error: driver_errors.Neo4jError, timeout: float) -> GraphError:
+def _explained(error: driver_errors.Neo4jError, text: str, timeout: float, *, lines_before: int = 0) -> GraphError:
     code = error.code or ""
     if code == _ACCESS_MODE:
         return WriteRefused("this would change the graph", hint=HINT)
@@ -187,4 +240,4 @@ def _explained(error: driver_errors.Neo4jError, timeout: float) -> GraphError:
         return GraphError(
             "this question needs more memory than the server has", hint="Ask for less at once.", code="memory"
         )
-    return GraphError(error.message or code, hint="See the Cypher manual: neo4j.com/docs/cypher-manual.", code="cypher")
+    return told_error(error.message or code, text, lines_before=lines_before)

@@ -4,23 +4,19 @@ A server tells the plan of a question, but not what stands inside its expression
 there. So the words themselves are read, wherever they stand, and what this reader does not know is refused: clauses
 that reach outside the graph, procedures and functions that are in no list here, and ways to write a word such that it
 is not seen. A server gets the question without its comments and with plain spaces, so that it reads the same words.
-Texts that are too long or nested too deep are refused as well: already to plan one could take a server hours.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
 
-from foon_kg.model.errors import GraphError, WriteRefused
-
-MOST_CHARACTERS = 50_000
-MOST_WORDS = 4_000
-"""Of words, numbers, strings and signs together."""
-
-DEEPEST = 60
-"""How many brackets may stand within each other."""
+from foon_kg.model.errors import WriteRefused
+from foon_kg.store.graph.patterns import refuse_hard_patterns
+from foon_kg.store.graph.preface import begin, shows_schema
+from foon_kg.store.graph.question_words import CLOSED, Token, asked, read_pieces, too_much
 
 LONGEST_RANGE = 1_000_000
 """How many numbers a ``range`` may give: what an expression does with them no server bounds."""
@@ -55,66 +51,33 @@ _AFTER_A_NAME = {
 }  # fmt: skip
 """What may follow a name that is also the first word of a command."""
 
-_TOKENS = re.compile(
-    r"""
-      (?P<space>\s+|//[^\n\r]*|/\*.*?\*/)
-    | (?P<string>'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*")
-    | (?P<quoted>`(?:[^`]|``)*`)
-    | (?P<number>\d\w*(?:\.\d\w*)?)
-    | (?P<word>\$?[^\W\d]\w*|\$\d+|\$`(?:[^`]|``)*`)
-    | (?P<sign>(?!/\*)[!#-&(-/:-@\[\]^{-~])
-    """,
-    re.VERBOSE | re.DOTALL,
-)
 _LISTED = frozenset(name.lower() for name in PROCEDURES)
-_OPEN, _CLOSED = {"(": ")", "[": "]", "{": "}"}, {")", "]", "}"}
 
 
-@dataclass(frozen=True)
-class Token:
-    """A piece of a question: ``word``, ``quoted`` (in backticks), ``string``, ``number``, ``sign`` or ``space``."""
-
-    kind: str
-    text: str
-
-    @property
-    def lower(self) -> str:
-        """A word in lower case, to compare it with a keyword; of anything else what no keyword is.
-
-        By way of upper case: there are letters of which a server may make a plain one so.
-        """
-        return self.text.upper().lower() if self.kind == "word" else ""
-
-    @property
-    def name(self) -> str:
-        """The name that a word or what stands in backticks is; ``""`` of anything else."""
-        if self.kind == "quoted":
-            return self.text[1:-1].replace("``", "`")
-        return self.text if self.kind == "word" and not self.text.startswith("$") else ""
-
-
-def only_looking(text: str) -> str:
-    """Return the question as a server may get it: with spaces in place of its comments, each word where it was.
+def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tuple[Token, ...]:
+    """Return the pieces of a question as a server may get them: spaces in place of comments, each word where it was.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` where a question does more than look at the graph, or may do so,
     and :class:`~foon_kg.model.errors.GraphError` for a text that is too long or nested too deep to be asked.
     """
-    pieces = _pieces(text)
-    tokens = _asked(pieces)
+    pieces = read_pieces(text)
+    tokens = asked(pieces)
+    refuse_hard_patterns(tokens, parameters or {})
+    schema = begin(tokens) if shows_schema(tokens) else None
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
-        if _is_of_what_is_before(tokens, number):
+        if _is_of_what_is_before(tokens, number) or number == schema:
             continue
         if not (number and tokens[number - 1].text == ":"):  # no clause begins in a label
             _refuse_clause(token, rest)
             _refuse_procedure(token, rest)
         _refuse_function(token, rest)
         _refuse_range(token, rest)
-    return "".join(_plain_space(piece.text) if piece.kind == "space" else piece.text for piece in pieces)
+    return tuple(replace(piece, text=_plain(piece.text)) if piece.kind == "space" else piece for piece in pieces)
 
 
-def _plain_space(text: str) -> str:
-    return re.sub(r"[^\n]", " ", text)
+def _plain(space: str) -> str:
+    return re.sub(r"[^\n]", " ", space)
 
 
 def _is_of_what_is_before(tokens: Sequence[Token], number: int) -> bool:
@@ -122,58 +85,7 @@ def _is_of_what_is_before(tokens: Sequence[Token], number: int) -> bool:
     if number < 2 or tokens[number - 1].text != ".":  # noqa: PLR2004 - something, and a dot
         return False
     owner = tokens[number - 2]
-    return owner.kind in {"word", "quoted", "string"} or owner.text in _CLOSED
-
-
-def read(text: str) -> tuple[Token, ...]:
-    """Return the pieces of a question without its spaces and comments.
-
-    Raises :class:`~foon_kg.model.errors.WriteRefused` where something hides in it, GraphError where it is too much.
-    """
-    return _asked(_pieces(text))
-
-
-def _pieces(text: str) -> tuple[Token, ...]:
-    if len(text) > MOST_CHARACTERS:
-        raise _too_much(f"it has {len(text)} characters, and {MOST_CHARACTERS} are the most")
-    if re.search(r"\\u", text, re.IGNORECASE):
-        raise WriteRefused(
-            "a character that is written by its number could hide anything",
-            hint="Write the character itself, or give the text as a parameter.",
-        )
-    return tuple(_tokens(text))
-
-
-def _asked(pieces: Sequence[Token]) -> tuple[Token, ...]:
-    tokens = tuple(piece for piece in pieces if piece.kind != "space")
-    if len(tokens) > MOST_WORDS:
-        raise _too_much(f"it has {len(tokens)} words and signs, and {MOST_WORDS} are the most")
-    open_ones = 0
-    for token in tokens:
-        open_ones += (token.text in _OPEN) - (token.text in _CLOSED) if token.kind == "sign" else 0
-        if open_ones > DEEPEST:
-            raise _too_much(f"more than {DEEPEST} brackets stand within each other")
-    return tokens
-
-
-def _too_much(why: str) -> GraphError:
-    return GraphError(
-        f"this question is too much to ask: {why}", hint="Give long lists as parameters (-P).", code="too-much"
-    )
-
-
-def _tokens(text: str) -> Iterator[Token]:
-    place = 0
-    while place < len(text):
-        found = _TOKENS.match(text, place)
-        if found is None:
-            line = text.count("\n", 0, place) + 1
-            raise WriteRefused(
-                f"what begins in line {line} does not end, or is no sign of Cypher: {text[place : place + 20]!r}",
-                hint="Close what is in quotation marks or backticks; use plain spaces and signs.",
-            )
-        place = found.end()
-        yield Token(str(found.lastgroup), found.group())
+    return owner.kind in {"word", "quoted", "string"} or owner.text in CLOSED
 
 
 def _refuse_clause(token: Token, rest: Sequence[Token]) -> None:
@@ -216,7 +128,7 @@ def _refuse_range(token: Token, rest: Sequence[Token]) -> None:
     numbers = [one for one in rest[1:8] if one.kind == "number"]
     most = max((_value(one.text) for one in numbers), default=0)
     if most > LONGEST_RANGE:
-        raise _too_much(f"a range goes to {most}, and {LONGEST_RANGE} is the most")
+        raise too_much(f"a range goes to {most}, and {LONGEST_RANGE} is the most")
 
 
 def _value(number: str) -> int:

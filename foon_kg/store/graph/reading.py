@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from itertools import chain, groupby
@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 import neo4j
 
 from foon_kg.food.motion_costs import MotionCosts
+from foon_kg.loaders.lessons import lessons_of
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
+from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
 from foon_kg.model.errors import SchemaError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular, words
@@ -51,6 +53,7 @@ from foon_kg.store.graph.statements import (
     REMEMBERED,
     SCHEMA_STATE,
     SUBGRAPHS,
+    SURE_DRAFTS,
     VIDEO_NAMES,
     VOCABULARY,
     WORDS_FOR,
@@ -234,6 +237,11 @@ class GraphView:
         return self._edition.name
 
     @property
+    def sureness(self) -> Mapping[str, float]:
+        """Nothing: what drafts teach is asked for apart (:meth:`lessons`)."""
+        return {}
+
+    @property
     def memory(self) -> GraphView:
         """The graph itself keeps reference trees."""
         return self
@@ -257,6 +265,14 @@ class GraphView:
         rows = self._ask(SUBGRAPHS, names=sorted(set(names)))
         return tuple(sorted(map(subgraph_of, rows), key=lambda subgraph: subgraph.name))
 
+    def lessons(self, most: int = MOST_OF_A_DISH_TYPE) -> tuple[Lesson, ...]:
+        """Return what the ``most`` surest drafts of each dish type teach, sorted by name."""
+        rows = self._ask(SURE_DRAFTS, dish_types=list(DISH_TYPES), most=most)
+        return lessons_of(
+            DraftedRecipe(row.id, row.title, row.dish_type, row.table, row.units, row.left_out, row.confidence)
+            for row in rows
+        )
+
     def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
         """Answer which edition this view reads: ``known``, or a new one.
 
@@ -267,6 +283,19 @@ class GraphView:
         self._kitchen, self._learnt_by = kitchen, state.methods if state else None
         self._edition = known.still(state.edition if state else None)
         return self._edition
+
+    def moved(self) -> bool:
+        """Return whether somebody wrote since the view began; then it begins anew.
+
+        Neo4j shows a transaction what others commit meanwhile. Where nothing but the edition was asked nothing moved.
+        """
+        state = next(iter(self._ask(SCHEMA_STATE)), None) if self.round_trips > 1 else None
+        if state is None or state.edition == self._edition.name:
+            return False
+        self._edition = Edition(state.edition)
+        self.retrieved.clear()
+        self._fetched.clear()
+        return True
 
     def keep(self) -> None:
         """Keep on disk what was fetched for good, where the graph is still of the edition with which this view began.

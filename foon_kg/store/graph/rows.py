@@ -102,6 +102,19 @@ class ContentRow:
 
 
 @dataclass(frozen=True)
+class DraftRow:
+    """A draft: the fields of a ``DraftedRecipe``."""
+
+    id: str
+    title: str
+    dish_type: str
+    table: str
+    units: int
+    left_out: int
+    confidence: float
+
+
+@dataclass(frozen=True)
 class UnitRow:
     """A unit without anything that a video says about it."""
 

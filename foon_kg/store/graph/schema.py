@@ -28,8 +28,8 @@ _SCHEMA_CONFLICT = "Neo.ClientError.Schema."
 
 _TRIES = 5
 
-_COUNTED = "foods in states, states by verbs, verbs by foods"
-"""What the tables of words have. A graph with other tables is written anew, as for another kitchen."""
+_COUNTED = "foods in states, states by verbs, verbs by foods; utensils, what moves, which step is next"
+"""What the graph tells beside what was annotated. A graph that tells less is written anew, as for another kitchen."""
 
 
 def schema_version() -> int:

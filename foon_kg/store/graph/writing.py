@@ -19,6 +19,7 @@ from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
+from foon_kg.store.graph.movements import movement_rows
 from foon_kg.store.graph.reading import subgraph_of
 from foon_kg.store.graph.rows import bare_unit_of, properties_of
 from foon_kg.store.graph.schema import kitchen_key, schema_version
@@ -54,6 +55,8 @@ class Writer:
         self._ask(cypher.LOAD_OBJECTS, objects=self._object_rows(nodes))
         new = self._ask(cypher.LOAD_UNITS, units=[_unit_row(units[key]) for key in sorted(units)])
         self._ask(cypher.LOAD_SIGHTINGS, sightings=[row for s in subgraphs for row in _sighting_rows(s)])
+        self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
+        self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(subgraphs))
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
         self._throw_out_trees(units[row.key] for row in new)
         self._counts.count(units[row.key] for row in new)
@@ -62,6 +65,8 @@ class Writer:
     def forget(self, names: Sequence[str]) -> None:
         """Take away what the named videos say, but not the videos."""
         if names:
+            going = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+            self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(going, weight=-1))
             self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
             self._ask(cypher.FORGET_GOALS, names=names, dish_types=DISH_TYPES)
             self._learner.forget(names)
@@ -154,6 +159,7 @@ class Writer:
                 "relation": node.relation,
                 "container": node.container,
                 "start": self._kitchen.has(node) or None,  # the closure asks for nodes without the property
+                "utensil": self._kitchen.is_utensil(node.label) or None,
             }
             for node in sorted(nodes, key=lambda node: node.key)
         ]
@@ -165,6 +171,10 @@ class Writer:
 
 def _video_row(subgraph: Subgraph) -> dict[str, Any]:
     return {"name": subgraph.name, "content": subgraph.content_key, "sources": subgraph.sources}
+
+
+def _steps_row(subgraph: Subgraph) -> dict[str, Any]:
+    return {"name": subgraph.name, "units": [annotation.unit.key for annotation in subgraph.annotations]}
 
 
 def _unit_row(unit: FunctionalUnit) -> dict[str, Any]:

@@ -28,6 +28,8 @@ def neo4j_conf(port: int) -> str:
         "dbms.security.allow_csv_import_from_file_urls": "false",
         "internal.dbms.cypher_ip_blocklist": "0.0.0.0/0,::/0",
         "dbms.usage_report.enabled": "false",
+        # A question is ended so soon after its time limit.
+        "db.transaction.monitor.check.interval": "200ms",
         "server.config.strict_validation.enabled": "true",
         # Without it every stop waits ten seconds for idle Bolt threads.
         "internal.server.bolt.thread_pool_shutdown_wait_time": "200ms",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -21,6 +21,16 @@ LOCK_SECONDS = 900  # a first start on a slow line, which others wait for
 
 Say = Callable[[str], None]
 """Told, in one line of words, what takes time."""
+
+
+def waiting(say: Say, what: str) -> AbstractContextManager[object]:
+    """Say what is waited for; return what shows it for as long as it lasts, where ``say`` can."""
+    shown = getattr(say, "waiting", None)
+    if shown is not None:
+        begun: AbstractContextManager[object] = shown(what)
+        return begun
+    say(what)
+    return nullcontext()
 
 
 def silent(_message: str) -> None:

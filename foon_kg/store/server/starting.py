@@ -16,7 +16,7 @@ from foon_kg.model.kept import cache_folder
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.fetch import fetch
-from foon_kg.store.server.home import Home, Memory, Say
+from foon_kg.store.server.home import Home, Memory, Say, waiting
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import java
 from foon_kg.store.server.launch import launched
@@ -46,9 +46,9 @@ def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Con
             fetch(jar_set, folder)
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)
-    say(f"starting Neo4j {jar_set.version}")
     try:
-        return _launch_on(place, port, memory, cache)
+        with waiting(say, f"starting Neo4j {jar_set.version}"):
+            return _launch_on(place, port, memory, cache)
     except ServerError as error:
         _blame_damaged_jars(jar_set, folder)
         if error.code != "start" or not cache.discard():

@@ -7,7 +7,7 @@ const FIRST = 12; // the others are unfolded
 
 const units = (title, told) => {
   if (!told.count) return [heading(3, title), element("p", { class: "aside" }, "No step.")];
-  const items = told.units.map((unit, i) => element("li", {}, ...unitWords(unit), " ", seenWords(unit.seen_in, told.videos[i])));
+  const items = told.units.map((unit, i) => element("li", {}, ...unitWords(unit), " ", seenWords(unit.seen_in.find((one) => one.start !== null) ?? unit.seen_in[0], told.videos[i])));
   const more = told.count - told.units.length;
   return [
     heading(3, `${title} (${told.count})`),

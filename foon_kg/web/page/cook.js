@@ -5,8 +5,8 @@ import { meanwhile, needs } from "./cook_needs.js";
 import { keeper } from "./cook_place.js";
 import { timers } from "./cook_timers.js";
 import { element, heading, list } from "./element.js";
-import { seenWords, thingWords } from "./nodes.js";
-import { besides, buying, marked } from "./steps.js";
+import { thingWords } from "./nodes.js";
+import { besides, buying, evidence, marked } from "./steps.js";
 import { awake } from "./wake.js";
 
 const PHASES = { prepare: "making ready", heat: "cooking", finish: "serving" };
@@ -54,14 +54,13 @@ export const cookView = (plan, { key, unseen, to }) => {
   const stepShown = (i) => {
     const [fresh, there] = needs(plan.units, i);
     const after = i + 1 < plan.units.length ? plan.sentences[i + 1] : "That was the last step.";
-    const seen = seenWords(plan.units[i].seen_in, plan.videos[i]);
     said.replaceChildren(
       element("p", { class: "count" }, `Step ${i + 1} of ${plan.units.length}`, PHASES[plan.units[i].phase] ? ` · ${PHASES[plan.units[i].phase]}` : "", kept.has("done", i + 1) ? " · ✓ done" : ""),
       element("p", { class: "big" }, ...marked(plan.sentences[i], unseen)));
     rest.replaceChildren(
       ...row("Take", fresh.map(words)), ...row("At hand", there.map(words)),
       ...timer(i),
-      element("p", { class: "aside" }, seen ? "Seen in " : "", seen ?? "", seen ? " · " : "", element("a", { href: to("tree", i + 1) }, "in the tree")),
+      element("p", { class: "aside" }, ...evidence(plan, i), " · ", element("a", { href: to("tree", i + 1) }, "in the tree")),
       element("p", { class: "next" }, element("strong", {}, "Next: "), after));
   };
   const readyShown = () => {

@@ -172,6 +172,7 @@ at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan()
 at("suggest").addEventListener("click", () => ask("make"));
 at("clear").addEventListener("click", () => {
   foods.set([]);
+  wished.follow("");
   wished.question().substitutes.forEach(({ food }) => wished.choose(food, null));
   say("All ingredients are removed.");
   ingredient.focus();

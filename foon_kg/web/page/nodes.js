@@ -29,13 +29,11 @@ const joined = (nodes, unseen) => nodes.flatMap((node, i) => (i ? [" + ", ...nod
 
 export const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
-// Where a unit is seen: of several places the first with a time, as the address has it.
-export const seenAt = (places) => places.find((one) => one.start !== null) ?? places[0];
-export const seenWords = (places, address) => {
-  const seen = seenAt(places);
+// Where a unit is seen; `address` leads there.
+export const seenWords = (seen, address) => {
   if (!seen) return null;
   const when = seen.start === null ? "" : ` at ${minutes(seen.start)}`;
-  if (!address) return element("span", { class: "seen aside" }, seen.video + when);
+  if (!address) return element("span", { class: "seen aside" }, `video ${seen.video}${when}`);
   const link = { href: address, target: "_blank", rel: "noreferrer noopener" };
   return element("span", { class: "seen" }, element("a", link, `video ${seen.video}${when}`));
 };

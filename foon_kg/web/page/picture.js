@@ -1,6 +1,7 @@
 // A picture of the service as elements, to look at or to move and zoom.
 
 import { element } from "./element.js";
+import { minimap } from "./minimap.js";
 import { stage } from "./stage.js";
 
 const KEYS = "Arrow keys move the picture, + and - zoom, 0 shows all of it.";
@@ -23,5 +24,5 @@ export const staged = (text, name) => {
     element("button", { type: "button", class: "small", "aria-label": label, onclick: act[does] }, sign));
   const hint = element("p", { class: "aside" }, element("span", { class: "fine" }, `Drag to move, Ctrl and the wheel zoom. ${KEYS}`),
     element("span", { class: "coarse" }, "Two fingers move and zoom; after a tap one finger moves."));
-  return { parts: [element("div", { class: "bar" }, ...buttons), box, hint], box, centre: act.centre };
+  return { parts: [element("div", { class: "bar" }, ...buttons), element("div", { class: "staged" }, box, minimap(svg, act.look)), hint], box, centre: act.centre };
 };

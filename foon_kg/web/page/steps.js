@@ -1,7 +1,7 @@
 // A plan to read: what it is made after, what to buy, and its steps as sentences; the FOON's own words on demand.
 
 import { element, heading, list, sentence } from "./element.js";
-import { nodeWords, seenAt, seenWords, unitWords } from "./nodes.js";
+import { nodeWords, seenWords, unitWords } from "./nodes.js";
 
 export const notes = (told) => (told.length ? element("div", { class: "notice notes" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
 
@@ -17,7 +17,7 @@ export const marked = (text, unseen) => {
 
 // The videos that a plan is made after, each a link where one of its steps has an address in it.
 export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
-  const i = plan.units.findIndex((unit, at) => plan.videos[at] && seenAt(unit.seen_in).video === name);
+  const i = plan.seen.findIndex((seen, at) => plan.videos[at] && seen.video === name);
   return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
 });
 
@@ -31,14 +31,18 @@ export const amountOf = (plan, label) => plan.amounts[plan.recipe.ingredients.fi
 
 export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(plan, node.label), " ", ...words(node)]);
 
-// How near what a video shows is to what this step does.
+// How near what a video shows is to what this step does, where nothing of it stands for anything else.
 const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
 
-// The evidence of a step: where it is seen, and how near that is.
+// The evidence of a step: “as in the video at 1:05” where it does what that shows, else “like it, onion for leek, 0.95”.
 export const evidence = (plan, i) => {
   const unit = plan.units[i];
-  const near = unit.origin === "adapted" && NEAR[unit.grounding];
-  return [seenWords(unit.seen_in, plan.videos[i]), near ? ` · ${near}` : ""];
+  const seen = seenWords(plan.seen[i], plan.videos[i]);
+  if (!seen) return ["Seen in no video"];
+  if (unit.origin === "foon") return ["As in ", seen];
+  const stands = plan.stands[i].map((one) => `${one.equivalent} for ${one.object}, ${one.confidence.toFixed(2)}`);
+  const near = stands.length ? stands.join("; ") : NEAR[unit.grounding];
+  return ["Like ", seen, near ? `, ${near}` : ""];
 };
 
 const step = (plan, i, { unseen, to }) => {

@@ -1,10 +1,11 @@
 // The tree beside its steps: a click on a step in one shows it in the other, and its evidence; below, the life of each ingredient.
 
 import { element, heading, list } from "./element.js";
+import { follow } from "./follow.js";
 import { picture, staged } from "./picture.js";
 import { evidence } from "./steps.js";
 
-export const treeView = (plan, { to }) => {
+export const treeView = (plan, { to, unseen }) => {
   const { parts, box, centre } = staged(plan.pictures.tree, "The task tree, from the kitchen down to the dish");
   const links = plan.sentences.map((text, i) => element("a", { href: to("tree", i + 1) }, `${i + 1}. ${text}`));
   const steps = list(links.map((link, i) => element("li", {}, link, element("div", { class: "where" }, ...evidence(plan, i)))), { class: "plain list", tabindex: "-1" }, "ol");
@@ -26,7 +27,8 @@ export const treeView = (plan, { to }) => {
     const number = event.target.closest("[data-step]")?.dataset.step;
     if (number) location.hash = to("tree", number);
   });
-  const part = element("section", {}, element("div", { class: "beside tree" }, element("div", {}, ...parts), steps),
+  const foods = follow(box, plan.progress_lines.map((line) => line.ingredient), unseen);
+  const part = element("section", {}, foods, element("div", { class: "beside tree" }, element("div", {}, ...parts), steps),
     heading(2, "The life of each ingredient"),
     element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)));
   return { part, shown };

@@ -1,6 +1,7 @@
 // Why a plan is as it is: the dish it was made after, what stands for what (and what could), each food's reason, nearer
 // dishes that were passed over, how near its steps are to what videos show, and what the judge says of it.
 
+import { toAddress } from "./address.js";
 import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords } from "./nodes.js";
 import { foodAndState, videos } from "./steps.js";
@@ -8,17 +9,26 @@ import { foodAndState, videos } from "./steps.js";
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
 
-export const whyView = (plan, { unseen, to, chosen, choose }) => ({ part: element("section", {}, ...[
+export const whyView = (plan, { asked, unseen, to, chosen, choose }) => ({ part: element("section", {}, ...[
   heading(2, "The dish it was made after"), ...after(plan),
   ...substitutions(plan, unseen, chosen, choose),
   heading(2, "Why each food is made so"), reasons(plan, to),
   ...titled("Taken to be there", plan.assumptions.map((one) => [...nodeWords(one.node, unseen), `: ${one.why}`])),
-  ...titled("Nearer by their foods, and passed over", plan.passed_over.map((one) => [element("strong", {}, one.goal.label), " ", sure(one.similarity), `: ${one.why}`])),
+  ...titled("Nearer by their foods, and passed over", others(plan, true, asked, to)),
+  ...titled("Other dishes to make it after", others(plan, false, asked, to)),
   heading(2, "How near its steps are to what videos show"), evidence(plan, to),
   heading(2, "What the judge says"), ...judged(plan, to),
 ].filter(Boolean)) });
 
 const titled = (title, items) => (items.length ? [heading(2, title), list(items)] : []);
+
+// The dishes that were considered and not taken; each can be taken after all, or looked at beside this plan.
+const others = ({ considered }, nearer, asked, to) => considered.filter((one) => one.nearer === nearer).map((one) => {
+  const rival = { ...asked, after: one.video };
+  return [element("strong", {}, one.goal.label), ` of video ${one.video} `, sure(one.similarity), nearer ? `: ${one.why}` : "",
+    element("span", { class: "jumps" }, " · ", element("a", { href: toAddress(rival, "why"), "aria-label": `make it so, after the ${one.goal.label} of ${one.video}` }, "make it so"),
+      " · ", element("a", { href: to("compare", null, toAddress(rival)), "aria-label": `compare with the ${one.goal.label} of ${one.video}` }, "compare"))];
+});
 
 const after = (plan, { recipe, reference } = plan) => [
   element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map(foodAndState))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),

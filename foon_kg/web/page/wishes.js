@@ -1,4 +1,5 @@
-// What is at hand, what is to be left out, and what shall stand for what. The first two are kept in this browser.
+// What is at hand, what is to be left out, what shall stand for what, and which recorded dish to follow. The first two
+// are kept in this browser.
 
 import { chip, chipField, focusNear } from "./chips.js";
 import { combobox } from "./combobox.js";
@@ -12,10 +13,13 @@ export const wishes = (say) => {
   const kitchen = chipField(at("thing"), at("at-hand"), { most: 200, say, changed: () => told() });
   const avoided = chipField(at("avoid"), at("avoided"), { most: 20, say, changed: () => told() });
 
+  const after = combobox(at("after"), () => { at("after").focus(); told(); });
+  at("after").addEventListener("change", () => told());
+
   const told = () => {
     const [things, foods] = [kitchen?.words() ?? [], avoided?.words() ?? []];
     const parts = [things.length && `${things.length} at hand`, foods.length && `without ${foods.join(", ")}`,
-      chosen.size && [...chosen].map(([food, like]) => `${food} like ${like}`).join(", ")];
+      chosen.size && [...chosen].map(([food, like]) => `${food} like ${like}`).join(", "), at("after").value.trim() && `after ${at("after").value.trim()}`];
     at("wishes-told").textContent = parts.filter(Boolean).join(" · ") || "everything is at hand, nothing is left out";
     localStorage.setItem(KEPT, JSON.stringify({ things, foods }));
   };
@@ -52,12 +56,14 @@ export const wishes = (say) => {
     });
   }
 
-  const set = ({ things, foods, choices }) => {
+  const set = ({ things, foods, choices, after: dish = "" }) => {
+    at("after").value = dish;
+    after.close();
     kitchen.set(things);
     avoided.set(foods);
     chosen = new Map(choices);
     showChosen();
-    at("wishes").open = things.length + foods.length > 0;
+    at("wishes").open = things.length + foods.length + dish.length > 0;
   };
   const kept = () => {
     try {
@@ -71,8 +77,9 @@ export const wishes = (say) => {
   return {
     set,
     choose,
+    follow: (dish) => { at("after").value = dish; told(); },
     chosen: () => chosen,
-    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words() }),
+    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words(), after: at("after").value.trim() }),
     have: (thing) => kitchen.add(thing),
     gather: () => [kitchen, avoided].forEach((field) => field.add()), // what is typed and not yet entered
   };

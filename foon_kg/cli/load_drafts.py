@@ -1,0 +1,52 @@
+"""``foon load drafts``: bring drafts of recipes into the graph, apart from the annotated videos."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from foon_kg.cli.console import Json, Quiet, examples, sayer
+from foon_kg.cli.loading import DryRun, show_counts
+
+EXAMPLES = examples("foon load drafts drafts.jsonl.zst", "foon load drafts drafts.jsonl --dry-run")
+
+
+def drafts(
+    paths: Annotated[
+        list[Path],
+        typer.Argument(metavar="FILE...", help="What foon draft recipes wrote (.jsonl, .gz, .zst)."),
+    ],
+    *,
+    dry_run: DryRun = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
+    """Load drafts of recipes, apart from videos.
+
+    Nobody has watched or reviewed them: they change no answer but those that ask for them (foon plan --with-drafts).
+    Drafts that make no dish of a known type are left out. Loading one again changes nothing; with other content it
+    replaces what was there. foon remove draft:ID takes one out.
+    """
+    from foon_kg.cli.runs import counting
+    from foon_kg.loaders.lessons import lesson_of, read_drafted
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.graph.drafts import load_drafts
+    from foon_kg.store.server import connection_settings
+
+    counts = {"drafts": 0, "left_out": 0}
+    with counting("Reading drafts", quiet=quiet) as advance:
+        for drafted in read_drafted(paths):  # to its end first: a file that is broken loads nothing
+            counts["drafts"] += 1
+            counts["left_out"] += lesson_of(drafted) is None
+            advance(1)
+    if not dry_run:
+        with (
+            Connection(connection_settings(sayer(quiet=quiet))) as connection,
+            counting("Loading drafts", counts["drafts"], quiet=quiet) as advance,
+        ):
+            stored = load_drafts(connection, read_drafted(paths), stored=lambda report: advance(len(report)))
+        counts = asdict(stored)
+    show_counts(counts, as_json=as_json)

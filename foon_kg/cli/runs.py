@@ -1,0 +1,98 @@
+"""Runs that take a while: what a terminal shows of them while they last, and the line that closes them.
+
+Only stderr, only where it is a terminal, and only what takes longer than a second (``SHOWN_AFTER``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from threading import Timer
+from time import monotonic
+from typing import TypeVar
+
+from foon_kg.cli.console import messages
+
+T = TypeVar("T")
+
+SHOWN_AFTER = 1.0
+"""Seconds that a run may take without a word."""
+
+_MINUTE = 60
+
+
+def progress_bar(items: Iterable[T], label: str, total: int, done: int = 0, *, quiet: bool = False) -> Iterator[T]:
+    """Pass ``items`` on; show how many of ``total`` are done by now, ``done`` of them before."""
+    with counting(label, total, done, quiet=quiet) as advance:
+        for item in items:
+            yield item
+            advance(1)
+
+
+def waited(items: Iterable[T], label: str, *, quiet: bool = False) -> Iterator[T]:
+    """Pass ``items`` on; show that the next one is waited for, and nothing while one is used."""
+    following, ended = iter(items), object()
+    while True:
+        with counting(label, quiet=quiet, closing=False):
+            item = next(following, ended)
+        if item is ended:
+            return
+        yield item  # type: ignore[misc]  # only what is no end
+
+
+@contextmanager
+def counting(
+    label: str,
+    total: int | None = None,
+    done: int = 0,
+    *,
+    quiet: bool = False,
+    after: float = SHOWN_AFTER,
+    closing: bool = True,
+) -> Iterator[Callable[[int], None]]:
+    """Show a bar with a ``label`` of what is done, as in "Planning recipes", and close it with a line of its own.
+
+    Yield what is told how many more are done. Where nobody knows the ``total``, seconds run on instead. It is shown
+    ``after`` so many seconds; without ``closing`` no line stays behind.
+    """
+    console = messages(quiet=quiet)
+    if quiet or not console.is_terminal:
+        yield _nothing
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    named = TextColumn("{task.description}")
+    bar = (named, BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = bar if total is not None else (SpinnerColumn(), named, TimeElapsedColumn())
+    shown = Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False)
+    task = shown.add_task(label, total=total, completed=done)
+    begun, counted = monotonic(), [0]
+
+    def advance(more: int) -> None:
+        counted[0] += more
+        shown.advance(task, more)
+
+    timer = Timer(after, shown.start)
+    timer.daemon = True
+    timer.start() if after else shown.start()
+    try:
+        yield advance
+    finally:
+        timer.cancel()
+        if after:
+            timer.join()
+        if shown.live.is_started:
+            shown.stop()
+            if closing:
+                of = "" if total is None else f" of {total:,}"
+                many = f": {counted[0] + done:,}{of}" if total or counted[0] else ""
+                console.print(f"{label}{many} in {_long(monotonic() - begun)}", style="dim", markup=False)
+
+
+def _nothing(_more: int) -> None:
+    """Tell nobody."""
+
+
+def _long(seconds: float) -> str:
+    """Return a time for people: 4.2 s, then 1:05 min."""
+    return f"{seconds:.1f} s" if seconds < _MINUTE else f"{round(seconds) // 60}:{round(seconds) % 60:02} min"

@@ -1,0 +1,37 @@
+"""What the names of dishes say: of the asked one its title and type, of the recorded one its goal's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Motion
+
+BY_TITLE, BY_TYPE = 1.0, 0.6
+"""How much a goal is called like the dish that is asked: by its title, and by its type alone."""
+
+
+def named_alike(label: str, dish_type: str, title: str) -> float:
+    """Return how much (0 to 1) a goal is called like the dish that is asked: by its type, better by its title."""
+    own = words(label)
+    if own and own[-1] in words(title):
+        return BY_TITLE
+    return 0.0 if set(words(dish_type)).isdisjoint(own) else BY_TYPE
+
+
+def is_baked(dish_type: str, title: str, known: Tables) -> bool:
+    """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin."""
+    if any(dish.baked for dish in known.dishes_named(dish_type, title)):
+        return True
+    told = words(title)
+    if not word_list("comes out of an oven").isdisjoint(told):
+        return True
+    return any("dry" in row.does for word in told for row in made_of_verb(word, known))
+
+
+def made_of_verb(word: str, known: Tables) -> Iterator[Motion]:
+    """Yield the motions of whose verb a word is made: baked of bake, fried of fry."""
+    for verb, row in known.motion_words.items():
+        if word.startswith((verb, verb.removesuffix("e"), verb.removesuffix("y") + "i")):
+            yield row

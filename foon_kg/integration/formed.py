@@ -1,0 +1,125 @@
+"""Balls, patties and cakes: what holds together is mixed, shaped, and then fried, baked or simmered."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+from foon_kg.integration.course import HEATS
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
+from foon_kg.integration.places import Join
+from foon_kg.integration.preparation import as_mash
+
+_FINE = 3
+"""As finely as this (chopped, grated) vegetables are cut that go into a mass."""
+
+
+def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
+    """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
+    bread = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    other = any(dish.dressed or (dish.stacked and bread) for dish in dishes)
+    return any(dish.formed for dish in dishes) and not other
+
+
+def formed(
+    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables, goal: str, *, baked: bool
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return how balls, patties or cakes are made that are the dish: mixed, shaped, cooked, and simmered in a sauce.
+
+    ``told`` are the words of type and title, ``goal`` is what the recorded dish is called; ``baked``: it comes out of
+    an oven. Nothing changes where there is nothing to be shaped, or where balls are but a part of the dish: with pasta,
+    in a soup.
+    """
+    mass = _Mass(joins, known)
+    part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
+    if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
+        return line, tuple(joins)
+    mix, shape, heat, turn, done, sauce, top = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP)
+    heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
+    wet = [join for join in joins if mass.is_sauce(join)]
+    tops = [join for join in joins if mass.lies_on_it(join)]
+    if baked and not wet:
+        heat = replace(BAKE, adds=heat.adds, vessel="baking tray", relation="on")
+        stages: tuple[Stage, ...] = (heat,)
+    else:
+        stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
+    whole = Line((*stages, top))
+    fats = [join for join in joins if join.want.facts.is_a("fat")]
+    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
+    places = [(own, mix), (fats, heat), (tops, top), (wet, sauce)]
+    at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
+    joins = [replace(join, want=as_mash(join.want, known)) if at[join.want.number] is mix else join for join in joins]
+    return put_at(whole, joins, lambda join: at[join.want.number])
+
+
+def formed_within(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made in which balls are cooked with the rest: they are mixed and shaped before they join."""
+    mass = _Mass(joins, known)
+    meets = mass.main[0].spot.stage if mass.main else None
+    if meets is None or meets.does.isdisjoint(HEATS) or "dry" in meets.does:
+        return line, tuple(joins)
+    mix, shape = fresh(MIX, SHAPE)
+    own = [join for join in joins if mass.is_of_mass(join, alone=False)]
+    whole, became = with_line(line, meets, Line((mix, shape)))
+    stages = {id(join.want): became.get(id(join.spot.stage), join.spot.stage) for join in joins}
+    moved, found = put_at(whole, joins, lambda join: mix if join in own else stages[id(join.want)])
+    kept = {id(join.want): join for join in joins}
+    return moved, tuple(
+        join if join.spot.stage is mix else replace(kept[id(join.want)], spot=join.spot) for join in found
+    )
+
+
+class _Mass:
+    """What of a recipe's foods is mixed to be shaped."""
+
+    def __init__(self, joins: Sequence[Join], known: Tables) -> None:
+        self.known = known
+        self.joins = joins
+        self.main = self._main()
+        facts = [join.want.facts for join in joins]
+        self.bound = any(one.is_a(*word_list("binds patties")) for one in facts)
+        self.wet = any(one.is_of(*word_list("is a sauce around a mass")) for one in facts)
+
+    def _main(self) -> list[Join]:
+        for words_of in ("patties are made of", "is shaped too", "is shaped when it is mashed"):
+            found = [join for join in self.joins if join.want.facts.is_a(*word_list(words_of))]
+            if found:
+                return found
+        return []
+
+    def _fine(self, join: Join) -> int:
+        states = (join.want.make, *join.want.leaf)
+        return max((self.known.state(state).fine or 0 for state in states if state), default=0)
+
+    def is_of_mass(self, join: Join, *, alone: bool) -> bool:
+        """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
+        facts = join.want.facts
+        if join in self.main or facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")):
+            return True
+        if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
+            return False
+        if facts.is_a(*word_list("binds a mass or a sauce")):
+            return not self.wet
+        if facts.is_a(*word_list("is bound with it")):
+            return not self.bound and not alone
+        small = self._fine(join) >= _FINE
+        return alone and (small or not facts.is_a("vegetable"))
+
+    def is_sauce(self, join: Join) -> bool:
+        """Whether a food is cooked around what was shaped."""
+        facts = join.want.facts
+        if facts.is_a("fat") or self.lies_on_it(join) or self.is_of_mass(join, alone=False):
+            return False
+        if facts.is_of(*word_list("is a sauce around a mass")):
+            return True
+        return self.wet and not self.is_of_mass(join, alone=True)
+
+    def lies_on_it(self, join: Join) -> bool:
+        """Whether a food comes on what is done, or beside it."""
+        facts = join.want.facts
+        wedge = facts.is_a(*word_list("is a wedge beside it")) and not join.want.squeezed
+        return wedge or facts.is_a(*word_list("is served with what is fried"), "topping")

@@ -1,0 +1,57 @@
+"""Units that bring food from where it is into a vessel, or onto other food."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from foon_kg.language.drafting.drafts import DraftUnit
+from foon_kg.language.drafting.evidence import Evidence
+from foon_kg.language.drafting.making import Maker
+from foon_kg.language.drafting.precedents import Precedents
+from foon_kg.language.drafting.scene import filled
+from foon_kg.model import ObjectNode
+from foon_kg.model.narration import Mention, NarratedAction
+
+
+@dataclass(frozen=True)
+class Bringing:
+    """Drafts units that bring."""
+
+    maker: Maker
+
+    def units(
+        self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
+    ) -> list[DraftUnit]:
+        """Return a unit that brings one food; none where nobody knows where to."""
+        nodes, scene = self.maker.nodes, self.maker.scene
+        told = nodes.utensil_place(action)
+        before = nodes.there(mention, like, evidence, away_from=told)
+        target = nodes.target(action, mention, like, before, evidence)
+        tools = nodes.tools(action, like, [target or "", before.container or ""])
+        left, gone = nodes.sources([before]) if before.container != target else ([], [])
+        if target is None:
+            after = replace(before, relation=None, container=None)
+            return [self.maker.unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
+        if target in scene.foods:
+            inputs, outputs = self._onto(target, [before, *left, *tools], gone)
+            return [self.maker.unit(action, motion, inputs, outputs, evidence)]
+        into = nodes.vessel(target)
+        after = replace(before, relation=self.maker.precedents.relation(target), container=target)
+        scene.focus = target
+        inputs = [into, *left, before, *tools]
+        outputs = [filled(into, [mention.name]), after, *gone]
+        return [self.maker.unit(action, motion, inputs, outputs, evidence)]
+
+    def _onto(
+        self, target: str, inputs: Sequence[ObjectNode], gone: Sequence[ObjectNode]
+    ) -> tuple[Sequence[ObjectNode], Sequence[ObjectNode]]:
+        """Return what goes in and comes out where a food is brought onto another, which has it on it then."""
+        scene = self.maker.scene
+        onto, brought = scene.foods[target], inputs[0]
+        added = tuple(one for one in (brought.ingredients or (brought.label,)) if one not in onto.ingredients)
+        covered = replace(onto, ingredients=(*(onto.ingredients or (onto.label,)), *added))
+        scene.forget([brought.label])
+        if onto.container is not None and self.maker.nodes.in_utensil(onto):
+            scene.focus = onto.container
+        return [onto, *inputs], [covered, *gone]

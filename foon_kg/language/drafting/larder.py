@@ -1,0 +1,46 @@
+"""The ingredients that a recipe lists: their full names and states, and which of them nobody has used yet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention
+
+
+@dataclass
+class Larder:
+    """The listed ingredients by their canonical names; empty where a recipe lists none."""
+
+    listed: dict[str, Mention] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
+
+    @classmethod
+    def of(cls, ingredients: Iterable[Mention]) -> Larder:
+        """Return the larder of a recipe; what it lists twice is there once."""
+        found: dict[str, Mention] = {}
+        for one in ingredients:
+            found.setdefault(canonical(one.name), one)
+        return cls(found)
+
+    def take(self, name: str) -> Mention | None:
+        """Return the ingredient that ``name`` speaks of, and remember that it was used; the beans of black beans."""
+        wanted = canonical(name)
+        names = [wanted] if wanted in self.listed else self._alike(set(wanted.split()), wanted.split()[-1:])
+        if len(names) != 1:
+            return None
+        self.used.add(names[0])
+        return self.listed[names[0]]
+
+    def _alike(self, words: set[str], head: list[str]) -> list[str]:
+        shorter = [name for name in self.listed if words < set(name.split()) and name.split()[-1:] == head]
+        longer = [name for name in self.listed if set(name.split()) < words and name.split()[-1:] == head]
+        unused = [name for name in shorter if name not in self.used]
+        return unused[:1] or shorter or longer
+
+    def left(self) -> tuple[Mention, ...]:
+        """Return what nobody has used yet, and remember it as used."""
+        found = tuple(one for name, one in self.listed.items() if name not in self.used)
+        self.used.update(self.listed)
+        return found

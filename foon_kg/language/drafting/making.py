@@ -1,0 +1,110 @@
+"""One drafted unit: what goes in and comes out, in the scene as it is; and the units that nobody tells.
+
+A food that is elsewhere must have come to where it is changed, and an appliance that heats must have been turned on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
+from foon_kg.language.drafting.drafts import DraftUnit
+from foon_kg.language.drafting.evidence import IMPLIED, Evidence
+from foon_kg.language.drafting.nodes import NodeDrafter
+from foon_kg.language.drafting.precedents import FoonPrecedents
+from foon_kg.language.drafting.scene import Scene, filled
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Timing
+from foon_kg.model.narration import NarratedAction
+
+_COOKS = frozenset({"heat", "warm"})
+TURN_ON = "turn on"
+
+
+@dataclass(frozen=True)
+class Maker:
+    """Makes units of ``nodes``, and changes their scene as these units do."""
+
+    nodes: NodeDrafter
+
+    @property
+    def precedents(self) -> FoonPrecedents:
+        """What the FOON knows of such actions."""
+        return self.nodes.precedents
+
+    @property
+    def scene(self) -> Scene:
+        """Where and how everything is by now."""
+        return self.nodes.scene
+
+    def unit(
+        self,
+        action: NarratedAction,
+        motion: str,
+        inputs: Sequence[ObjectNode],
+        outputs: Sequence[ObjectNode],
+        evidence: Evidence,
+    ) -> DraftUnit:
+        """Return the unit, and let the scene be as it leaves it."""
+        self.scene.keep(outputs)
+        sides = [tuple(map(Participant, dict.fromkeys(side))) for side in (inputs, outputs)]
+        unit = FunctionalUnit(sides[0], motion, sides[1])
+        for node in outputs:
+            if not self.precedents.kitchen.is_utensil(node.label):
+                self.scene.sure[node.label] = evidence.states
+        doubts = tuple(dict.fromkeys(evidence.doubts))
+        return DraftUnit(Annotation(unit, action.timing), evidence.product(), doubts, action.said)
+
+    def moved(self, foods: Sequence[str], at: str, action: NarratedAction) -> list[DraftUnit]:
+        """Return the unit that nobody told: foods that are elsewhere must have come to where they are changed."""
+        known = [self.scene.foods[food] for food in foods if food in self.scene.foods]
+        known = [node for node in known if at not in {node.container, node.label}]
+        if not known:
+            return []
+        motion = self.precedents.bringing(known[0].label)
+        named = ", ".join(node.label for node in known)
+        evidence = Evidence(
+            [IMPLIED], [f"nobody says how {named} {'comes' if len(known) == 1 else 'come'} to the {at}"]
+        )
+        into = self.nodes.vessel(at)
+        left, gone = self.nodes.sources(known)
+        relation = self.precedents.relation(at)
+        after = [ObjectNode(one.label, one.states, one.ingredients, relation, at) for one in known]
+        quiet = NarratedAction(motion, said=action.said, timing=Timing(assumed=True))
+        self.scene.focus = at
+        held = filled(into, [node.label for node in known])
+        return [self.unit(quiet, motion, [into, *left, *known], [held, *after, *gone], evidence)]
+
+    def source_of(self, action: NarratedAction, motion: str) -> str | None:
+        """Return the appliance that gives a motion its heat or cold: as told, one that is on, else the usual one."""
+        known = tables().motion(motion)
+        if known.source not in {"heat", "cold"} or not known.does - {"switch on"} or known.does <= {"warm"} == _COOKS:
+            return None
+        for name in action.instruments:
+            if (row := tables().utensil(name)) is not None and row.source == known.source:
+                return name
+        running = [node.label for node in self.scene.utensils.values() if self.precedents.kitchen.is_running(node)]
+        fit = [name for name in running if (row := tables().utensil(name)) is not None and row.source == known.source]
+        usual = "chills" if known.source == "cold" else "bakes" if "dry" in known.does else "cooks"
+        names = sorted(word_list(usual))
+        return next((name for name in fit if name in names), names[0])
+
+    def lit(self, appliance: str, action: NarratedAction) -> list[DraftUnit]:
+        """Return the unit that nobody told: an appliance that heats must have been turned on."""
+        row, node = tables().utensil(appliance), self.nodes.vessel(appliance)
+        if row is None or row.source != "heat" or self.precedents.kitchen.is_running(node):
+            return []
+        quiet = NarratedAction(TURN_ON, said=action.said, timing=Timing(assumed=True))
+        after = ObjectNode(appliance, ("on",), node.ingredients, node.relation, node.container)
+        doubt = f"nobody says that the {appliance} is turned on"
+        return [self.unit(quiet, TURN_ON, [node], [after], Evidence([IMPLIED], [doubt]))]
+
+    def cooks_in(self, at: str | None, source: str, motion: str) -> bool:
+        """Whether food can be heated where it is: in an oven, on a stove, in a microwave."""
+        row, heater = tables().utensil(at or ""), tables().utensil(source)
+        if at is None or row is None:
+            return False
+        if heater is not None and "microwave" in heater.group:
+            return "microwave" in row.can
+        return not row.can.isdisjoint({"bake"} if "dry" in tables().motion(motion).does else {"cook", "heat"})

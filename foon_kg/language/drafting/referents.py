@@ -1,0 +1,247 @@
+"""What is meant: which things of the scene a name, a pronoun or nothing at all stands for.
+
+People call a mixture by what is in it (the sugar mixture), by what it became (the dough, the cookies) or by nothing
+("bake 20 minutes"). Where several things could be meant, it is what was worked on last.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from foon_kg.food import motions, singular, tables
+from foon_kg.food.lists import word_list
+from foon_kg.language.drafting.larder import Larder
+from foon_kg.language.drafting.precedents import FoonPrecedents
+from foon_kg.language.drafting.scene import EVERYTHING, MIXTURE, PRONOUNS, Scene
+from foon_kg.language.line_words import split_name
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention, NarratedAction, Place
+from foon_kg.similarity.groups import food_groups
+
+_MIXED = word_list("called a mixture")
+_SHAPES = word_list("shapes")
+_DISHES = word_list("groups of dishes")
+_ON_TOP = word_list("is the outside of what is at hand")
+_ANOTHER = word_list("is another vessel")
+_INGREDIENTS = word_list("speaks of ingredients")
+_REMAINING = word_list("speaks of what remains")
+_DETERMINERS = word_list("says nothing of a thing")
+
+
+@dataclass
+class Referents:
+    """Finds what is meant in ``scene``.
+
+    ``title`` is the dish in the recipe's name (bread), ``None`` where things are called by labels and not freely: then
+    a name means another thing only if that was mixed.
+
+    ``called`` has the names by which mixtures were spoken of that nobody named when they were made.
+    """
+
+    precedents: FoonPrecedents
+    scene: Scene
+    title: str | None = ""
+    called: dict[str, str] = field(default_factory=dict)
+    larder: Larder = field(default_factory=Larder)
+
+    def objects(self, action: NarratedAction) -> tuple[tuple[Mention, ...], tuple[str, ...]]:
+        """Return what an action is done to, and the doubts about it; nothing where nothing is at hand."""
+        merged = not self._adds(action)
+        besides = self._things_of(action.places, contents=not merged)
+        named: list[Mention] = []
+        doubts: list[str] = []
+        for mention in action.objects:
+            if is_everything(mention.name):
+                named += self._ingredients(mention.name) or map(Mention, self._everything(mention.name, besides))
+                continue
+            label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
+            if label is not None:
+                named.append(Mention(label, mention.states))
+            else:
+                named.append(self._new(mention))
+        if not action.objects:
+            named = [Mention(label) for label in self._at_hand(besides)]
+            if named:
+                doubts.append(f"nobody says what “{action.verb}” is done to: taken as what is at hand")
+        return tuple(dict.fromkeys(named)), tuple(doubts)
+
+    def places(self, action: NarratedAction) -> tuple[Place, ...]:
+        """Return the places of an action by their names in the scene; what is no place is left out."""
+        besides = frozenset(filter(None, (self._already(one.name, action) for one in action.objects)))
+        found = []
+        for place in action.places:
+            name = place.name
+            if self.precedents.kitchen.is_utensil(name):
+                found.append(Place(place.relation, self._vessel(name, action.said)))
+            elif is_everything(name) or canonical(name).split()[-1] in _ON_TOP:
+                found += [Place(place.relation, label) for label in self._hand()]
+            elif (label := self.thing(name, besides) or self._merged(name)) is not None:
+                found.append(Place(place.relation, label))
+            elif self._is_dish(canonical(name).split()) and (vessel := self.scene.lying(besides)) is not None:
+                found.append(Place("into", vessel))
+            elif canonical(name).split()[-1] not in _SHAPES:
+                found.append(Place(place.relation, self._new(Mention(name)).name))
+        return tuple(dict.fromkeys(found))
+
+    def thing(self, name: str, besides: frozenset[str] = frozenset()) -> str | None:
+        """Return the thing of the scene that ``name`` speaks of, ``None`` where it is none of them."""
+        if (known := self.scene.called(name)) is not None:
+            return known
+        words = canonical(name).split()
+        if self.title is None:
+            return self._mixture(words, besides) if words[-1] in _MIXED and not self._is_bought(name) else None
+        _, bare = split_name(name)
+        if bare != name and (known := self.scene.called(bare)) is not None:
+            return known
+        if len(words) > 1 and words[-1] in _SHAPES and (known := self.scene.called(" ".join(words[:-1]))) is not None:
+            return known
+        if words[-1] in _MIXED or words[-1] in tables().unfinished:
+            return self._mixture(words, besides)
+        return self._product(words, besides)
+
+    def _merged(self, name: str) -> str | None:
+        """Return the mixture in which a food went that is by itself no more: the creamed butter."""
+        if self.title is None:
+            return None
+        words = set(canonical(split_name(name)[1]).split())
+        for label in reversed(self.scene.made()):
+            if any(words <= set(canonical(part).split()) for part in self.scene.foods[label].ingredients):
+                return label
+        return None
+
+    def _adds(self, action: NarratedAction) -> bool:
+        """Whether something new comes to a thing: another egg, though one was mixed in before."""
+        motion = next(iter(self.precedents.verbs.reading(action.verb).motions), "")
+        return motions.transfers(motion) or motions.mixes(motion)
+
+    def _is_bought(self, name: str) -> bool:
+        """Whether the FOON has a thing of this name, and no mixture is waiting for one."""
+        return canonical(name) in self.precedents.labels and not any(
+            made.endswith(MIXTURE) for made in self.scene.made()
+        )
+
+    def _mixture(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
+        """Return the mixture that has what ``words`` say in it, the latest one; of those at hand only if it must be."""
+        last = [label for label in reversed(self.scene.made()) if label not in besides]
+        said = set(words[:-1]) - _DETERMINERS
+        having = [label for label in last if said & self._words_in(label)] if said else last
+        if not having and said:
+            having = [label for label in reversed(self.scene.foods) if said & set(canonical(label).split())]
+        if not having and words[-1] in {MIXTURE, "mix"} and not tables().foods.is_listed(" ".join(words)):
+            having = sorted(last, key=lambda label: self.scene.foods[label].container == self.scene.focus)
+        if not having:
+            return None
+        name = " ".join(words)
+        if words[-1] in _MIXED and words[-1] != MIXTURE and having[0].endswith(MIXTURE) and not self.scene.called(name):
+            self.called.setdefault(having[0], name)
+        return having[0]
+
+    def _product(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
+        """Return what was made last, where its name is that of a dish or of a shape: the cookies, the balls."""
+        if not (self._is_dish(words) or words[-1] in _SHAPES):
+            return None
+        made = [label for label in reversed(self.scene.made()) if label not in besides]
+        if not made and words[-1] in _SHAPES:
+            made = [label for label in reversed(self.scene.last) if label in self.scene.foods]
+        return made[0] if made else None
+
+    def _is_dish(self, words: Sequence[str]) -> bool:
+        """Whether a name is that of a dish: nothing that is bought for one."""
+        groups = food_groups()
+        name = " ".join(words)
+        if self.larder.listed and words[-1] in tables().dishes and self.larder.take(name) is None:
+            return True
+        return words[-1] == self.title or not _DISHES.isdisjoint(groups.of(" ".join(words)) or groups.of(words[-1]))
+
+    def _already(self, name: str, action: NarratedAction) -> str | None:
+        """Return what an object means whatever the places are: the same name, or what was mixed last.
+
+        With a dressing what is at hand is tossed, so it is none of that.
+        """
+        words = canonical(name).split()
+        if (known := self.scene.called(name)) is not None or not words or words[-1] not in _MIXED:
+            return known
+        called = dict(self.called)
+        joins = all(is_everything(place.name) for place in action.places)
+        found = self.thing(name, frozenset(self._hand()) if joins else frozenset())
+        self.called = called
+        return found
+
+    def _words_in(self, label: str) -> set[str]:
+        node = self.scene.foods[label]
+        return {word for name in (label, *node.ingredients) for word in canonical(name).split()} - {MIXTURE}
+
+    def _things_of(self, places: Sequence[Place], *, contents: bool) -> frozenset[str]:
+        """Return the foods that are meant by places, or are in them: they are not what is brought there."""
+        found: set[str] = set()
+        for place in places:
+            if place.name in self.scene.foods:
+                found.add(place.name)
+            found.update(self.scene.held(place.name) if contents else ())
+        return frozenset(found)
+
+    def _at_hand(self, besides: frozenset[str]) -> tuple[str, ...]:
+        hand = tuple(label for label in self._hand() if label not in besides)
+        if hand or not besides:
+            return hand
+        others = [label for label in (*reversed(self.scene.last), *reversed(self.scene.made())) if label not in besides]
+        return tuple(label for label in others if label in self.scene.foods)[:1]
+
+    def _hand(self) -> tuple[str, ...]:
+        return self.scene.at_hand()
+
+    def _everything(self, name: str, besides: frozenset[str]) -> tuple[str, ...]:
+        if name.lower() in PRONOUNS and self.scene.last:
+            there = tuple(food for food in self.scene.last if food in self.scene.foods and food not in besides)
+            return there or self._at_hand(besides)
+        if canonical(name) == MIXTURE and (mixture := self._mixture([MIXTURE], besides)) is not None:
+            return (mixture,)
+        last = (food for food in self.scene.last if food in self.scene.foods and food not in besides)
+        return tuple(dict.fromkeys((*self._at_hand(besides), *last)))
+
+    def _ingredients(self, name: str) -> list[Mention]:
+        """Return what the recipe lists and nobody used: all, where nothing is at hand yet, else what remains."""
+        words = set(canonical(name).split())
+        if words.isdisjoint(_INGREDIENTS) or (words.isdisjoint(_REMAINING) and self._hand()):
+            return []
+        return [self._new(one) for one in self.larder.left()]
+
+    def _new(self, mention: Mention) -> Mention:
+        """Return a thing that comes for the first time by its name in the FOON, with the states that its name says.
+
+        An ingredient has the name and the states under which the recipe lists it.
+        """
+        if (listed := self.larder.take(mention.name) or self.larder.take(split_name(mention.name)[1])) is not None:
+            mention = Mention(listed.name, mention.states or listed.states)
+        label = self.precedents.labels.get(canonical(mention.name))
+        if label is not None or self.precedents.kitchen.is_utensil(mention.name):
+            return Mention(label or mention.name, mention.states)
+        states, name = split_name(mention.name)
+        label = self.precedents.labels.get(canonical(name))
+        return Mention(label or name, (*mention.states, *states))
+
+    def _vessel(self, name: str, said: str) -> str:
+        """Return the label of a vessel; another one where the words before it say so ("in a separate bowl").
+
+        The pan is the baking pan that was greased before, a pan is not.
+        """
+        label = self.precedents.labels.get(canonical(name)) or singular(name)
+        words = "|".join(sorted(_ANOTHER))
+        fresh = re.search(rf"\b(?:{words})\s+(?:[\w-]+\s+){{0,2}}?{re.escape(name)}", said, re.IGNORECASE)
+        if fresh:
+            return self.scene.another(label) if self.scene.held(label) else label
+        used = [one for one in reversed(self.scene.utensils) if one == label or one.endswith(f" {label}")]
+        return label if label in used or not used else used[0]
+
+
+def is_everything(name: str) -> bool:
+    """Whether a name is a pronoun, or speaks of all that is there."""
+    words = set(canonical(name).split()) - _DETERMINERS
+    return name.lower() in PRONOUNS or (bool(words) and words <= EVERYTHING)
+
+
+def is_mixed(name: str) -> bool:
+    """Whether a name is one of those that cooks give to what they mixed."""
+    return canonical(name) in _MIXED

@@ -1,0 +1,91 @@
+"""What a parsed noun names: a thing with the states before it, the things that are joined to it, a measure of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from foon_kg.food import tables
+from foon_kg.food.lists import word_list
+from foon_kg.model.names import canonical
+from foon_kg.model.narration import Mention
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.similarity.states import state_in
+
+BEFORE_A_CLAUSE = frozenset({"after", "before", "by", "while"})
+
+NAMES = frozenset({"NOUN", "PROPN", "PRON", "X"})
+_PARTS_OF_A_NAME = frozenset({"compound", "amod", "nmod", "npadvmod"})
+_MEASURES = word_list("measures in speech")
+_MIXED = word_list("called a mixture")
+
+Token = Any  # spaCy says nothing of its types
+
+
+def spoken(token: Token) -> str:
+    """Answer the word of a token, or the name for which it stands in."""
+    names: Mapping[int, str] = token.doc.user_data["names"]
+    return names.get(token.idx, str(token.text))
+
+
+def names_in(token: Token) -> Iterator[Mention]:
+    """Answer the thing that a noun names, and those joined to it; a measure names what it is of."""
+    of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
+    if of and token.lemma_.lower() in _MEASURES:
+        for thing in of:
+            yield from names_in(thing)
+    elif token.pos_ in NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
+        yield from (Mention(spoken(one)) for one in _apart(token))
+        yield _name(token)
+    if any(child.dep_ == "cc" and child.lower_ == "or" for child in token.children):
+        return  # oil or butter: the first is taken
+    for child in token.children:
+        if child.dep_ in {"conj", "appos"} and child.pos_ in NAMES:
+            yield from names_in(child)
+
+
+def _name(token: Token) -> Mention:
+    parts = [child for child in token.lefts if child.dep_ in _PARTS_OF_A_NAME and child.is_alpha]
+    parts = [*(other for part in parts for other in part.conjuncts), *parts] if _apart(token) else parts
+    parts = [part for part in parts if part not in _apart(token)]
+    states = [child.lower_ for child in parts if child.pos_ == "VERB" and state_in(child.lower_) is not None]
+    words = [word for part in parts if part.lower_ not in states for word in (*_inside(part), spoken(part))]
+    return Mention(" ".join((*words, spoken(token))), tuple(filter(None, map(state_in, states))))
+
+
+def _apart(token: Token) -> list[Token]:
+    """Answer the nouns before ``token`` that are things of their own: the garlic of "garlic and vegetable oil"."""
+    parts = [child for child in token.lefts if child.dep_ in {"compound", "nmod"} and child.pos_ in {"NOUN", "PROPN"}]
+    return [part for part in parts if part.conjuncts and any(child.dep_ == "cc" for child in part.children)]
+
+
+def _inside(part: Token) -> list[str]:
+    return [spoken(child) for child in part.lefts if child.dep_ == "compound" and child.is_alpha]
+
+
+def governed(preposition: Token) -> list[Mention]:
+    """Return what a preposition governs; a noun that the parser takes for a verb (dressing) is one all the same."""
+    things = [name for child in preposition.children if child.dep_ == "pobj" for name in names_in(child)]
+    verbal = [child for child in preposition.children if child.dep_ == "pcomp" and child.lower_.endswith("ing")]
+    if not things and preposition.lower_ not in BEFORE_A_CLAUSE:
+        things = [Mention(spoken(child)) for child in verbal if child.lower_ in _MIXED]
+    nested = [child for child in preposition.children if child.dep_ == "prep"]  # out of, on top of
+    return things or [name for child in nested for name in governed(child)]
+
+
+def is_vessel(name: str) -> bool:
+    """Whether the last words of a name are a utensil: a large bowl, the preheated oven."""
+    words = name.split()
+    return any(Kitchen.default().is_utensil(" ".join(words[place:])) for place in range(len(words)))
+
+
+def plural(word: str) -> str:
+    """Return the plural of a word."""
+    return f"{word[:-1]}ies" if word.endswith("y") else f"{word}es" if word.endswith(("ch", "sh", "s")) else f"{word}s"
+
+
+def as_result(name: str) -> str | None:
+    """Return the state that something goes on to ("into cubes"); ``None`` for a place or a thing."""
+    last = canonical(name).split()[-1:]
+    thing = Kitchen.default().is_utensil(name) or not _MIXED.isdisjoint(last) or tables().foods.food(name).known
+    return None if thing else state_in(name)

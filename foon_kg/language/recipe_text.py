@@ -1,0 +1,63 @@
+"""A recipe as a text: which of its lines name ingredients, and which say what to do.
+
+A heading tells them apart; without one, the lines at the top that begin with an amount are the ingredients.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from foon_kg.food.lists import word_list
+from foon_kg.language.recipe_lines import read_recipe_lines
+from foon_kg.model.narration import Mention
+
+_BULLET = r"\s*(?:[-*\u2022]\s*)?"
+_AMOUNT = re.compile(rf"{_BULLET}(?:\d+(?!\s*[.)\d]\s)|[¼½¾⅓⅔⅛]|\d)(?![.)]\s)")
+_STEP = re.compile(rf"{_BULLET}(?:step\s*)?\d+\s*[.):]\s", re.IGNORECASE)
+
+
+class RecipeText(NamedTuple):
+    """The two parts of a recipe, line by line."""
+
+    ingredients: tuple[str, ...]
+    instructions: tuple[str, ...]
+
+
+def recipe_text(lines: Sequence[str]) -> RecipeText:
+    """Return the lines of ingredients and the lines of instructions; headings are neither.
+
+    >>> recipe_text(["2 eggs", "1 pinch of salt", "Beat the eggs."]).ingredients
+    ('2 eggs', '1 pinch of salt')
+    """
+    heading = next((place for place, line in enumerate(lines) if _is(line, "headings of ingredients")), None)
+    if heading is None:
+        count = next((place for place, line in enumerate(lines) if not _names_an_amount(line)), len(lines))
+        if count == len(lines):  # nothing is left to do: numbered steps, or no recipe
+            count = 0
+        rest = [line for line in lines[count:] if not _is(line, "headings of instructions")]
+        return RecipeText(tuple(lines[:count]), tuple(rest))
+    after = range(heading + 1, len(lines))
+    end = next((place for place in after if _is(lines[place], "headings of instructions")), None)
+    if end is None:
+        end = next((place for place in after if not _names_an_amount(lines[place])), len(lines))
+        return RecipeText(tuple(lines[heading + 1 : end]), tuple(lines[end:]))
+    return RecipeText(tuple(lines[heading + 1 : end]), tuple(lines[end + 1 :]))
+
+
+def ingredients(lines: Iterable[str]) -> tuple[Mention, ...]:
+    """Return the foods that lines of ingredients ask for, with the states in which they do.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` where the extra that reads them is not installed.
+    """
+    read = read_recipe_lines(lines)
+    return tuple(Mention(line.object, line.states) for line in read if line.object is not None)
+
+
+def _names_an_amount(line: str) -> bool:
+    return _AMOUNT.match(line) is not None and _STEP.match(line) is None
+
+
+def _is(line: str, headings: str) -> bool:
+    return line.strip(" :#*-.").lower() in word_list(headings)

@@ -1,0 +1,77 @@
+"""Which other recorded dishes a recipe could have been made after, and what spoke against them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from foon_kg.goals.choice import Fit
+from foon_kg.model import ObjectNode
+from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.node_json import node_to_json
+
+MOST_NEARER = 3
+"""How many goals that are nearer and were passed over are named."""
+
+MOST_OTHERS = 4
+"""How many other goals are named."""
+
+
+@dataclass(frozen=True)
+class Considered:
+    """A goal that was considered: its ``video``, how near its foods are (0 to 1), and ``why`` it was not taken.
+
+    ``nearer`` says that it is nearer by its foods than the one that was taken.
+    """
+
+    goal: ObjectNode
+    video: str
+    dish_type: str
+    similarity: float
+    nearer: bool
+    why: str
+
+    def to_json(self) -> JsonObject:
+        """Return it field by field."""
+        return {
+            "goal": node_to_json(self.goal),
+            "video": self.video,
+            "dish_type": self.dish_type,
+            "similarity": self.similarity,
+            "nearer": self.nearer,
+            "why": self.why,
+        }
+
+
+def nearer_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Considered]:
+    """Yield the goals of the asked dish type that are nearer by their foods than the one ``taken``, nearest first."""
+    types = {dish_type, taken.frame.dish_type}
+    rows = [fit for fit in fits if fit.frame.dish_type in types and fit.similarity > taken.similarity]
+    rows.sort(key=lambda fit: (-fit.similarity, fit.frame.goal.sort_key))
+    told = {taken.frame.goal}
+    for fit in rows:
+        if fit.frame.goal not in told and len(told) <= MOST_NEARER:
+            told.add(fit.frame.goal)
+            yield _considered(fit, taken)
+
+
+def other_goals(fits: Sequence[Fit], taken: Fit, dish_type: str) -> Iterator[Considered]:
+    """Yield the nearer goals, then those of any type that suit next best and against which nothing speaks.
+
+    Each takes some of the foods.
+    """
+    nearer = tuple(nearer_goals(fits, taken, dish_type))
+    yield from nearer
+    told = {taken.frame.goal, *(one.goal for one in nearer)}
+    most = len(told) + MOST_OTHERS
+    for fit in fits:  # the best first
+        suits = 0 < fit.similarity <= taken.similarity and not fit.vetoes
+        if suits and fit.frame.goal not in told and len(told) < most:
+            told.add(fit.frame.goal)
+            yield _considered(fit, taken)
+
+
+def _considered(fit: Fit, taken: Fit) -> Considered:
+    why = fit.vetoes[0] if fit.vetoes else "its foods have less of a natural place in it"
+    frame, similarity = fit.frame, round(fit.similarity, 4)
+    return Considered(frame.goal, frame.video, frame.dish_type, similarity, fit.similarity > taken.similarity, why)

@@ -1,0 +1,138 @@
+"""Makes a question such that a server can end it: each turn of a list expression asks whether there is still time.
+
+Neo4j ends a question between two rows, or where one looks at the graph. A list expression (``reduce``, ``any``, ``[x IN
+… | …]``) does neither, however long it takes. So what it does in each turn is put behind a look that costs next to
+nothing: how many nodes there are is a number that Neo4j keeps. What the question means stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from foon_kg.store.graph.question_words import CLOSED, OPEN, Token, too_much
+
+_JUDGING = {"any", "all", "none", "single"}
+_REDUCING = {"reduce", "allreduce"}
+_LOOK, _LOOKED = "CASE WHEN COUNT { MATCH () } >= 0 THEN ", " END"
+
+
+@dataclass(frozen=True)
+class _Bracket:
+    """Two brackets and the places of what is in them and in none within."""
+
+    opened: int
+    closed: int
+    own: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class _Around:
+    """What is put around the pieces from ``first`` to ``last``."""
+
+    first: int
+    begins: str
+    last: int
+    ends: str
+
+
+def interruptible(pieces: Sequence[Token]) -> str:
+    """Return the text of a question whose list expressions can be ended at each turn, and which means the same.
+
+    ``pieces`` are all its pieces, spaces too. Raises GraphError where a label could be read as what is done in a turn.
+    """
+    before: dict[int, str] = {}
+    after: dict[int, str] = {}
+    for bracket in _brackets(pieces):  # inner ones first: what is put around stands outside
+        for one in (*_turns(pieces, bracket), *_long_range(pieces, bracket)):
+            before[one.first] = one.begins + before.get(one.first, "")
+            after[one.last] = after.get(one.last, "") + one.ends
+    return "".join(f"{before.get(place, '')}{one.text}{after.get(place, '')}" for place, one in enumerate(pieces))
+
+
+def _brackets(pieces: Sequence[Token]) -> Iterator[_Bracket]:
+    """Return the brackets that are closed, those within others first."""
+    open_ones: list[tuple[int, list[int]]] = [(-1, [])]
+    for place, piece in enumerate(pieces):
+        if piece.kind == "space":
+            continue
+        if piece.text in CLOSED and len(open_ones) > 1:
+            opened, own = open_ones.pop()
+            yield _Bracket(opened, place, tuple(own))
+        open_ones[-1][1].append(place)
+        if piece.text in OPEN:
+            open_ones.append((place, []))
+
+
+def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]:
+    """Return what makes the list expression in a bracket one that can be ended; nothing where there is none."""
+    caller, own = _caller(pieces, bracket), bracket.own
+    if caller in _REDUCING:
+        own = own[next((n + 1 for n, place in enumerate(own) if pieces[place].text == ","), len(own)) :]
+    elif pieces[bracket.opened].text != "[" and caller not in _JUDGING:
+        return
+    if len(own) < 2 or not pieces[own[0]].name or pieces[own[1]].lower != "in":  # noqa: PLR2004 - a name, and IN
+        return
+    where = next((place for place in own[2:] if pieces[place].lower == "where"), None)
+    if where:
+        until = None if caller in _JUDGING else _bar(pieces, own)
+        yield _condition(pieces, own, where, until or bracket.closed)
+    elif bar := _bar(pieces, own):
+        if any(pieces[place].text == ":" and place < bar for place in own):
+            raise too_much("a label stands bare in a list expression", hint="Put it into brackets: (n:A|B).")
+        yield _looked(bar, next((p for p in own if p > bar and pieces[p].text == ","), bracket.closed))
+
+
+def _looked(after: int, until: int) -> _Around:
+    return _Around(after + 1, f" {_LOOK}", until - 1, _LOOKED)
+
+
+def _condition(pieces: Sequence[Token], own: Sequence[int], where: int, until: int) -> _Around:
+    """Return what is put around the condition of ``[x IN … WHERE …]`` or ``any(x IN … WHERE …)``, or around its list.
+
+    The list, where a label's bar could be the one after the condition, and where there is a pattern: that may stand in
+    no CASE, and looks at the graph by itself.
+    """
+    said = [piece.text for piece in pieces[where:until] if piece.kind != "space"]
+    pattern = any(one == "-" and other in {"-", "[", ">"} for one, other in pairwise(said))
+    label = pieces[until].text == "|" and any(pieces[place].text == ":" for place in own if place > where)
+    if pattern or label:
+        name = pieces[own[0]].text
+        return _Around(own[1] + 1, f" [{name} IN ", where - 1, f" | {_LOOK}{name}{_LOOKED}] ")
+    return _looked(where, until)
+
+
+def _bar(pieces: Sequence[Token], own: Sequence[int]) -> int | None:
+    """Return the place of the first bar that is no half of ``||``."""
+    for place in own:
+        if pieces[place].text == "|" and "|" not in {pieces[place - 1].text, pieces[place + 1].text}:
+            return place
+    return None
+
+
+def _long_range(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]:
+    """Return what is put around a range of which nobody knows how long it is: rows it may give, a list is made of it.
+
+    Nothing else bounds it: a range takes no memory, and to look for a number in it any time.
+    """
+    if _caller(pieces, bracket) != "range" or all(_is_known(pieces[place]) for place in bracket.own):
+        return
+    word = _before(pieces, bracket.opened)
+    if pieces[max(_before(pieces, word), 0)].lower != "unwind":
+        yield _Around(word, "[i IN ", bracket.closed, f" | {_LOOK}i{_LOOKED}]")
+
+
+def _is_known(piece: Token) -> bool:
+    return piece.kind == "number" or piece.text in {",", "-"}
+
+
+def _caller(pieces: Sequence[Token], bracket: _Bracket) -> str:
+    """Return the word before a round bracket."""
+    place = _before(pieces, bracket.opened)
+    return pieces[place].lower if place >= 0 and pieces[bracket.opened].text == "(" else ""
+
+
+def _before(pieces: Sequence[Token], place: int) -> int:
+    """Return the place of what stands before, spaces aside; -1 where nothing does."""
+    return next((n for n in range(place - 1, -1, -1) if pieces[n].kind != "space"), -1)

@@ -1,0 +1,32 @@
+"""How a server goes about a question (``EXPLAIN``, ``PROFILE``), as rows: one an operator, from the answer down."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+COLUMNS = ("operator", "details", "estimated_rows")
+PROFILED = (*COLUMNS, "rows", "db_hits")
+
+
+def operators(plan: Mapping[str, Any]) -> Iterator[tuple[int, Mapping[str, Any]]]:
+    """Yield every operator of a plan with its depth, each before what it takes its rows from."""
+    waiting = [(0, plan)]
+    while waiting:
+        depth, step = waiting.pop()
+        yield depth, step
+        waiting.extend((depth + 1, child) for child in reversed(step.get("children", ())))
+
+
+def name_and_details(step: Mapping[str, Any]) -> tuple[str, str]:
+    """Return what an operator is called, and what it is about."""
+    return str(step.get("operatorType", "")).partition("@")[0], str(step.get("args", {}).get("Details", ""))
+
+
+def rows_of(plan: Mapping[str, Any], *, profiled: bool) -> Iterator[tuple[Any, ...]]:
+    """Yield the row of each operator; one below another is indented."""
+    for depth, step in operators(plan):
+        name, details = name_and_details(step)
+        estimated = step.get("args", {}).get("EstimatedRows")
+        row = ("  " * depth + name, details, None if estimated is None else round(estimated, 1))
+        yield (*row, step.get("rows"), step.get("dbHits")) if profiled else row

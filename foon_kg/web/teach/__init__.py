@@ -1,0 +1,1 @@
+"""The page ``/teach``: a draft beside what was said, edited and accepted in place."""

@@ -1,0 +1,68 @@
+"""One table of exit codes: what it says is what the commands do."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.demo import demo_folder
+from foon_kg.model import errors
+
+PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
+TABLE = {int(code): (means, set(re.findall("`([^`]+)`", codes))) for code, means, codes in re.findall(
+    r"^\| (\d) \| (.+?) \| (.*?) ?\|$", PAGE, re.MULTILINE
+)}  # fmt: skip
+DEMO = str(demo_folder())
+
+
+def every(kind):
+    return [kind, *(below for one in kind.__subclasses__() for below in every(one))]
+
+
+def test_the_table_has_every_exit_code_there_is():
+    kinds = [kind for kind in every(errors.FoonError) if kind.__module__.startswith("foon_kg.")]
+    assert set(TABLE) == {0} | {kind.exit_code for kind in kinds}
+
+
+@pytest.mark.parametrize("kind", [k for k in every(errors.FoonError) if k.__module__ == errors.__name__])
+def test_each_error_stands_where_it_ends_the_program(kind):
+    assert kind.code in TABLE[kind.exit_code][1]
+    assert all(kind.code not in codes for code, (_, codes) in TABLE.items() if code != kind.exit_code)
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (0, ["similar", "caper", "--files", DEMO]),
+        (1, ["check", "nowhere.json", "--files", DEMO, "--json"]),
+        (2, ["plan", "xyzzy", "--dish", "salad", "--files", DEMO, "--json"]),
+        (2, ["plan", "--files", DEMO, "--json"]),
+        (3, ["plan", "flour", "--dish", "bread", "--files", DEMO, "--json"]),
+    ],
+    ids=lambda value: " ".join(value[:2]) if isinstance(value, list) else str(value),
+)
+def test_commands_end_with_what_the_table_says(code, words):
+    answer = CliRunner().invoke(app, words)
+    assert answer.exit_code == code, answer.stderr
+    if code:
+        assert json.loads(answer.stdout.splitlines()[-1])["error"]["code"]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
+def test_who_stops_a_command_gets_130():
+    code = "import os, signal; from foon_kg.cli import main; import foon_kg.cli.similar as s; "
+    code += "s._similarity = lambda _: os.kill(os.getpid(), signal.SIGINT); main()"
+    call = [sys.executable, "-c", code, "similar", "caper", "--files", DEMO]
+    ended = subprocess.run(call, capture_output=True, text=True, check=False)
+    assert ended.returncode == 128 + signal.SIGINT
+    assert "Traceback" not in ended.stderr
+    assert "130" in PAGE

@@ -1,0 +1,216 @@
+"""A dish that is called so is made so: shaped, rubbed, rolled, laid in layers, whatever the recorded dish did."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+from planner.told_steps import planned_steps
+
+pytestmark = pytest.mark.shared_data
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return planned_steps(public_snapshot())
+
+
+def motions(told):
+    return [motion for _, motion, _ in told]
+
+
+def inside(told, motion):
+    """The foods of what the first such motion works on."""
+    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
+    return {food for node in outputs for food in node.ingredients}
+
+
+def first(told, food, motion):
+    return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
+
+
+def comes(told, food, vessel):
+    """At which step a food comes into or onto a vessel."""
+    return next(n for n, (inputs, motion, _) in enumerate(told) if {food, vessel} <= inputs and motion in CARRIED)
+
+
+def cooked(told, food):
+    """The motions over heat by which a food is worked on under its own name."""
+    return [
+        motion for inputs, motion, _ in told if food in inputs and motion in {"boil", "cook", "cook and stir", "bake"}
+    ]
+
+
+HEATS = {"bake", "boil", "cook", "cook and stir"}
+CARRIED = {"pick-and-place", "pour", "put"}
+MEATBALLS = ("ground beef:raw", "breadcrumbs:crumbs", "egg:whole", "onion:minced", "butter:stick", "beef broth:liquid")
+
+
+def test_meatballs_are_mixed_shaped_and_fried_before_their_sauce_comes(steps):
+    told = steps("meatball", "Swedish Meatballs", *MEATBALLS)
+    assert inside(told, "shape") == {"ground beef", "breadcrumbs", "egg", "onion"}
+    assert first(told, "mixture", "shape") < motions(told).index("flip") < first(told, "beef broth", "pour")
+
+
+def test_balls_come_into_a_soup_when_it_boils(steps):
+    told = steps("soup", "Meatball Soup", "ground beef:raw", "breadcrumbs:crumbs", "carrot:sliced", "beef broth:liquid",
+                 "olive oil:liquid")  # fmt: skip
+    assert inside(told, "shape") == {"ground beef", "breadcrumbs"}
+    assert motions(told).index("simmer") < max(place for place, one in enumerate(told) if "mixture" in one[0] and
+                                               "pot" in one[0])  # fmt: skip
+    assert first(told, "beef broth", "pour") < motions(told).index("simmer")
+
+
+def test_without_bread_a_burger_is_no_pile(steps):
+    told = steps("burger", "Hamburg Steak", "ground beef:raw", "panko:crumbs", "egg:whole", "butter:stick")
+    assert "flip" in motions(told)
+    assert not [inputs for inputs, motion, _ in told if motion == "spread" and "butter" in inputs]
+
+
+def test_roots_are_cooked_and_mashed_before_they_are_shaped(steps):
+    told = steps("burger", "Sweet Potato Burgers", "sweet potato:peeled", "black beans:drained", "oats:rolled",
+                 "buns:whole", "oil:liquid")  # fmt: skip
+    assert first(told, "sweet potato", "boil") < first(told, "sweet potato", "mash") < motions(told).index("shape")
+    assert {"oats", "black beans", "sweet potato"} <= inside(told, "shape")
+
+
+def test_scones_are_rubbed_rolled_out_and_cut(steps):
+    told = steps("bread", "Cream Scones", "flour:powder", "sugar:granulated", "baking powder:powder", "butter:cold",
+                 "heavy cream:liquid")  # fmt: skip
+    order = [motion for motion in motions(told) if motion in {"mix", "knead", "roll", "cut", "bake"}]
+    assert order == ["mix", "knead", "roll", "cut", "bake"]
+    assert "blend" not in motions(told)
+
+
+def test_pastry_lines_the_dish_and_the_fruit_comes_into_it(steps):
+    told = steps("pie", "Apple Pie", "flour:powder", "butter:cold", "water:cold", "apples:sliced", "sugar:granulated")
+    assert inside(told, "knead") == {"flour", "butter", "water"}
+    assert motions(told).index("roll") < motions(told).index("bake")
+    assert not [inputs for inputs, motion, _ in told if motion == "knead" and "apples" in inputs]
+
+
+def test_bought_pastry_is_made_by_nobody(steps):
+    told = steps(
+        "pie", "Apple Pie", "pie crust:raw", "flour:powder", "butter:cold", "apples:sliced", "sugar:granulated"
+    )
+    assert {"knead", "roll"}.isdisjoint(motions(told))
+
+
+def test_stewed_filling_is_covered(steps):
+    told = steps("pie", "Beef Pot Pie", "beef:cubed", "onion:chopped", "broth:liquid", "flour:powder", "butter:cold",
+                 "egg:beaten")  # fmt: skip
+    assert inside(told, "knead") == {"flour", "butter", "egg"}
+    assert motions(told).index("simmer") < motions(told).index("knead") < motions(told).index("bake")
+
+
+def test_crumble_is_strewn_on_fruit(steps):
+    told = steps("pie", "Apple Crumble", "apples:sliced", "flour:powder", "brown sugar:granulated", "butter:stick")
+    dish = [outputs for inputs, _, outputs in told if "apples" in inputs and "baking dish" in inputs]
+    assert {food for node in dish[0] for food in node.ingredients} == {"apples"}
+
+
+def test_crumbs_are_pressed_to_a_base_and_cream_that_is_to_be_whipped_is_whipped(steps):
+    told = steps("pie", "Key Lime Pie", "graham cracker crumbs:crumbs", "butter:melted", "egg yolks:whole",
+                 "condensed milk:thick liquid", "lime juice:juice", "whipping cream:chilled")  # fmt: skip
+    assert inside(told, "shape") == {"graham cracker crumbs", "butter"}
+    assert [motion for inputs, motion, _ in told if "whipping cream" in inputs and motion in {"beat", "whip", "whisk"}]
+    assert first(told, "whipping cream", "pour") < motions(told).index("bake") < len(told) - 1
+
+
+def test_enchiladas_are_rolled_and_baked_under_their_sauce(steps):
+    told = steps("chicken", "Chicken Enchiladas", "cooked chicken:shredded", "tortillas:plain", "enchilada sauce:sauce",
+                 "cheddar:shredded")  # fmt: skip
+    assert motions(told).index("roll") < first(told, "enchilada sauce", "pour") < motions(told).index("bake")
+    assert set(cooked(told, "cooked chicken")) <= {"bake"}
+
+
+def test_lasagna_is_laid_and_not_stirred(steps):
+    told = steps("pasta", "Lasagna", "ground beef:raw", "crushed tomatoes:canned", "lasagna noodles:uncooked",
+                 "ricotta:creamy", "egg:whole", "mozzarella:shredded")  # fmt: skip
+    assert not [inputs for inputs, motion, _ in told if motion == "cook and stir" and "lasagna noodles" in inputs]
+    assert first(told, "mozzarella", "pour") > first(told, "ricotta", "mix")
+
+
+def test_mash_covers_what_is_called_so_though_nobody_says_mashed(steps):
+    told = steps("pie", "Shepherd's Pie", "ground lamb:raw", "onion:chopped", "flour:powder", "beef stock:liquid",
+                 "potatoes:peeled", "butter:stick")  # fmt: skip
+    assert first(told, "potatoes", "mash") < motions(told).index("bake")
+    assert "knead" not in motions(told)
+
+
+def test_a_pancake_filed_under_cakes_is_fried_on_both_sides(steps):
+    told = steps(
+        "cake", "Pancakes", "flour:powder", "baking powder:powder", "egg:whole", "milk:liquid", "butter:melted"
+    )
+    assert "bake" not in motions(told)
+    assert "cook" in motions(told)[: motions(told).index("flip")]
+    assert told[-1][2][1].label == "pancake"
+
+
+def test_a_title_that_calls_a_food_roasted_has_it_baked_alone(steps):
+    told = steps(
+        "salad", "Roasted Beet Salad", "beets:whole", "arugula:leaves", "goat cheese:block", "olive oil:liquid"
+    )
+    assert cooked(told, "beets") == ["bake"]
+    assert [motion for inputs, motion, _ in told if "goat cheese" in inputs and motion != "pour"]
+
+
+def test_a_steak_for_a_salad_is_fried_whole_and_cut_then(steps):
+    told = steps("salad", "Steak Salad", "flank steak:raw", "lettuce:chopped", "olive oil:liquid", "vinegar:liquid")
+    cut = [place for place, (inputs, _, _) in enumerate(told) if {"flank steak", "knife"} <= inputs]
+    assert motions(told).index("cook") < min(cut)
+
+
+def test_chicken_called_fried_is_coated_and_fried(steps):
+    told = steps("chicken", "Buttermilk Fried Chicken", "chicken:cut", "buttermilk:liquid", "flour:powder",
+                 "paprika:ground", "oil:liquid")  # fmt: skip
+    assert "bake" not in motions(told)
+    assert inside(told, "flip") >= {"chicken", "flour", "buttermilk"}
+
+
+def test_what_is_called_sheet_pan_comes_out_of_the_oven(steps):
+    told = steps("chicken", "Sheet Pan Drumsticks", "chicken drumsticks:raw", "olive oil:liquid", "dried oregano:dried",
+                 "carrots:sliced")  # fmt: skip
+    assert "bake" in motions(told)
+    assert first(told, "dried oregano", "sprinkle") < motions(told).index("bake")
+
+
+def test_scallops_are_seared_in_one_layer_and_mussels_are_not_turned(steps):
+    told = steps("seafood", "Seared Scallops", "scallops:raw", "butter:stick", "garlic:minced")
+    assert "flip" in motions(told)
+    told = steps("seafood", "Mussels in Cider", "mussels:raw", "butter:stick", "shallots:chopped", "white wine:liquid")
+    assert "flip" not in motions(told)
+    assert comes(told, "shallots", "cooking pan") < comes(told, "mussels", "cooking pan")
+
+
+def test_garlic_is_minced_before_it_is_eaten_raw(steps):
+    told = steps("salad", "Caesar Salad", "romaine:chopped", "garlic:clove", "parmesan:shaved", "olive oil:liquid",
+                 "lemon juice:juice")  # fmt: skip
+    assert [node for _, _, outputs in told for node in outputs if node.label == "garlic" and "minced" in node.states]
+
+
+def test_whole_spices_bloom_in_the_fat(steps):
+    told = steps("vegetables", "Palak Paneer", "spinach:washed", "paneer:cubed", "oil:liquid", "cumin seeds:whole",
+                 "onion:chopped", "cream:liquid")  # fmt: skip
+    seeds = next(place for place, (inputs, _, _) in enumerate(told) if "cumin seeds" in inputs)
+    spinach = next(place for place, (inputs, _, _) in enumerate(told) if {"spinach", "cooking pan"} <= inputs)
+    assert seeds < spinach
+
+
+def test_lentils_are_boiled_before_the_rice_that_is_done_long_before_them(steps):
+    told = steps("rice", "Mujaddara", "brown lentils:dried", "rice:uncooked", "onions:sliced", "oil:liquid",
+                 "water:liquid")  # fmt: skip
+    assert cooked(told, "brown lentils") == ["cook"]
+    assert first(told, "brown lentils", "cook") < first(told, "rice", "pour")
+
+
+def test_wedges_are_served_beside_what_is_baked(steps):
+    told = steps("pizza", "Lamb Pizza", "pizza dough:raw", "ground lamb:cooked", "onion:grated", "lemon wedges:whole")
+    assert comes(told, "lemon wedges", "plate") > motions(told).index("bake")
+
+
+def test_a_smoothie_is_blended_though_its_video_strains_it(steps):
+    told = steps(
+        "drinks", "Watermelon Agua Fresca", "watermelon:cubed", "water:cold", "lime juice:juice", "sugar:granulated"
+    )
+    assert "blend" in motions(told)
+    assert told[-1][2][0].label == "drinking glass"

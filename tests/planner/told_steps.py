@@ -1,0 +1,25 @@
+"""What is done in a plan, step by step, in a form that tests can ask."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.planning.planner import Planner
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.store.snapshot import Snapshot
+
+Told = list[tuple[set[str], str, tuple[ObjectNode, ...]]]
+
+
+def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
+    """Return a function that plans a dish and answers its steps: the labels that go in, the motion, what comes out."""
+    planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
+
+    def plan(dish_type: str, title: str, *asked: str) -> Told:
+        pairs = (one.rpartition(":")[::2] for one in asked)
+        foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
+        units = planner.plan(Recipe(dish_type, foods, "x", title)).units
+        return [({n.label for n in one.input_nodes}, one.motion_node, one.output_nodes) for one in units]
+
+    return plan
