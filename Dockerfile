@@ -18,6 +18,6 @@ USER foon
 WORKDIR /home/foon
 EXPOSE 8000
 HEALTHCHECK --interval=10s --timeout=5s --start-period=60s \
-    CMD ["python", "-c", "import urllib.request as web; web.urlopen('http://127.0.0.1:8000/', timeout=4)"]
+    CMD ["python", "-c", "import urllib.request as web; web.urlopen('http://127.0.0.1:8000/health', timeout=4)"]
 ENTRYPOINT ["foon"]
 CMD ["serve", "--host", "0.0.0.0", "--token-file", "/home/foon/token"]

@@ -13,7 +13,9 @@ LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11
 
 SBOM := build/sbom.cdx.json
 
-.PHONY: demo test test-quick check campaign docs mutants lock sbom clean
+MINUTES ?= 60
+
+.PHONY: demo test test-quick check campaign soak docs mutants lock sbom clean
 .DELETE_ON_ERROR:
 
 demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a recipe that nobody recorded
@@ -32,9 +34,12 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
 
-campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: some 20 minutes
+campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: some 30 minutes
 	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n auto tests/campaign tests/crash tests/server/test_full_disk.py \
 		tests/server/test_questions_of_strangers.py tests/cli/test_full_disk.py tests/web/test_connections.py
+
+soak: $(INSTALLED_FOR_TESTS)  ## foon serve for an hour under mixed requests, its memory flat within a tenth; MINUTES=5 is shorter
+	$(BIN)/python benchmarks/soak.py --minutes $(MINUTES)
 
 docs: $(INSTALLED_FOR_DOCS)  ## the documents as a site, in build/docs
 	$(BIN)/python docs/generate.py

@@ -17,10 +17,10 @@ from foon_kg.food import singular
 from foon_kg.loaders.lisp import Form, Symbol, read_lisp
 
 CLASSES = {
+    "mix": "mix mingle beat shake / mix stir beat whisk combine toss blend fold cream whip knead",
     "bring": "transfer-contents transfer-items portion-and-arrange spread sprinkle / add pour place put pick-and-place "
     "scoop sprinkle spread drizzle top season insert arrange fill drop move set transfer brush garnish dust divide "
-    "separate decorate remove take",
-    "mix": "mix mingle beat shake / mix stir beat whisk combine toss blend fold cream whip knead",
+    "separate decorate remove take combine",
     "cut": "cut / cut chop slice dice mince halve quarter shred grate cube",
     "shape": "shape flatten / shape roll flatten form press",
     "bake": "bake / bake roast broil toast",
@@ -43,7 +43,8 @@ CLASSES = {
     "sift": "sift / sift sieve",
     "dip": "dip / dip coat roll dredge pick-and-place place",
 }
-"""For each class the primitives of networks and, behind the stroke, the first words of motions."""
+"""For each class the primitives of networks and, behind the stroke, the first words of motions: of the first row in
+which they stand, and what else a cook may call it (to combine is to bring together, where nothing is mixed)."""
 PRIMITIVES = {name: kind for kind, row in CLASSES.items() for name in row.split(" / ")[0].split()}
 WORDS = {kind: row.split(" / ")[1].split() for kind, row in CLASSES.items()}
 NO_STEPS = frozenset({"get-kitchen", "fetch", "fetch-and-proportion"})

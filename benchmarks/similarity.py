@@ -26,6 +26,7 @@ from foon_kg.similarity.answers import LEAST
 from foon_kg.similarity.evidence import KINDS, Evidence
 from foon_kg.similarity.food import FoodSimilarity
 from foon_kg.similarity.groups import FoodGroups, food_groups
+from foon_kg.similarity.roles import roles_of
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
 from foon_kg.store.snapshot import Snapshot
@@ -77,7 +78,7 @@ def judgements() -> dict[str, dict[str, set[str]]]:
     return {
         name: {canonical(food): set(map(canonical, accepted)) for food, accepted in foods.items()}
         for name, foods in own.items()
-        if name not in {"about", "no foods"}
+        if name not in {"about", "no foods", "in a slot"}
     }
 
 
@@ -141,6 +142,35 @@ def _line(odds: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
         guess = 1 / (1 + np.exp(-rows @ line))
         line -= np.linalg.solve((rows * (guess * (1 - guess))[:, None]).T @ rows, rows.T @ (guess - truth))
     return float(line[0]), float(line[1])
+
+
+def in_slots() -> dict[str, dict[str, set[str]]]:
+    own = json.loads((ROOT / "tests" / "language" / "data" / "accepted.json").read_text(encoding="utf-8"))
+    return {
+        role: {canonical(food): set(map(canonical, accepted)) for food, accepted in foods.items()}
+        for role, foods in own["in a slot"].items()
+    }
+
+
+def fit_slots(weights: np.ndarray, known: list[str]) -> tuple[float, float]:
+    """Answer how odds are stretched where one food stands for another by what it does in a dish, and print how well."""
+    evidence = Evidence(food_vectors(), food_taxonomy(), food_groups())
+    odds, truth = [], []
+    for role, foods in in_slots().items():
+        for food, accepted in foods.items():
+            others = [other for other in known if role in roles_of(other) and other != food]
+            between = evidence.between(evidence.about([food]), evidence.about(others))[:, 0]
+            odds.append(weights[:-1] @ between + weights[-1])
+            truth.append([other in accepted for other in others])
+    halves = [(np.concatenate(odds[half::2]), np.concatenate(truth[half::2]).astype(float)) for half in (0, 1)]
+    said = []
+    for half in (0, 1):
+        slope, bias = _line(*halves[half])
+        said.append(1 / (1 + np.exp(-(slope * halves[1 - half][0] + bias))))
+    print("in a slot:")
+    reliability(np.concatenate(said), np.concatenate([halves[1][1], halves[0][1]]))
+    slope, bias = _line(np.concatenate(odds), np.concatenate(truth).astype(float))
+    return round(slope, DECIMALS), round(bias, DECIMALS)
 
 
 def told(judged: Judged, answers: np.ndarray, least: float = LEAST) -> list[tuple[float, int, int]]:
@@ -233,11 +263,13 @@ def main() -> None:
         reliability(
             np.array([v for v, _, _ in rows]), np.array([judged.accepted[row, place] for _, row, place in rows])
         )
+    slot = fit_slots(np.array(weights), known)
     if write:
         document = {
             "about": "Weights of the evidence for one food standing for another; made by benchmarks/similarity.py.",
             "bias": weights[-1],
             "weights": dict(zip(KINDS, weights, strict=False)),
+            "in a slot": dict(zip(("slope", "bias"), slot, strict=True)),
         }
         WEIGHTS.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
     similarity = FoodSimilarity(

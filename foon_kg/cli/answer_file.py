@@ -65,7 +65,7 @@ def value_of(path: Path, number: int, line: bytes) -> JsonObject:
     """Return the answer that is a line of a file; raises UsageError where it is none."""
     try:
         value = json.loads(line)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise _not_ours(path, number, "is no JSON") from error
     if not isinstance(value, dict) or "recipe" not in value:
         raise _not_ours(path, number, "is no answer to a recipe")

@@ -12,6 +12,7 @@ import typer
 
 from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:
     from foon_kg.store.graph.free_cypher import Answer
@@ -138,7 +139,7 @@ def _parameter(text: str) -> tuple[str, str]:
 
 def _as_json_or_text(value: str) -> object:
     try:
-        return json.loads(value)
+        return json_value(value)
     except json.JSONDecodeError:
         return value
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from foon_kg.model.errors import UsageError
+from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:
     from foon_kg.cypher import NamedQuery
@@ -48,7 +49,7 @@ def _typed(query: NamedQuery, name: str, kind: str, text: str) -> object:
     if kind == "STRING":
         return text
     try:
-        value = json.loads(text)
+        value = json_value(text)
     except json.JSONDecodeError:
         value = [word.strip() for word in text.split(",")] if kind == "LIST<STRING>" else None
     if kind == "INTEGER" and type(value) is int:

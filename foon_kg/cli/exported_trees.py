@@ -13,6 +13,7 @@ from foon_kg.loaders import ReadResult, read_json, read_text
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
@@ -82,7 +83,7 @@ def _amounts(recipe: Path) -> Iterator[tuple[str, str, str]]:
     """Answer food, state and amount of each ingredient that has one."""
     text = text_of(recipe)
     try:
-        fields = Fields(json.loads(text), str(recipe))
+        fields = Fields(json_value(text), str(recipe))
     except json.JSONDecodeError as error:
         raise ReadError(f"{recipe}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     for one, value in zip(fields.nested_list("ingredients"), fields.items("ingredients"), strict=True):

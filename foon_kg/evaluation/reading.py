@@ -18,6 +18,7 @@ from foon_kg.evaluation.sampling import drawn
 from foon_kg.model import Subgraph, regular_files
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.json_text import json_value
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.validation import TaskTree
 
@@ -159,7 +160,7 @@ def _of_key(value: object, number: int, where: str) -> ReadingTree:
 
 def _json(text: str, where: str) -> object:
     try:
-        value: object = json.loads(text)
+        value: object = json_value(text)
     except json.JSONDecodeError as error:
         raise ReadError(f"{where}: no JSON: {error}", hint="Give the file as it was written.") from error
     return value

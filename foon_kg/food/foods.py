@@ -61,7 +61,8 @@ class FoodTable:
 
     def _food(self, name: str, states: tuple[str, ...]) -> Food:
         main, _, packed = name.partition(" in ")
-        if packed and main in self.kind_of and name not in self.kind_of:
+        main = main.removesuffix(" packed")
+        if packed and name not in self.kind_of and self.find(main)[2] in {Match.NAME, Match.HEAD}:
             return replace(self._food(main, (*states, _PACKED)), name=name)  # tuna in water, peaches in syrup
         meant = next((o for state, o in self.homonyms.get(name, ()) if any(_is_state(state, s) for s in states)), name)
         kind, taken_for, match = self.find(meant)

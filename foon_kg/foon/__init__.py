@@ -342,14 +342,22 @@ class Foon:
             with self.reading() as view:
                 yield view
 
-    def similar(self, food: str, limit: int = 5) -> tuple[Neighbour, ...]:
+    def similar(self, food: str, limit: int = 5, *, role: str | None = None) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
 
-        None where nothing is like it.
+        None where nothing is like it. With ``role``, what the food does in a dish ("liquid", "protein", …),
+        known foods are answered that do the same: broth is unlike water, and is taken for it as a liquid.
+
+        Raises ``UsageError`` for anything that no food does.
 
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
+        if role is not None:
+            from foon_kg.similarity.roles import in_role
+
+            with self.reading() as view:
+                return in_role(food, view.vocabulary().labels, role, limit)
         return self.similar_to_each([food], limit)[0]
 
     def similar_to_each(

@@ -12,7 +12,7 @@ from foon_kg.integration.batters import is_thin
 from foon_kg.integration.frames import Frame, Line
 from foon_kg.integration.layouts import Layout, Spot
 
-_MOST_KEPT = 4096
+_MOST_KEPT = 2048
 """For how many dishes this is kept."""
 
 _HOT = frozenset({"heat", "warm"})

@@ -11,6 +11,7 @@ from dataclasses import replace
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import Want
 
 _MIXED = Stage((), "mix", frozenset({"mix"}), (), "mixing bowl", "in", "", "", "", (), 0)
 
@@ -26,6 +27,16 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
         for join, apart in zip(joins, fried, strict=True)
     ]
     return Line((mixed,)), tuple(
-        Join(replace(join.want, cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot)
+        Join(
+            replace(_mashed(join.want), cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot
+        )
         for join, spot, slot in zip(joins, spots, slots, strict=True)
     )
+
+
+def _mashed(want: Want, *, cooked: bool) -> Want:
+    """Return a food as it comes into mash; a root is mashed once it is cooked, whether it is asked so or not."""
+    want = replace(want, cooked=want.cooked or cooked)
+    root = want.facts.is_a(*word_list("covers a dish when it is mashed")) and "made" not in want.facts.traits
+    done = want.then or want.make in word_list("only what is soft is so")
+    return replace(want, then=min(word_list("is mashed so"))) if root and not done else want

@@ -43,7 +43,9 @@ _LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BETWEEN = "_"
 _WORDS = re.compile(r"[^\W_](?:[\w'&-]*\w)?")
 _LONGEST_NAME = 5
-_NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+[\w'&-]*\w")
+_NAME = re.compile(r"[^\W_](?:[\w'&-]*_)+(?:[\w'&-]*\w)?")
+_ENDS_A_NAME = re.compile(r"\s*(?:[,.;:!?]|$)|\s+(?:and|or|with|in|into|to|on|onto|over|until|till|from|at|together)\b")
+_BARE = re.compile(r"\b(to|into|onto|in|on|over|from|with|of)\s+(?=[\w'&-]+_)")
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,7 @@ class Told:
         names: dict[int, str] = {}
         length = end = 0
         for found in _NAME.finditer(self.text):
-            name = found[0].replace(_BETWEEN, " ")
+            name = found[0].replace(_BETWEEN, " ").strip()
             noun = UTENSIL if Kitchen.default().is_utensil(name) else FOOD
             parts += [self.text[end : found.start()], noun]
             names[length + found.start() - end] = name
@@ -137,7 +139,7 @@ class Clauses:
     def _begins_with_a_thing(self, rest: str) -> bool:
         """Whether a bare noun stands behind the verb; with an article no parser takes it for a part of that."""
         word = _WORDS.match(rest.strip())
-        name = word[0].replace(_BETWEEN, " ") if word is not None else ""
+        name = word[0].replace(_BETWEEN, " ").strip() if word is not None else ""
         is_thing = Kitchen.default().is_utensil(name) or tables().foods.is_listed(name)
         return bool(name) and is_thing and state_in(name) is None
 
@@ -150,7 +152,8 @@ class Clauses:
             return joined[0]
         food = canonical(word) in food_groups().places or (ends and self._is_seasoning(word))
         food = food and word not in tables().unfinished  # a mix is nothing that lies in a bowl
-        return f"{joined[1]}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
+        before = joined[1] if joined[1].strip() != "," else ", and "
+        return f"{before}you {word}" if is_verb(word, self.verbs.motions) and not food else joined[0]
 
     def _with_names_as_words(self, text: str) -> str:
         """Return ``text`` with every name of several words as one word: the longest that FOON or tables have."""
@@ -162,9 +165,16 @@ class Clauses:
                 (n for n in range(_LONGEST_NAME, 1, -1) if self._is_name(text, words[place : place + n], n)), 1
             )
             last = words[place + length - 1]
-            parts += [text[end : words[place].start()], _BETWEEN.join(text[words[place].start() : last.end()].split())]
+            name = _BETWEEN.join(text[words[place].start() : last.end()].split())
+            alone = _ENDS_A_NAME.match(text, last.end()) is not None and self._is_only_a_food(name)
+            parts += [text[end : words[place].start()], name + (_BETWEEN if alone else "")]
             place, end = place + length, last.end()
-        return "".join((*parts, text[end:]))
+        return _BARE.sub(r"\1 the ", "".join((*parts, text[end:])))
+
+    def _is_only_a_food(self, word: str) -> bool:
+        """Whether a word is a food and nothing else, so that a plain noun may stand in for it."""
+        verb = is_verb(word, self.verbs.motions) or is_verb(singular(word), self.verbs.motions)
+        return word.isalpha() and tables().foods.is_listed(word) and not verb and state_in(word) is None
 
     def _is_name(self, text: str, words: Sequence[re.Match[str]], length: int) -> bool:
         if len(words) < length:

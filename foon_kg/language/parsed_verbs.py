@@ -57,8 +57,10 @@ def other_way(token: Token) -> Token:
 
 def _is_background(token: Token) -> bool:
     """Whether a clause tells when or why: "until golden", "so that it is covered"; stirring meanwhile is an action."""
-    if token.dep_ not in {"advcl", "ccomp"} or token.tag_ == "VBG":
+    if token.dep_ not in {"advcl", "ccomp"}:
         return False
+    if token.tag_ == "VBG" and not any(child.dep_ == "nsubj" for child in token.children):
+        return False  # stirring meanwhile
     return any(child.dep_ in {"mark", "advmod"} and child.lower_ in _WHEN_OR_WHY for child in token.children)
 
 

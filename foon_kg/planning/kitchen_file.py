@@ -21,6 +21,7 @@ from foon_kg.food import tables
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
 from foon_kg.planning.recipes import IngredientWords
@@ -37,7 +38,7 @@ _FIELDS = ("foods", "utensils")
 LONGEST_THING = 300
 """Characters of one thing: to find out what a longer text may mean takes longer than anybody waits."""
 
-MOST_THINGS = 5_000
+MOST_THINGS = 1_000
 
 _HINT = "Write one thing a line, as in “onion, chopped”, or JSON with “utensils”, “foods” or both."
 
@@ -191,7 +192,7 @@ def _lines(path: Path, text: str) -> Iterator[Entry]:
 
 def _json_entries(path: Path, text: str) -> Iterator[Entry]:
     try:
-        value = json.loads(text)
+        value = json_value(text)
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     if isinstance(value, list):

@@ -13,6 +13,8 @@ from foon_kg.model.names import canonical
 from foon_kg.model.recent import Recent
 from foon_kg.planning.settings import Substitute
 from foon_kg.similarity import Similarity
+from foon_kg.similarity.food import FoodSimilarity
+from foon_kg.similarity.roles import roles_of
 
 FAIR = 0.5
 """From this confidence on a cook would rather accept a food for another one than not."""
@@ -119,6 +121,17 @@ class RecipeLikes:
         fair = list(self(food))
         found = [*fair, *(pair for pair in self._likes.others(singular(food)) if pair[0] not in dict(fair))]
         return [pair for pair in found if pair[0] != chosen]
+
+    def in_slot(self, food: str, known: str) -> float:
+        """Return how sure a cook is (0 to 1) to accept a known food for what another one does in the slot of a dish.
+
+        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
+        """
+        plain, name, similarity = self.alike(food, known), singular(food), self._likes.similarity
+        shared = roles_of(canonical(name)) & roles_of(canonical(known))
+        if not shared or not isinstance(similarity, FoodSimilarity):
+            return plain
+        return max(plain, *(float(similarity.in_slot(name, [known], role)[0]) for role in shared))
 
     def stands_for(self, food: str, other: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""

@@ -207,7 +207,7 @@ class _Question:
             self.known,
         )
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
-        self.matcher = Matcher(self.methods.posts, self.likes.alike, self.wants, self.teaching.joiners)
+        self.matcher = Matcher(self.methods.posts, self.likes.in_slot, self.wants, self.teaching.joiners)
 
     @cached_property
     def best(self) -> Attempt:

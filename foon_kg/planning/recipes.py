@@ -17,6 +17,7 @@ from foon_kg.food import singular, tables
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.json_text import json_value
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.regular_files import read_text
@@ -285,7 +286,7 @@ def foods_named(path: Path) -> tuple[str, ...]:
 
 def _json(path: Path) -> object:
     try:
-        return json.loads(read_text(path))
+        return json_value(read_text(path))
     except json.JSONDecodeError as error:
         raise ReadError(f"{path}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
     except UnicodeDecodeError as error:

@@ -24,6 +24,7 @@ from foon_kg.model.names import canonical, canonical_all
 from foon_kg.similarity.answers import DECIMALS, LEAST, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
+from foon_kg.similarity.roles import roles_of
 from foon_kg.similarity.sparse import Table
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
@@ -55,8 +56,9 @@ class _Known:
 class FoodSimilarity:
     """Weighs the evidence for each pair of names; rows once answered are remembered."""
 
-    def __init__(self, evidence: Evidence, weights: Table, bias: float) -> None:
+    def __init__(self, evidence: Evidence, weights: Table, bias: float, slot: tuple[float, float] = (1.0, 0.0)) -> None:
         self.evidence = evidence
+        self._slot = slot
         self.bias = bias
         self._weights = weights
         self._known = lru_cache(maxsize=4)(self._about_known)
@@ -91,6 +93,21 @@ class FoodSimilarity:
         Fewer where fewer are like it, and none where nothing is.
         """
         return best(known, self.matrix([name], known)[0], limit)
+
+    def in_slot(self, name: str, known: Sequence[str], role: str) -> Confidences:
+        """Answer for each known name how sure a cook is to accept it where ``name`` plays ``role`` in a dish.
+
+        Broth is unlike water, and is taken for it as a liquid. 0 for names that do not play it, and where ``name``
+        does not.
+        """
+        one, others = canonical(name), canonical_all(tuple(known))
+        plays = np.array([role in roles_of(one) and role in roles_of(other) for other in others], dtype=bool)
+        evidence = self.evidence.between(self.evidence.about([one]), self.evidence.about(others))[:, 0]
+        slope, bias = self._slot
+        odds = slope * (self._weights @ evidence + self.bias) + bias
+        sure = np.where(plays, np.round(confidence_of(odds), DECIMALS), 0.0)
+        same = np.array([one == other for other in others], dtype=bool)
+        return np.where(sure < LEAST, 0.0, np.where(same & plays, 1.0, sure))
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
         """Answer the kinds of evidence that speak for ``known`` standing for ``name``, the weightiest first."""
@@ -131,4 +148,5 @@ def food_similarity() -> FoodSimilarity:
     """Answer the default similarity, made once (some 0.1 s)."""
     fitted = json.loads(files("foon_kg.data").joinpath("similarity.json").read_text(encoding="utf-8"))
     weights = np.array([fitted["weights"][kind] for kind in KINDS])
-    return FoodSimilarity(Evidence(food_vectors(), food_taxonomy(), food_groups()), weights, fitted["bias"])
+    slot = fitted["in a slot"]["slope"], fitted["in a slot"]["bias"]
+    return FoodSimilarity(Evidence(food_vectors(), food_taxonomy(), food_groups()), weights, fitted["bias"], slot)

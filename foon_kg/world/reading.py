@@ -112,7 +112,7 @@ class Reader:
 def _place_in_states(node: ObjectNode) -> str | None:
     """Return the place that a loader kept among the states, as it does of a node with two: ``on [cutting board]``."""
     for state in node.states:
-        found = _PLACE.fullmatch(state.lower())
+        found = _PLACE.fullmatch(state.lower()) if state.endswith("]") else None
         if found:
             return singular(found.group(1))
     return None

@@ -18,10 +18,9 @@ def match(out: Outcome) -> None:
     What holds most of what it is said to hold is matched first, so that the order of the outputs decides nothing.
     """
     free = list(out.happening.vessels)
-    for place in sorted(range(len(out.said)), key=lambda place: _surest_first(out, place)):
+    utensils = [place for place, one in enumerate(out.said) if one.utensil is not None]
+    for place in sorted(utensils, key=lambda place: _surest_first(out, place)):
         one = out.said[place]
-        if one.utensil is None:
-            continue
         vessel = _matching(out, out.mentions[place], one, free)
         if vessel is None:
             vessel = _appearing(out, out.mentions[place], one)
@@ -35,6 +34,8 @@ def match(out: Outcome) -> None:
 
 def _surest_first(out: Outcome, place: int) -> tuple[int, NodeSortKey]:
     one = out.said[place]
+    if not one.names:
+        return 0, one.node.sort_key
     alike = [len(one.names & vessel.names) for vessel in out.happening.vessels if vessel.label == one.label]
     return -max(alike, default=0), one.node.sort_key
 

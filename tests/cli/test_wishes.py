@@ -94,3 +94,20 @@ def test_two_forms_of_one_answer_are_refused_in_json_where_that_is_one_of_them()
 def test_an_unknown_substitute_is_answered_with_near_words():
     answer = plan(*SALAD, "--substitute", "kohlrabi=tomatto")
     assert "hint: Did you mean tomato" in answer.stderr
+
+
+@pytest.mark.slow
+def test_a_dish_or_a_video_is_followed_as_wished_and_one_that_nobody_made_is_refused():
+    assert result_of(plan(*SALAD, "--json")).reference.goal.label != "winter salad"
+    for wish in ("winter salad", "winter_salad"):
+        result = result_of(plan(*SALAD, "--after", wish, "--json"))
+        assert (result.reference.goal.label, result.reference.videos) == ("winter salad", ("winter_salad",))
+    refused = plan(*SALAD, "--after", "moon salad")
+    assert refused.exit_code == 3
+    assert "called “moon salad”" in refused.stderr
+
+
+def test_the_paper_follows_nothing_that_is_wished():
+    refused = plan(*SALAD, "--after", "winter salad", "--method", "paper")
+    assert refused.exit_code == 2
+    assert "--after" in refused.stderr

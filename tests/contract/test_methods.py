@@ -20,7 +20,7 @@ from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import food_similarity
-from foon_kg.store.graph import load, loading, reading, remove
+from foon_kg.store.graph import load, loading, methods, reading, remove
 from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.writing import Writer
@@ -108,6 +108,18 @@ def test_what_another_program_learnt_of_a_large_foon_is_told_and_not_learnt_anew
     with graph.reading() as view, pytest.raises(SchemaError, match="learnt by another foon-kg") as told_so:
         view.methods_for(["onion"], "soup")
     assert "foon load foon" in told_so.value.hint
+
+
+def test_how_many_frames_are_kept_changes_none(connection, graph, monkeypatch):
+    videos = videos_of_the_demo()
+    load(connection, videos)
+    monkeypatch.setattr(methods, "MOST_LAYOUTS", 1)
+    whole = Snapshot.of(videos, Kitchen.default()).methods()
+    keys = [frame.key for frame in whole.frames]
+    with graph.reading() as view:
+        part = view.methods_for(["onion"], "soup")
+    for _ in range(2):
+        assert [layout.frame for layout in part.layouts_of(keys)] == list(whole.frames)
 
 
 def test_what_is_known_of_a_food_is_not_asked_twice(connection, graph):

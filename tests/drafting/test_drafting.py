@@ -18,7 +18,7 @@ from foon_kg.language.drafting.tables import read_draft, write_draft
 from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import ObjectNode
-from foon_kg.model.narration import Mention, NarratedAction, Narration, Place
+from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
 
 FOON = precedents()
 
@@ -30,6 +30,12 @@ def action(verb, *objects, to=None, **fields):
 
 def drafted(*actions, **wishes):
     return draft(Narration("video", tuple(actions)), FOON, **wishes)
+
+
+def from_text(*actions):
+    """Draft the actions as if they had been read in free text."""
+    narration = Narration("video", tuple(actions), (Sentence("as it was said"),))
+    return [row.annotation.unit for row in draft(narration, FOON).units]
 
 
 def units(*actions):
@@ -78,9 +84,9 @@ def test_a_mixture_that_the_narration_names_is_called_so_without_doubt():
 
 def test_a_food_that_nobody_brought_is_brought_by_an_assumed_unit():
     rows = drafted(action("peel", "potato"), NarratedAction("cook", (Mention("potato"),), (Place("in", "pot"),))).units
-    assert [row.annotation.timing.assumed for row in rows] == [False, True, True, False]
-    assert rows[2].doubts == ("nobody says how potato comes to the pot",)
-    assert rows[2].annotation.unit.output_nodes[1] in rows[3].annotation.unit.input_nodes
+    assert [row.annotation.timing.assumed for row in rows] == [False, True, False]
+    assert rows[1].doubts == ("nobody says how potato comes to the pot",)
+    assert rows[1].annotation.unit.output_nodes[1] in rows[2].annotation.unit.input_nodes
 
 
 def test_an_unseen_food_is_doubted_and_less_sure_than_a_seen_one():
@@ -248,7 +254,7 @@ def test_a_thing_is_called_as_the_kitchen_calls_it():
 
 
 def test_what_cooks_is_lit_once_and_a_bowl_stays_out_of_the_fire():
-    pour, light, moved, cook = units(action("pour", "potato", to="bowl"), action("cook", "potato"))
+    pour, light, moved, cook = from_text(action("pour", "potato", to="bowl"), action("cook", "potato"))
     assert light.output_nodes == (ObjectNode("stove", ("on",)),)
     assert light.output_nodes[0] in cook.input_nodes
     assert "bowl" in {node.label for node in moved.input_nodes}

@@ -11,6 +11,7 @@ from foon_kg.loaders import read_paths
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity, food_similarity
+from foon_kg.similarity.roles import in_role
 from foon_kg.store.snapshot import Snapshot
 
 OWN = json.loads((Path(__file__).parent / "data" / "accepted.json").read_text(encoding="utf-8"))
@@ -62,6 +63,21 @@ def test_a_confidence_above_one_half_is_right_more_often_than_not(known):
     assert truth[answers > 0.9].mean() > 0.8
     assert truth[answers < 0.1].mean() < 0.02
     assert brier(answers, truth) < 0.6 * brier(truth.mean(), truth)
+
+
+@pytest.mark.shared_data
+def test_in_a_slot_the_right_food_is_nearest_and_as_many_are_accepted_as_was_said(foon_foods):
+    told, first = [], []
+    for role, foods in OWN["in a slot"].items():
+        for food, accepted in folded(foods).items():
+            found = [near for near in in_role(food, foon_foods, role, 6) if near.name != food]
+            first.append(found[0].name in accepted)
+            told += [(near.confidence, near.name in accepted) for near in found]
+    assert sum(first) / len(first) > 0.85
+    for low, high in ((0.3, 0.7), (0.7, 0.9), (0.9, 1.0)):
+        inside = [(said, was) for said, was in told if low <= said < high]
+        said, was = (sum(column) / len(inside) for column in zip(*inside, strict=True))
+        assert abs(said - was) < 0.1
 
 
 def test_of_what_is_told_as_many_are_accepted_as_was_said(known):

@@ -52,6 +52,14 @@ def test_where_nothing_is_like_a_word_that_is_said(foon):
     assert answer.stdout == "qwxyz: nothing like it is known\n"
 
 
+def test_what_does_the_same_in_a_dish_is_told_with_as(foon):
+    told = json.loads(foon("butter", "--as", "fat", "--json").stdout)
+    assert told == {"name": "butter", "nearest": []}
+    refused = foon("butter", "--as", "colour")
+    assert refused.exit_code == 2
+    assert "liquid" in refused.stderr
+
+
 def test_the_limit_is_kept(foon):
     assert len(json.loads(foon("caper", "--json", "--limit", "1").stdout)["nearest"]) == 1
 

@@ -344,3 +344,20 @@ def test_an_answer_says_of_which_edition_it_is():
             assert {answer.headers["foon-edition"]} == now
             assert answer.headers["foon-newer"] == "later"
         foon.let.set()
+
+
+def test_a_recorded_dish_is_followed_as_wished_by_either_method(client):
+    posted = client.post("/api/plan", json=SALAD | {"after": "winter salad", "explain": True}).json()
+    assert posted["reference"]["goal"]["label"] == "winter salad"
+    assert "winter salad" not in {one["goal"]["label"] for one in posted["considered"]}
+    asked = {"dish_type": "salad", "ingredient": SALAD["ingredients"], "after": "winter_salad"}
+    assert client.get("/api/plan", params=asked).json()["reference"] == posted["reference"]
+    refused = client.post("/api/plan", json=SALAD | {"after": "moon salad"})
+    assert (refused.status_code, refused.json()["error"]["code"]) == (404, "no-goal")
+    assert client.get("/api/complete", params={"kind": "goal", "text": "winter"}).json() == ["winter salad"]
+
+
+def test_each_error_points_to_the_page_that_describes_the_api(client):
+    for answer in (client.get("/api/complete"), client.get("/nothing"), client.put("/api/summary", json={})):
+        assert answer.status_code in {404, 405, 422}
+        assert answer.json()["error"]["hint"] == "See /api/docs."

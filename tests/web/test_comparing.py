@@ -47,7 +47,7 @@ def test_what_one_plan_alone_has_is_said_in_words(compared):
     assert heads == ["A as asked", "B without onion"]
     onion = compared.find_element("xpath", "//ul[@class='compared'][1]/li[contains(., 'onion')]")
     assert onion.text.endswith("only A")
-    assert "What differs: 1 ingredient, " in text_of(compared, "#view-compare")
+    assert text_of(compared, "#view-compare [role=status]").startswith("What differs: 1 ingredient, ")
     assert complaints(compared) == []
 
 
@@ -177,3 +177,44 @@ def test_a_candidate_dish_is_laid_beside_the_one_that_was_taken(page, address):
     assert "Made like the winter salad" in second.text
     moved = page.find_element("xpath", "//ul[@class='compared'][last()]/li[contains(., 'Peel the onion')]")
     assert moved.text.endswith("in B as step 3")
+    signs = page.execute_script("""
+        return [...document.querySelectorAll(".compared:last-of-type .cell")]
+            .filter(one => one.innerText.includes("Scrape the onion"))
+            .map(one => one.querySelector('.sign').innerText)""")
+    assert signs == ["in B as step 6", "in A as step 6"], "it is not laid beside another step"
+
+
+def test_what_is_no_question_is_told_in_its_column_and_another_choice_is_offered_at_once(page, address):
+    page.get(f"{address}/#{ASKED}&view=compare&other=nothing")
+    until(page, "return !!document.querySelector('.sides [role=alert]')")
+    assert not page.find_element("xpath", "//button[text()='Only what differs']").is_displayed()
+    page.find_element("xpath", "//a[text()='Compare with something else']").send_keys(ENTER)
+    until(page, "return !!document.getElementById('compare-avoid')")
+    assert page.execute_script("return document.getElementById('view-compare').getAttribute('aria-busy')") == "false"
+    assert not page.find_elements("css selector", ".sides")
+
+
+def test_a_choice_that_comes_before_the_answer_is_not_overwritten_by_it(page, address):
+    page.get(f"{address}/#{ASKED}&view=compare")
+    until(page, "return !!document.getElementById('compare-avoid')")
+    told = page.execute_async_script(
+        """
+        const [other, done] = arguments;
+        const plain = window.fetch;
+        const begun = location.hash;
+        window.fetch = async (...asked) => {
+            const answer = await plain(...asked);
+            const told = await answer.json();
+            history.back();
+            await new Promise(go => addEventListener('hashchange', go, {once: true}));
+            const read = () => {
+                setTimeout(() => done(document.getElementById('view-compare').innerText)); // after who reads it
+                return told;
+            };
+            window.fetch = plain;
+            return {ok: true, json: async () => read()};
+        };
+        location.hash = `${begun}&other=${other}`;""",
+        quote(ASKED + "&without=onion"),
+    )
+    assert told.startswith("Compare this plan with")

@@ -9,10 +9,13 @@ import pytest
 from fastapi.testclient import TestClient
 from hypothesis import given
 from hypothesis import strategies as st
+from pictures.demo_plans import demo_foon
 from web.serving import SALAD, app, served
 
 from foon_kg import __version__
 from foon_kg.model.errors import GraphError
+from foon_kg.store.snapshot import Snapshot
+from foon_kg.web.foon import FixedFoon
 from foon_kg.web.metrics import Metrics
 
 TOKEN = "a-token-of-enough-letters"
@@ -56,6 +59,13 @@ def client():
 def test_who_can_plan_is_healthy(client):
     answer = client.get("/health")
     assert (answer.status_code, answer.json()) == (200, {"status": "ok"})
+
+
+def test_a_foon_in_which_nothing_is_yet_is_healthy():
+    empty = Snapshot.of([], demo_foon().kitchen)
+    with TestClient(app(foon=FixedFoon(empty)), base_url="http://localhost") as client:
+        assert client.get("/health").status_code == 200
+        assert sample(read(client.get("/metrics").text), "foon_units") == 0
 
 
 def test_who_has_no_foon_says_so_as_any_other_question_does():

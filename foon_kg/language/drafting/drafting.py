@@ -40,7 +40,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
-    drafter = _Drafter(precedents, _dish_of(narration.name), Larder.of(narration.ingredients))
+    drafter = _Drafter(precedents, narration)
     drafter.look_ahead(narration.actions)
     for action in narration.actions:
         drafted = drafter.rows(action)  # it may name anew what was told before
@@ -61,13 +61,15 @@ def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOu
 class _Drafter:
     """Reads the names of actions, and hands what is meant on to the drafting of units."""
 
-    def __init__(self, precedents: FoonPrecedents, title: str, larder: Larder) -> None:
+    def __init__(self, precedents: FoonPrecedents, narration: Narration) -> None:
+        free = bool(narration.sentences)
+        title, larder = _dish_of(narration.name), Larder.of(narration.ingredients)
         self.told: list[DraftUnit | LeftOut] = []
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
-        self._units = UnitDrafter(NodeDrafter(precedents, self._scene))
-        self._referents = Referents(precedents, self._scene, title, larder=larder)
+        self._units = UnitDrafter(NodeDrafter(precedents, self._scene), free=free)
+        self._referents = Referents(precedents, self._scene, title if free else None, larder=larder)
 
     def look_ahead(self, actions: Sequence[NarratedAction]) -> None:
         """Note what will be done to each food, so that what will be chopped is not taken as chopped before."""

@@ -41,7 +41,7 @@ class Mixing:
         scene = self.maker.scene
         foods = [place.name for place in action.places if place.name in scene.foods]
         held = [food for food in scene.held(vessel or "") if food in scene.foods]
-        return tuple(dict.fromkeys((*held, *foods, *(one.name for one in action.objects))))
+        return tuple(dict.fromkeys((*(one.name for one in action.objects), *foods, *held)))
 
     def unit(self, action: NarratedAction, motion: str, evidence: Evidence) -> tuple[DraftUnit, ...]:
         """Return the unit that makes one mixture of foods, and of what is in their vessel already."""

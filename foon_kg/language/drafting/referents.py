@@ -32,14 +32,17 @@ _DETERMINERS = word_list("says nothing of a thing")
 
 @dataclass
 class Referents:
-    """Finds what is meant in ``scene``; ``title`` is the dish in the recipe's name (bread).
+    """Finds what is meant in ``scene``.
+
+    ``title`` is the dish in the recipe's name (bread), ``None`` where things are called by labels and not freely: then
+    a name means another thing only if that was mixed.
 
     ``called`` has the names by which mixtures were spoken of that nobody named when they were made.
     """
 
     precedents: FoonPrecedents
     scene: Scene
-    title: str = ""
+    title: str | None = ""
     called: dict[str, str] = field(default_factory=dict)
     larder: Larder = field(default_factory=Larder)
 
@@ -87,6 +90,8 @@ class Referents:
         if (known := self.scene.called(name)) is not None:
             return known
         words = canonical(name).split()
+        if self.title is None:
+            return self._mixture(words, besides) if words[-1] in _MIXED and not self._is_bought(name) else None
         _, bare = split_name(name)
         if bare != name and (known := self.scene.called(bare)) is not None:
             return known
@@ -98,6 +103,8 @@ class Referents:
 
     def _merged(self, name: str) -> str | None:
         """Return the mixture in which a food went that is by itself no more: the creamed butter."""
+        if self.title is None:
+            return None
         words = set(canonical(split_name(name)[1]).split())
         for label in reversed(self.scene.made()):
             if any(words <= set(canonical(part).split()) for part in self.scene.foods[label].ingredients):
@@ -108,6 +115,12 @@ class Referents:
         """Whether something new comes to a thing: another egg, though one was mixed in before."""
         motion = next(iter(self.precedents.verbs.reading(action.verb).motions), "")
         return motions.transfers(motion) or motions.mixes(motion)
+
+    def _is_bought(self, name: str) -> bool:
+        """Whether the FOON has a thing of this name, and no mixture is waiting for one."""
+        return canonical(name) in self.precedents.labels and not any(
+            made.endswith(MIXTURE) for made in self.scene.made()
+        )
 
     def _mixture(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
         """Return the mixture that has what ``words`` say in it, the latest one; of those at hand only if it must be."""

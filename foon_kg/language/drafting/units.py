@@ -30,9 +30,13 @@ def _covers(action: NarratedAction, motion: str) -> bool:
 
 @dataclass(frozen=True)
 class UnitDrafter:
-    """Drafts units of ``nodes``, and changes their scene as these units do."""
+    """Drafts units of ``nodes``, and changes their scene as these units do.
+
+    ``free``: the actions are read in free text, which leaves out what everybody knows, as that ovens are turned on.
+    """
 
     nodes: NodeDrafter
+    free: bool = True
 
     @property
     def precedents(self) -> FoonPrecedents:
@@ -64,7 +68,7 @@ class UnitDrafter:
         if self._mixes(action, motion):
             return self._mixing.unit(action, motion, evidence)
         source = self._maker.source_of(action, motion)
-        if source is None:
+        if source is None or not self.free:
             return self._of_foods(action, motion, evidence)
         lit = self._maker.lit(source, action)
         put: list[DraftUnit] = []
@@ -96,7 +100,9 @@ class UnitDrafter:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self.nodes.like(motion, mention, own)
             brought = (
-                brings or _covers(action, motion) or (like.brings and not motions.heats(motion) and bool(action.places))
+                brings
+                or _covers(action, motion)
+                or (like.brings and not motions.heats(motion) and (bool(action.places) or not self.free))
             )
             draft = self._bringing.units if brought else self._changed
             found += draft(action, mention, motion, like, own)

@@ -15,6 +15,7 @@ from foon_kg.integration.operators import Evidence, Operators, Way
 from foon_kg.integration.outlines import Outline, Outlines
 from foon_kg.integration.places import Posts
 from foon_kg.model import Goal, Sighting
+from foon_kg.model.recent import Recent
 from foon_kg.store.graph.frame_rows import frame_of
 from foon_kg.store.graph.lifting import ANYTHING, KIND
 from foon_kg.store.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCommonRow, MethodsRow
@@ -103,12 +104,16 @@ def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
     return posts
 
 
+MOST_LAYOUTS = 2048
+"""How many frames are kept as places, 18 kB each: a large FOON has more than a program that serves it can hold."""
+
+
 class LearntDishes:
     """The frames of one edition: their outlines, and each frame itself where somebody looks at it."""
 
     def __init__(self, row: FramesRow) -> None:
         self._texts = {key: text for key, *_, text in row.frames}
-        self._layouts: dict[str, Layout] = {}
+        self._layouts: Recent[str, Layout] = Recent(MOST_LAYOUTS)
         self._videos: defaultdict[tuple[str, str], list[str]] = defaultdict(list)
         for _, dish_type, _, _, _, _, goal, video, _ in row.frames:
             self._videos[goal, dish_type].append(video)
@@ -119,9 +124,10 @@ class LearntDishes:
 
     def layout(self, key: str) -> Layout:
         """Answer the places of a frame."""
-        if key not in self._layouts:
-            self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
-        return self._layouts[key]
+        found = self._layouts.find(key)
+        if found is None:
+            found = self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
+        return found
 
     def goal_of(self, frame: Frame) -> Goal:
         """Answer the goal that a frame is of, with the videos that show a way to it."""

@@ -6,11 +6,17 @@ import { plan as planned, Refusal } from "./api.js";
 import { rivals } from "./compare_with.js";
 import { alike, beside, words } from "./differences.js";
 import { counted, element, errorNotice, heading, list } from "./element.js";
-import { minutes } from "./nodes.js";
 import { buying } from "./steps.js";
 
 export const compareView = (plan, { asked, to }) => {
-  const part = element("section", { "aria-live": "polite" });
+  const body = element("div", {});
+  const said = element("p", { class: "differs", role: "status" });
+  const all = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
+    all.setAttribute("aria-pressed", String(body.classList.toggle("only")));
+  } }, "Only what differs");
+  const bar = element("div", { class: "titled" }, said, all);
+  const cards = element("div", {});
+  const part = element("section", {}, cards, bar, body);
   const known = new Map(); // the other plans, by their addresses
   let turn = 0;
   const told = (address, question) => {
@@ -19,11 +25,14 @@ export const compareView = (plan, { asked, to }) => {
   };
   const shown = async (_, address) => {
     const mine = ++turn;
-    if (!address) return part.replaceChildren(...rivals(plan, asked, to));
+    part.setAttribute("aria-busy", String(Boolean(address)));
+    [bar.hidden, all.hidden, said.textContent] = [!address, true, ""];
+    cards.replaceChildren();
+    if (!address) return body.replaceChildren(...rivals(plan, asked, to));
     const { question } = fromAddress(address);
     const sides = [{ letter: "A", plan, question: asked, name: apart(asked, question) }, { letter: "B", question, name: apart(question, asked) }];
-    part.setAttribute("aria-busy", "true");
-    part.replaceChildren(...heads(sides, to));
+    cards.replaceChildren(...heads(sides, to));
+    body.replaceChildren();
     try {
       sides[1].plan = await told(address, question);
     } catch (error) {
@@ -32,7 +41,10 @@ export const compareView = (plan, { asked, to }) => {
       sides[1].error = error;
     }
     if (mine !== turn) return;
-    part.replaceChildren(...heads(sides, to), ...(sides[1].plan ? rows(sides) : []));
+    const [differs, tables] = sides[1].plan ? rows(sides) : ["", []];
+    cards.replaceChildren(...heads(sides, to));
+    body.replaceChildren(...tables);
+    [all.hidden, said.textContent] = [!tables.length, differs];
     part.setAttribute("aria-busy", "false");
   };
   return { part, shown };
@@ -57,10 +69,8 @@ const heads = (sides, to) => [
 ];
 
 const figures = (plan) => {
-  const [one] = plan.schedules;
-  const timed = one.steps.some((step) => step.duration) ? `, ${minutes(one.length)} by one pair of hands` : "";
   const { findings } = plan.judged;
-  return [element("p", {}, element("strong", {}, plan.goal.label), `, ${counted(plan.units.length, "step")}${timed}`),
+  return [element("p", {}, element("strong", {}, plan.goal.label), `, ${counted(plan.units.length, "step")}`),
     element("p", { class: "aside" }, `Made like the ${plan.reference.goal.label} of video ${plan.reference.videos.join(", ")}. The judge `, findings.length ? `objects to ${counted(findings.length, "thing")}.` : "objects to nothing.")];
 };
 
@@ -69,15 +79,9 @@ const rows = (sides) => {
   const found = [["ingredient", "Ingredients", byName(a, b, things)], ["substitution", "What stands for what", byName(a, b, stands)], ["step", "Steps", steps(a, b)]];
   const parts = found.filter(([, , rows]) => rows.length).map(([word, title, rows]) => [title, list(rows, { class: "compared" }), word]);
   const differ = parts.map(([, rows]) => rows.querySelectorAll(":scope > :not(.both)").length);
-  const all = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
-    const only = all.getAttribute("aria-pressed") === "false";
-    all.setAttribute("aria-pressed", String(only));
-    parts.forEach(([, rows]) => rows.classList.toggle("only", only));
-  } }, "Only what differs");
   const summary = parts.flatMap(([, , word], i) => (differ[i] ? [counted(differ[i], word)] : [])).join(", ");
-  return [
-    element("div", { class: "titled" }, element("p", {}, summary ? `What differs: ${summary}.` : "Nothing differs."), all),
-    ...parts.flatMap(([title, rows], i) => [heading(2, title), differ[i] ? "" : element("p", { class: "aside" }, "The same in both."), rows].filter(Boolean)),
+  return [summary ? `What differs: ${summary}.` : "Nothing differs.",
+    parts.flatMap(([title, rows], i) => [heading(2, title), differ[i] ? "" : element("p", { class: "aside" }, "The same in both."), rows].filter(Boolean)),
   ];
 };
 

@@ -1,0 +1,36 @@
+"""JSON of which nobody knows what is in it: what cannot be read is a JSONDecodeError, whatever Python says of it.
+
+Python reads no number of more than some thousand digits and no lists nested deeper than its stack, and raises other
+errors for them than for what is no JSON.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+_DECODER = json.JSONDecoder()
+
+
+def json_value(text: str) -> Any:  # noqa: ANN401 - any value of JSON
+    """Return the value that a text is; raises JSONDecodeError."""
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError:
+        raise
+    except (ValueError, RecursionError) as error:
+        raise _unreadable(text, 0) from error
+
+
+def json_value_at(text: str, place: int) -> tuple[Any, int]:
+    """Return the value that begins at ``place`` and where it ends; raises JSONDecodeError."""
+    try:
+        return _DECODER.raw_decode(text, place)
+    except json.JSONDecodeError:
+        raise
+    except (ValueError, RecursionError) as error:
+        raise _unreadable(text, place) from error
+
+
+def _unreadable(text: str, place: int) -> json.JSONDecodeError:
+    return json.JSONDecodeError("a number of too many digits, or lists nested too deeply", text, place)
