@@ -27,9 +27,7 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
         for join, apart in zip(joins, fried, strict=True)
     ]
     return Line((mixed,)), tuple(
-        Join(
-            replace(_mashed(join.want), cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot
-        )
+        Join(_mashed(join.want, cooked=slot is not None), spot, min(join.fit, NATURAL), slot)
         for join, spot, slot in zip(joins, spots, slots, strict=True)
     )
 
