@@ -12,6 +12,7 @@ LOCKED := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11
 	--no-header --quiet
 
 SBOM := build/sbom.cdx.json
+CONSUMERS := build/consumers
 
 MINUTES ?= 60
 
@@ -35,6 +36,9 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	$(BIN)/python benchmarks/imports.py
 
 campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: some 30 minutes
+	mkdir -p $(CONSUMERS) && cp tests/campaign/consumers/* $(CONSUMERS)
+	cd $(CONSUMERS) && npm ci --no-audit --no-fund --ignore-scripts --omit=optional --loglevel=error || echo "without npm: \
+	what Graphviz and Mermaid make of hostile names is not looked at"
 	FOON_KG_CAMPAIGN=yes $(BIN)/python -m pytest -n auto tests/campaign tests/crash tests/server/test_full_disk.py \
 		tests/server/test_questions_of_strangers.py tests/cli/test_full_disk.py tests/web/test_connections.py
 

@@ -196,6 +196,7 @@ def _told(soaks: list[Soak], taken: list[int], *, alive: bool) -> int:
     quarter = max(1, len(taken) // 4)
     early, late = (statistics.median(part) for part in (taken[quarter : 2 * quarter] or taken, taken[-quarter:]))
     print(f"{sum(statuses.values())} answers: " + ", ".join(f"{code}: {n}" for code, n in sorted(statuses.items())))
+    print("each minute: " + ", ".join(f"{one / 1e6:.0f}" for one in taken[:: round(60 / EVERY)]) + " MB")
     print(f"memory {early / 1e6:.1f} → {late / 1e6:.1f} MB ({100 * late / early - 100:+.1f} %), {len(taken)} looks")
     for one in wrong[:10]:
         print(f"wrong: {one}")

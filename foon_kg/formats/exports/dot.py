@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from foon_kg.formats.exports.graph import BipartiteGraph
@@ -13,6 +14,7 @@ _HEAD = (
     '  node [fontname="Helvetica", style=filled];',
     '  edge [color="#555555"];',
 )
+_ENTITY = re.compile(r"&(?=#?\w+;)")
 _FOOD, _UTENSIL, _GOAL, _MOTION = "#8bc99b", "#d5ecdb", "#f2c14e", "#e06666"
 
 
@@ -47,6 +49,9 @@ def _motion_attributes(known: KnownUnit) -> Iterator[str]:
 
 
 def _quoted(text: str) -> str:
-    r"""Answer ``text`` as a quoted string; a label shows a backslash only where there are two (``\N`` is an escape)."""
-    printable = "".join(c if c.isprintable() else " " for c in text)
+    r"""Answer ``text`` as a quoted string.
+
+    A label shows a backslash only where there are two (``\N`` is an escape), and ``&lt;`` as a sign that it names.
+    """
+    printable = _ENTITY.sub("&amp;", "".join(c if c.isprintable() else " " for c in text))
     return '"' + printable.replace("\\", "\\\\").replace('"', '\\"') + '"'
