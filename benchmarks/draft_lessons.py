@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from drafted_recipes import Recipe as Told
+from muhai_networks import Recipe as Told
 
 from foon_kg.language.collection import CollectionReader, labels_of
 from foon_kg.language.drafting.recipes import RecipeDrafter

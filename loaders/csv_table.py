@@ -36,7 +36,7 @@ def table_rows(text: str) -> Iterator[TableRow]:
 
     Raises UnreadableFile with the line on which the row begins that is none: in which a quote never ends, say.
     """
-    rows = raw_rows(text)
+    rows = _rows(text)
     columns = _names(next(rows, (0, []))[1])
     for line, cells in rows:
         if any(cell.strip() for cell in cells):
@@ -44,7 +44,7 @@ def table_rows(text: str) -> Iterator[TableRow]:
             yield TableRow(line, named, _problem(columns, cells))
 
 
-def raw_rows(text: str) -> Iterator[tuple[int, list[str]]]:
+def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
     """Answer the cells of each row with its line. The limit of the csv module would end the whole table."""
     reader = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
     while True:

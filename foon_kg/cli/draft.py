@@ -113,6 +113,7 @@ def text(
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type “{dish}”", hint=f"It is one of {', '.join(DISH_TYPES)}.")
+    say = sayer(quiet=quiet)
     narrations = []
     for path in paths:
         if not is_video_name(path.stem):
@@ -120,10 +121,14 @@ def text(
         parts = recipe_text(_lines(path))
         if not parts.instructions:
             raise ReadError(f"{path}: no words in it that say what to do", hint="A step a line, or running text.")
-        listed = ingredients(parts.ingredients) if parts.ingredients else ()
+        try:
+            listed = ingredients(parts.ingredients)
+        except UsageError as missing:  # the extra that reads them; the instructions can be drafted all the same
+            say(f"{path}: drafted without its list of ingredients: {missing} {missing.hint}")
+            listed = ()
         sentences = tuple(map(Sentence, parts.instructions))
         narrations.append(Narration(path.stem, sentences=sentences, source=path.name, ingredients=listed))
-    _write(_drafts(narrations, files, sayer(quiet=quiet), dish), output, force=force, as_json=as_json)
+    _write(_drafts(narrations, files, say, dish), output, force=force, as_json=as_json)
 
 
 @app.command(epilog=examples("foon draft accept drafts/P01_01.csv", "foon draft accept drafts/P01_01.csv --anyway"))

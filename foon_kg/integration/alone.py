@@ -155,11 +155,12 @@ class Alone:
     def _takes_longer(self, want: Want) -> bool:
         """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
         facts = [join.want.facts for join in self.plan.joins]
-        grain = any(
-            one.is_a(*word_list("is toasted")) and not one.is_a(*word_list("takes longer than grain")) for one in facts
+        quick = any(
+            one.is_a(*word_list("is toasted")) and not one.is_a(*word_list("takes longer than the rest"))
+            for one in facts
         )
-        pulse = want.facts.is_a(*word_list("takes longer than grain")) and "boil" in want.facts.owes
-        return pulse and grain and not self.plan.spooned
+        slow = want.facts.is_a(*word_list("takes longer than the rest")) and "boil" in want.facts.owes
+        return slow and quick and not self.plan.spooned
 
     def _is_thick(self, want: Want) -> bool:
         """Whether a food is asked in such large pieces that it takes very long in a pan."""

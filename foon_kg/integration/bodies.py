@@ -133,8 +133,8 @@ class _Body:
         in_pieces = 0 < cut < _SMALL  # what is asked in slices or rings is laid on it
         binds_it = word_list("binds a mass") | word_list("is bound with it")
         binds_it |= word_list("is cooked and mashed to be shaped")
-        bread = want.facts.is_a(*word_list("carries what is stacked"))
-        binds = (want.facts.is_a(*binds_it) and not in_pieces and not bread) or (
+        carries = want.facts.is_a(*word_list("carries what is stacked"))
+        binds = (want.facts.is_a(*binds_it) and not in_pieces and not carries) or (
             cut >= _SMALL and want.facts.is_a("vegetable")
         )
         return body if self.shaped and binds and not want.facts.is_a(*word_list("lies on patties")) else None

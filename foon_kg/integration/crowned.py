@@ -82,8 +82,10 @@ def _lies_on_it(join: Join, plan: Plan, known: Tables) -> bool:
         return True
     if want.cooked or want.squeezed or (want.make and (known.state(want.make).fine or 0) >= _POWDER):
         return False
-    noodles = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
-    if facts.is_a(*word_list("lies on what is cooked")) or (noodles and facts.is_a(*word_list("is strewn on noodles"))):
+    tossed = any(one.is_a(*word_list("is eaten with a sauce")) for one in others)
+    if facts.is_a(*word_list("lies on what is cooked")) or (
+        tossed and facts.is_a(*word_list("is strewn on what is tossed"))
+    ):
         return True
     if facts.is_a(*word_list("lies on what is eaten with a spoon")):
         return wet or any(one.is_a(*word_list("is eaten with a sauce")) for one in others)

@@ -20,8 +20,8 @@ _FINE = 3
 
 def is_formed(dishes: Collection[Dish], joins: Sequence[Join]) -> bool:
     """Whether a dish is called so that balls, patties or cakes are in it, and no bread around them."""
-    bread = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
-    other = any(dish.dressed or (dish.stacked and bread) for dish in dishes)
+    carried = any(join.want.facts.is_a(*word_list("carries what is stacked")) for join in joins)
+    other = any(dish.dressed or (dish.stacked and carried) for dish in dishes)
     return any(dish.formed for dish in dishes) and not other
 
 

@@ -27,9 +27,7 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
         for join, apart in zip(joins, fried, strict=True)
     ]
     return Line((mixed,)), tuple(
-        Join(
-            replace(_mashed(join.want), cooked=join.want.cooked or slot is not None), spot, min(join.fit, NATURAL), slot
-        )
+        Join(_mashed(join.want, cooked=slot is not None), spot, min(join.fit, NATURAL), slot)
         for join, spot, slot in zip(joins, spots, slots, strict=True)
     )
 
@@ -37,6 +35,6 @@ def mashed_only(joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
 def _mashed(want: Want, *, cooked: bool) -> Want:
     """Return a food as it comes into mash; a root is mashed once it is cooked, whether it is asked so or not."""
     want = replace(want, cooked=want.cooked or cooked)
-    root = want.facts.is_a(*word_list("covers a dish when it is mashed")) and "made" not in want.facts.traits
+    hard = want.facts.is_a(*word_list("covers a dish when it is mashed")) and "made" not in want.facts.traits
     done = want.then or want.make in word_list("only what is soft is so")
-    return replace(want, then=min(word_list("is mashed so"))) if root and not done else want
+    return replace(want, then=min(word_list("is mashed so"))) if hard and not done else want

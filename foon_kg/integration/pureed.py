@@ -52,7 +52,7 @@ def blended_when_done(
     return line, tuple(joins)
 
 
-def blended_drink(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
+def blended_at_once(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
     """Return how a drink is made that is called blended (a smoothie), where its video blends none."""
     called = not word_list("is called blended").isdisjoint(told)
     solid = any(join.want.facts.is_a(*word_list("is blended to be drunk")) for join in joins)

@@ -28,22 +28,27 @@ class RecipeText(NamedTuple):
 def recipe_text(lines: Sequence[str]) -> RecipeText:
     """Return the lines of ingredients and the lines of instructions; headings are neither.
 
+    What stands above a heading of ingredients is kept with the instructions, so that it is told where it gives nothing.
+
     >>> recipe_text(["2 eggs", "1 pinch of salt", "Beat the eggs."]).ingredients
     ('2 eggs', '1 pinch of salt')
     """
     heading = next((place for place, line in enumerate(lines) if _is(line, "headings of ingredients")), None)
-    if heading is None:
-        count = next((place for place, line in enumerate(lines) if not _names_an_amount(line)), len(lines))
-        if count == len(lines):  # nothing is left to do: numbered steps, or no recipe
-            count = 0
-        rest = [line for line in lines[count:] if not _is(line, "headings of instructions")]
-        return RecipeText(tuple(lines[:count]), tuple(rest))
-    after = range(heading + 1, len(lines))
-    end = next((place for place in after if _is(lines[place], "headings of instructions")), None)
+    start = 0 if heading is None else heading + 1
+    after = range(start, len(lines))
+    end = next(
+        (place for place in after if heading is not None and _is(lines[place], "headings of instructions")), None
+    )
     if end is None:
         end = next((place for place in after if not _names_an_amount(lines[place])), len(lines))
-        return RecipeText(tuple(lines[heading + 1 : end]), tuple(lines[end:]))
-    return RecipeText(tuple(lines[heading + 1 : end]), tuple(lines[end + 1 :]))
+    if heading is None and end == len(lines):  # nothing would be left to do
+        end = 0
+    return RecipeText(_without_headings(lines[start:end]), _without_headings([*lines[:start], *lines[end:]]))
+
+
+def _without_headings(lines: Iterable[str]) -> tuple[str, ...]:
+    headings = ("headings of ingredients", "headings of instructions")
+    return tuple(line for line in lines if not any(_is(line, heading) for heading in headings))
 
 
 def ingredients(lines: Iterable[str]) -> tuple[Mention, ...]:

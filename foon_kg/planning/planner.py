@@ -34,7 +34,7 @@ from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
 from foon_kg.integration.places import Join, Joiners, Matcher
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unmixed
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.pureed import blended_drink, blended_when_done, is_stewed, stewed
+from foon_kg.integration.pureed import blended_at_once, blended_when_done, is_stewed, stewed
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -286,7 +286,7 @@ class _Question:
         if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
             line, joins = warmed(line, joins, told)
         if dish_type in word_list("is drunk"):
-            line, joins = garnished(*stirred(*blended_drink(line, joins, told)), told)
+            line, joins = garnished(*stirred(*blended_at_once(line, joins, told)), told)
         if dish_type not in word_list("is drunk"):
             line, joins = wedges_last(line, joins)
         line, joins = unmixed(line, joins)

@@ -310,3 +310,14 @@ def test_no_mixture_is_made_of_itself(name):
     into = (Place("into", name),)
     made = units(action("mix", "egg", "flour"), NarratedAction("mix", (Mention("salt"),), into), action("mix", name))
     assert not [node for unit in made for node in unit.output_nodes if node.label in node.ingredients]
+
+
+def test_what_remains_of_the_listed_ingredients_comes_where_it_is_asked():
+    listed = tuple(map(Mention, ("egg", "flour", "salt")))
+    mixes = (
+        action("mix", "egg", to="bowl"),
+        replace(action("mix", "remaining ingredients"), said="mix the remaining ones"),
+    )
+    narration = Narration("x", mixes, (Sentence("said"),), ingredients=listed)
+    (mix,) = [row.annotation.unit for row in draft(narration, FOON).units if row.annotation.unit.motion == "mix"][-1:]
+    assert {"flour", "salt"} <= {node.label for node in mix.input_nodes}

@@ -70,7 +70,7 @@ def test_in_a_slot_the_right_food_is_nearest_and_as_many_are_accepted_as_was_sai
     told, first = [], []
     for role, foods in OWN["in a slot"].items():
         for food, accepted in folded(foods).items():
-            found = [near for near in in_role(food, foon_foods, role, 6) if near.name != food]
+            found = [near for near in in_role(food, foon_foods, role, len(foon_foods)) if near.name != food]
             first.append(found[0].name in accepted)
             told += [(near.confidence, near.name in accepted) for near in found]
     assert sum(first) / len(first) > 0.85

@@ -126,8 +126,8 @@ def test_of_dishes_that_all_lack_something_the_one_that_lacks_least_is_told():
 
 def test_what_is_missing_is_told_before_any_search_and_of_all_that_are_tried_one_dish_is_searched(monkeypatch):
     searched = []
-    tree = References.tree
-    monkeypatch.setattr(References, "tree", lambda *asked: searched.append(asked[1].node.label) or tree(*asked))
+    problem = References.problem
+    monkeypatch.setattr(References, "problem", lambda *asked: searched.append(asked[1].node.label) or problem(*asked))
     refused(*FOODS, "bowl", "spoon", snapshot=UNLIKELIER)
     assert searched == []
     result = planned(*FOODS, "cutting board", "knife", "spoon", "plate", snapshot=UNLIKELIER)

@@ -40,7 +40,5 @@ class Larder:
         return unused[:1] or shorter or longer
 
     def left(self) -> tuple[Mention, ...]:
-        """Return what nobody has used yet, and remember it as used."""
-        found = tuple(one for name, one in self.listed.items() if name not in self.used)
-        self.used.update(self.listed)
-        return found
+        """Return what nobody has used yet."""
+        return tuple(one for name, one in self.listed.items() if name not in self.used)

@@ -26,6 +26,8 @@ _DISHES = word_list("groups of dishes")
 _ON_TOP = word_list("is the outside of what is at hand")
 _ANOTHER = word_list("is another vessel")
 _INGREDIENTS = word_list("speaks of ingredients")
+_DRY = word_list("speaks of what is dry")
+_IS_DRY = word_list("is dry in a batter") | word_list("sweetens a batter")
 _REMAINING = word_list("speaks of what remains")
 _DETERMINERS = word_list("says nothing of a thing")
 
@@ -54,7 +56,9 @@ class Referents:
         doubts: list[str] = []
         for mention in action.objects:
             if is_everything(mention.name):
-                named += self._ingredients(mention.name) or map(Mention, self._everything(mention.name, besides))
+                named += self._ingredients(mention.name, action.said) or map(
+                    Mention, self._everything(mention.name, besides)
+                )
                 continue
             label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
             if label is not None:
@@ -201,12 +205,15 @@ class Referents:
         last = (food for food in self.scene.last if food in self.scene.foods and food not in besides)
         return tuple(dict.fromkeys((*self._at_hand(besides), *last)))
 
-    def _ingredients(self, name: str) -> list[Mention]:
-        """Return what the recipe lists and nobody used: all, where nothing is at hand yet, else what remains."""
+    def _ingredients(self, name: str, said: str) -> list[Mention]:
+        """Return what the recipe lists and nobody used: the dry ones, what remains, all where nothing is at hand."""
         words = set(canonical(name).split())
-        if words.isdisjoint(_INGREDIENTS) or (words.isdisjoint(_REMAINING) and self._hand()):
+        if words.isdisjoint(_INGREDIENTS):
             return []
-        return [self._new(one) for one in self.larder.left()]
+        if not words.isdisjoint(_DRY):
+            return [self._new(one) for one in self.larder.left() if tables().foods.food(one.name).is_a(*_IS_DRY)]
+        remaining = not set(said.lower().split()).isdisjoint(_REMAINING)
+        return [self._new(one) for one in self.larder.left()] if remaining or not self._hand() else []
 
     def _new(self, mention: Mention) -> Mention:
         """Return a thing that comes for the first time by its name in the FOON, with the states that its name says.
