@@ -155,10 +155,8 @@ class Alone:
     def _takes_longer(self, want: Want) -> bool:
         """Whether pulses are asked beside grain that is done long before them; in a soup they have all the time."""
         facts = [join.want.facts for join in self.plan.joins]
-        quick = any(
-            one.is_a(*word_list("is toasted")) and not one.is_a(*word_list("takes longer than the rest"))
-            for one in facts
-        )
+        others = (one for one in facts if not one.is_a(*word_list("takes longer than the rest")))
+        quick = any(one.is_a(*word_list("is toasted")) for one in others)
         slow = want.facts.is_a(*word_list("takes longer than the rest")) and "boil" in want.facts.owes
         return slow and quick and not self.plan.spooned
 
