@@ -6,6 +6,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from foon_kg.food.rows import Food, Kind, Level, Match
 from foon_kg.food.words import plain_words, singular, words
@@ -15,6 +16,9 @@ _PACKED = "canned"
 
 
 _WITH_BONES = re.compile(r"\b(?:bone|skin)[- ](?:in|on)\b,? ?", re.IGNORECASE)
+
+MOST_LOOKED_UP = 1 << 15
+"""So many names, states and motions are remembered with what the tables say of them."""
 
 _MORE = frozenset({"for", "with"})
 """After these words a name says no more what the food is."""
@@ -36,6 +40,7 @@ class FoodTable:
         """Return what is known of the food ``label`` in ``states``; of the kind ``unknown`` where nothing is."""
         key = (label, tuple(states))
         if key not in self._known:
+            make_room(self._known)
             self._known[key] = replace(self._food(singular(_plain(label)), key[1]), name=singular(label))
         return self._known[key]
 
@@ -43,6 +48,7 @@ class FoodTable:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""
         name = singular(_plain(label))
         if name not in self._found:
+            make_room(self._found)
             self._found[name] = self._find(name)
         return self._found[name]
 
@@ -105,6 +111,12 @@ class FoodTable:
                 if phrase in self.kind_of:
                     return self.kind_of[phrase], phrase, Match.PART
         return UNKNOWN.name, "", Match.UNKNOWN
+
+
+def make_room(kept: dict[Any, Any]) -> None:
+    """Forget what was looked up once there is too much of it: names come from strangers, and never end."""
+    if len(kept) >= MOST_LOOKED_UP:
+        kept.clear()
 
 
 def _plain(label: str) -> str:

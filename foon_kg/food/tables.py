@@ -13,7 +13,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 
 from foon_kg.food.faults import FOODS, UTENSILS, malformed, unknown_targets
-from foon_kg.food.foods import FoodTable
+from foon_kg.food.foods import FoodTable, make_room
 from foon_kg.food.parsing import Toml, dish_row, food_table, motion_row, needs_of, state_row, utensil_rows
 from foon_kg.food.rows import Dish, Motion, State, Utensil
 from foon_kg.food.shipped import shipped
@@ -120,6 +120,7 @@ class Tables:
         """Return what a state says: as it is listed, else as its words are ("thinly sliced" is sliced)."""
         found = self._states.get(name)
         if found is None:
+            make_room(self._states)
             found = self._states[name] = self.states.get(name.lower()) or self._of_words(name)
         return found
 
@@ -127,6 +128,7 @@ class Tables:
         """Return what a motion does: as the phrase is listed, else all that its words do."""
         found = self._motions.get(name)
         if found is None:
+            make_room(self._motions)
             found = self._motions[name] = self.motions.get(name.lower()) or self._of_motion_words(name)
         return found
 

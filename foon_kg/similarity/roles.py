@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from foon_kg.food import tables
@@ -22,7 +22,7 @@ def roles() -> tuple[str, ...]:
     return tuple(sorted(name.removeprefix(_PREFIX) for name in word_lists() if name.startswith(_PREFIX)))
 
 
-@cache
+@lru_cache(maxsize=1 << 14)
 def roles_of(name: str) -> frozenset[str]:
     """Return the roles that a food may play, as the table of foods has it."""
     facts = tables().foods.food(name)

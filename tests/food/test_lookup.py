@@ -7,7 +7,7 @@ from dataclasses import replace
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.food import Match, singular, tables, words
+from foon_kg.food import Match, Tables, foods, singular, tables, words
 
 FOODS = tables().foods
 UTENSILS = tables().utensils
@@ -93,3 +93,16 @@ def test_every_food_in_every_state_is_of_a_kind_with_all_broader_ones(name, stat
     assert food.kind in FOODS.kinds
     assert food.kinds == FOODS.broader(food.kind)
     assert food.known
+
+
+def test_what_strangers_ask_is_not_remembered_for_ever(monkeypatch):
+    monkeypatch.setattr(foods, "MOST_LOOKED_UP", 10)
+    table = Tables()
+    for number in range(100):
+        name = f"zeppelin {chr(97 + number % 26)}{chr(97 + number // 26)}"
+        assert table.foods.food(name).kind == "unknown"
+        assert table.state(name).fine is None
+        assert not table.motion(name).does
+    assert len(table.foods._known) <= 10
+    assert len(table.foods._found) <= 10
+    assert max(len(table._states), len(table._motions)) <= 10

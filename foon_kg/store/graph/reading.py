@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 import neo4j
 
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.loaders.lessons import lessons_of
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
 from foon_kg.model.errors import SchemaError
@@ -267,6 +266,8 @@ class GraphView:
 
     def lessons(self, most: int = MOST_OF_A_DISH_TYPE) -> tuple[Lesson, ...]:
         """Return what the ``most`` surest drafts of each dish type teach, sorted by name."""
+        from foon_kg.loaders.lessons import lessons_of  # noqa: PLC0415 - the readers of all files, for few who ask
+
         rows = self._ask(SURE_DRAFTS, dish_types=list(DISH_TYPES), most=most)
         return lessons_of(
             DraftedRecipe(row.id, row.title, row.dish_type, row.table, row.units, row.left_out, row.confidence)
