@@ -502,6 +502,7 @@ def test_k7_a_state_that_nobody_earned():
 def test_k7_what_belongs_on_top_is_stirred_in():
     told = found("K7", served("salad", "sprinkle", "tomato"))
     assert told == ["K7 (minor): sprinkle belongs on top and is stirred in"]
+    assert found("K7", served("salad", "sprinkle", "tomato").replace("sprinkle", "sprinkle (crushed)", 1)) == []
     put = "sprinkle (whole) + plate ({tomato}) → PUT → sprinkle (whole; on plate) + plate ({sprinkle, tomato})"
     assert found("K7", lines(ONE_TOMATO, put)) == []
 
