@@ -68,10 +68,10 @@ def test_an_option_that_is_none_is_found(line):
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "python")], ids=lambda page: page.stem)
-def test_the_python_of_a_page_runs(page, capsys):
+def test_the_python_of_a_page_runs(page, capfd):  # a process that an example starts writes to real files
     for example in blocks(page, "python"):
         exec(compile(example, page.name, "exec"), {})
-    assert capsys.readouterr().out
+    assert capfd.readouterr().out
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "py")], ids=lambda page: page.stem)
