@@ -47,14 +47,15 @@ def counting(
     done: int = 0,
     *,
     quiet: bool = False,
-    after: float = SHOWN_AFTER,
+    after: float | None = None,
     closing: bool = True,
 ) -> Iterator[Callable[[int], None]]:
     """Show a bar with a ``label`` of what is done, as in "Planning recipes", and close it with a line of its own.
 
     Yield what is told how many more are done. Where nobody knows the ``total``, seconds run on instead. It is shown
-    ``after`` so many seconds; without ``closing`` no line stays behind.
+    ``after`` so many seconds (``SHOWN_AFTER``); without ``closing`` no line stays behind.
     """
+    after = SHOWN_AFTER if after is None else after
     console = messages(quiet=quiet)
     if quiet or not console.is_terminal:
         yield _nothing

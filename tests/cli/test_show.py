@@ -91,9 +91,9 @@ def test_pictures_are_written_to_a_file_and_twice_the_same(plans, tmp_path, opti
 def test_a_timetable_says_who_does_what_when_and_how_often_that_was_seen(plans):
     answer = show(plans, "--schedule", "--hands", "2", "--files", demo_folder(), "--quiet")
     assert answer.exit_code == 0, answer.stderr
-    assert "with 2 pairs of hands" in answer.stdout
-    assert "one step after the other" in answer.stdout
-    assert answer.stdout.splitlines()[1].split() == ["from", "to", "hands", "step", "seen"]
+    assert answer.stdout.splitlines()[1].split() == ["hands", "step", "seen"]  # no video of the demo times its steps
+    assert "How long it takes is unknown" in answer.stdout
+    assert {line.split()[0] for line in answer.stdout.splitlines()[2:] if line[:1].isdigit()} == {"1", "2"}
 
 
 @pytest.mark.slow

@@ -25,7 +25,7 @@ DEEPEST = 60
 DEEPEST_BRACES = 12
 """How many of them may be braces: each may begin a subquery, and to plan these takes twice as long for each more."""
 
-MOST_OF = {"case": 60, "not": 100, "union": 100}
+MOST_OF = {"case": 60, "not": 100, "union": 100, "xor": 50}
 """Words that may stand within each other without a bracket, or of which each is a question of its own."""
 
 _PIECE = re.compile(
