@@ -8,7 +8,8 @@ import pytest
 
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.errors import UsageError
-from foon_kg.plans.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.plans.result import Alternative, Assumption, PlanResult, ReferenceSummary, Substitution
 
 KOHLRABI, GRATED = ObjectNode("kohlrabi", ("whole",)), ObjectNode("kohlrabi", ("grated",), (), "in", "bowl")
 SALAD = ObjectNode("salad", ("mixed",), ("kohlrabi",))
@@ -18,8 +19,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True),
     goal=SALAD,
     units=(
-        PlannedUnit((KOHLRABI,), "grate", (GRATED,), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
-        PlannedUnit((GRATED, CREAM), "toss", (SALAD,), "foon", ()),
+        TreeUnit(Step.of((KOHLRABI,), "grate", (GRATED,)), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
+        TreeUnit(Step.of((GRATED, CREAM), "toss", (SALAD,)), "foon", ()),
     ),
     kitchen=(KOHLRABI, CREAM),
     substitutions=(Substitution("object", "kohlrabi", "kohlrabi", "carrot", 0.534, (Alternative("celery", 0.2),)),),
