@@ -87,7 +87,7 @@ class ReferenceSummary:
     draft_confidence: float | None = None
 
     def to_json(self) -> JsonObject:
-        """Answer the ``reference`` field of a plan result."""
+        """Return the ``reference`` field of a plan result."""
         told: JsonObject = {
             "goal": node_to_json(self.goal),
             "units": self.units,
@@ -122,7 +122,7 @@ class PassedOver:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``passed_over`` of a plan result."""
+        """Return one of the ``passed_over`` of a plan result."""
         return {"goal": node_to_json(self.goal), "similarity": self.similarity, "why": self.why}
 
     @classmethod
@@ -169,7 +169,7 @@ class PlannedUnit:
         return _mentioned(self.output_nodes, self.output_things)
 
     def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
-        """Answer the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
+        """Return the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
         inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
         outputs = tuple(
             Participant(node, node in self.moving, dish_type if node == goal else None) for node in self.output_nodes
@@ -177,7 +177,7 @@ class PlannedUnit:
         return FunctionalUnit(inputs, self.motion_node, outputs, self.accepts_any)
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``units`` of a plan result."""
+        """Return one of the ``units`` of a plan result."""
         told: JsonObject = {
             "input_nodes": _things_to_json(self.input_nodes, self.input_things),
             "motion_node": self.motion_node,
@@ -276,7 +276,7 @@ class Substitution:
         return f"is handled like {self.equivalent}"
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``substitutions`` of a plan result."""
+        """Return one of the ``substitutions`` of a plan result."""
         return {
             "kind": self.kind,
             "object": self.object,
@@ -307,7 +307,7 @@ class Assumption:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``assumptions`` of a plan result."""
+        """Return one of the ``assumptions`` of a plan result."""
         return {"node": node_to_json(self.node), "why": self.why}
 
     @classmethod
@@ -331,7 +331,7 @@ class PlanResult:
     passed_over: tuple[PassedOver, ...] = ()
 
     def to_json(self) -> JsonObject:
-        """Answer the result as ``foon plan --json`` prints it."""
+        """Return the result as ``foon plan --json`` prints it."""
         return {
             "recipe": recipe_to_json(self.recipe),
             "reference": self.reference.to_json(),
@@ -361,7 +361,7 @@ class PlanResult:
         )
 
     def to_frame(self) -> pd.DataFrame:
-        """Answer the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
+        """Return the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
         return steps_frame(self.to_json())
 
     def _repr_html_(self) -> str:
@@ -369,7 +369,7 @@ class PlanResult:
         return plan_html(self.to_json())
 
     def to_subgraph(self) -> Subgraph:
-        """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
+        """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
         places = [place for place, unit in enumerate(self.units) if self.goal in unit.output_nodes]
         units = [unit.as_unit() for unit in self.units]
         for place in places[-1:]:  # a stove may be turned off after that
@@ -382,7 +382,7 @@ class PlanResult:
 
 
 def error_to_json(error: FoonError) -> JsonObject:
-    """Answer what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
+    """Return what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
     said: JsonObject = {"code": error.code, "message": error.message, "hint": error.hint}
     if isinstance(error, ShortageError) and error.missing:
         said["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in error.missing]
@@ -409,7 +409,7 @@ class PlanFailure:
         return cls(recipe, error.code, error.message, error.hint, missing)
 
     def to_json(self) -> JsonObject:
-        """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
+        """Return the line that stands in the place of a result: no ``units``, an ``error``."""
         error = ShortageError(self.message, missing=self.missing, hint=self.hint, code=self.code)
         return {"recipe": recipe_to_json(self.recipe), "error": error_to_json(error)}
 

@@ -30,7 +30,7 @@ class ExportedTree:
 
     @classmethod
     def of_plan(cls, result: PlanResult) -> Self:
-        """Answer the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
+        """Return the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
         subgraph = result.to_subgraph()
         units = tuple(
             KnownUnit(annotation.unit, planned.seen_in)
@@ -40,7 +40,7 @@ class ExportedTree:
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph, kitchen: Kitchen) -> Self:
-        """Answer the tree that a FOON file tells, each unit seen where the file has it.
+        """Return the tree that a FOON file tells, each unit seen where the file has it.
 
         A file names no kitchen: the tree starts from its leaves, and from the empty utensils at rest that it also puts
         back later, as ``foon check`` reads it.
@@ -69,12 +69,12 @@ class ExportedTree:
 
 
 def nodes_of(units: Iterable[FunctionalUnit]) -> tuple[ObjectNode, ...]:
-    """Answer every object node of ``units`` once, in the order of appearance."""
+    """Return every object node of ``units`` once, in the order of appearance."""
     return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
-    """Answer what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
+    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
     made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
     taken = dict.fromkeys(node for unit in units for node in unit.input_nodes)
     return tuple(n for n in taken if n not in made or (not kitchen.is_food(n) and kitchen.has(n)))

@@ -65,7 +65,7 @@ class ShownTree:
 
 
 def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:
-    """Answer the inputs that no earlier unit outputs, in the order in which they are first taken."""
+    """Return the inputs that no earlier unit outputs, in the order in which they are first taken."""
     made: set[ObjectNode] = set()
     leaves: dict[ObjectNode, None] = {}
     for unit in units:
@@ -75,7 +75,7 @@ def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:
 
 
 def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
-    """Answer the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
+    """Return the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
     if any(step.object for line in result.progress_lines for step in line.steps):
         return result.progress_lines
     kitchen = Kitchen.default().with_foods(wanted.object for wanted in result.recipe.ingredients)
