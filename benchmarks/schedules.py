@@ -27,7 +27,7 @@ TENTHS = 10  # of a second: CP-SAT counts in whole numbers
 
 
 def bound(plan: PlanResult, done: Schedule) -> float:
-    """Answer what no schedule with these durations can beat, in seconds: mostly there is one of that length."""
+    """Return what no schedule with these durations can beat, in seconds: mostly there is one of that length."""
     model = cp_model.CpModel()
     seconds = {step.place: round((step.end - step.start) * TENTHS) for step in done.steps}
     horizon = sum(seconds.values())

@@ -49,7 +49,7 @@ class ProgressLine:
     end_product: str | None
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``progress_lines`` of a plan result."""
+        """Return one of the ``progress_lines`` of a plan result."""
         steps = [
             {"states": list(step.states), "relation": step.relation, "container": step.container, "motion": step.motion}
             for step in self.steps
@@ -69,7 +69,7 @@ class ProgressLine:
 def progress_lines(
     units: Sequence[FunctionalUnit], goal: ObjectNode, foods: Iterable[RequiredIngredient], kitchen: Kitchen
 ) -> tuple[ProgressLine, ...]:
-    """Answer a line for each of ``foods`` through the tree ``units`` (in the order of execution), in their order.
+    """Return a line for each of ``foods`` through the tree ``units`` (in the order of execution), in their order.
 
     Of all ways from the food to ``goal`` the line takes one that passes the state asked for (if any does), begins in
     the kitchen, loses sight of the food least often, stays longest with the food's own node, then with foods rather
@@ -160,13 +160,13 @@ class _Stages:
         return cls(units, uses, _Stage(made[goal], goal) if goal in made else None, usual, holding, taken)
 
     def after(self, stage: _Stage) -> Iterator[_Stage]:
-        """Answer the stages that the takers of ``stage`` leave."""
+        """Yield the stages that the takers of ``stage`` leave."""
         for place in self.uses[stage]:
             for node in self.units[place].output_nodes:
                 yield _Stage(place, node)
 
     def firsts(self, food: str) -> list[list[_Stage]]:
-        """Answer the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others.
+        """Return the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others.
 
         Last come inputs that no unit outputs, but that lie where an earlier unit put such a thing: tea that was poured
         into the blender and is taken from there without its state is the same tea.
@@ -227,7 +227,7 @@ class _Followed(NamedTuple):
 def _followed(
     firsts: Iterable[_Stage], food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[_Followed, list[_Followed]]:
-    """Answer all that can be followed from ``firsts``, in the order in which it is made, each with what comes next."""
+    """Return all that can be followed from ``firsts``, in the order in which it is made, each with what comes next."""
     found: dict[_Followed, list[_Followed]] = {}
     waiting = [_Followed(first, food) for first in firsts]
     while waiting:
@@ -241,7 +241,7 @@ def _followed(
 
 
 def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) -> str:
-    """Answer the name by which what was ``now`` is known in ``after``: a vessel keeps the name of what is in it."""
+    """Return the name by which what was ``now`` is known in ``after``: a vessel keeps the name of what is in it."""
     if kitchen.is_food(after):
         return singular(after.label)
     before = singular(now.stage.node.label) if kitchen.is_food(now.stage.node) else now.known_as
@@ -251,7 +251,7 @@ def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) ->
 def _ways(
     followed: dict[_Followed, list[_Followed]], state: str, food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[tuple[_Followed, bool], _Way]:
-    """Answer the best way of each to the goal: with True those that still pass ``state``, with False any.
+    """Return the best way of each to the goal: with True those that still pass ``state``, with False any.
 
     A stage is left only for later ones, so that one pass from the last unit backwards sees every way.
     """
@@ -270,7 +270,7 @@ def _ways(
 
 
 def _with(now: _Followed, way: _Way, stages: _Stages, food: str, kitchen: Kitchen) -> _Way:
-    """Answer ``way`` with what is followed ``now`` before it."""
+    """Return ``way`` with what is followed ``now`` before it."""
     stage, after = now.stage, way.stages[0].node
     unit = stages.units[way.stages[0].made_by]
     known_as = singular(stage.node.label) if kitchen.is_food(stage.node) else now.known_as

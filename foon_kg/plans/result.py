@@ -43,7 +43,7 @@ class ReferenceSummary:
     draft_confidence: float | None = None
 
     def to_json(self) -> JsonObject:
-        """Answer the ``reference`` field of a plan result."""
+        """Return the ``reference`` field of a plan result."""
         told: JsonObject = {
             "goal": node_to_json(self.goal),
             "units": self.units,
@@ -78,7 +78,7 @@ class PassedOver:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``passed_over`` of a plan result."""
+        """Return one of the ``passed_over`` of a plan result."""
         return {"goal": node_to_json(self.goal), "similarity": self.similarity, "why": self.why}
 
     @classmethod
@@ -126,7 +126,7 @@ class Substitution:
         return f"is handled like {self.equivalent}"
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``substitutions`` of a plan result."""
+        """Return one of the ``substitutions`` of a plan result."""
         return {
             "kind": self.kind,
             "object": self.object,
@@ -157,7 +157,7 @@ class Assumption:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``assumptions`` of a plan result."""
+        """Return one of the ``assumptions`` of a plan result."""
         return {"node": node_to_json(self.node), "why": self.why}
 
     @classmethod
@@ -181,7 +181,7 @@ class PlanResult:
     passed_over: tuple[PassedOver, ...] = ()
 
     def to_json(self) -> JsonObject:
-        """Answer the result as ``foon plan --json`` prints it."""
+        """Return the result as ``foon plan --json`` prints it."""
         return {
             "recipe": recipe_to_json(self.recipe),
             "reference": self.reference.to_json(),
@@ -211,7 +211,7 @@ class PlanResult:
         )
 
     def to_frame(self) -> pd.DataFrame:
-        """Answer the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
+        """Return the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
         return steps_frame(self.to_json())
 
     def _repr_html_(self) -> str:
@@ -219,7 +219,7 @@ class PlanResult:
         return plan_html(self.to_json())
 
     def to_subgraph(self) -> Subgraph:
-        """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
+        """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
         places = [place for place, unit in enumerate(self.units) if self.goal in unit.output_nodes]
         units = [unit.as_unit() for unit in self.units]
         for place in places[-1:]:  # a stove may be turned off after that
@@ -232,7 +232,7 @@ class PlanResult:
 
 
 def error_to_json(error: FoonError) -> JsonObject:
-    """Answer what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
+    """Return what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
     said: JsonObject = {"code": error.code, "message": error.message, "hint": error.hint}
     if isinstance(error, ShortageError) and error.missing:
         said["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in error.missing]
@@ -259,7 +259,7 @@ class PlanFailure:
         return cls(recipe, error.code, error.message, error.hint, missing)
 
     def to_json(self) -> JsonObject:
-        """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
+        """Return the line that stands in the place of a result: no ``units``, an ``error``."""
         error = ShortageError(self.message, missing=self.missing, hint=self.hint, code=self.code)
         return {"recipe": recipe_to_json(self.recipe), "error": error_to_json(error)}
 

@@ -40,7 +40,7 @@ class StepChange:
 
 
 def step_changes(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> tuple[StepChange, ...]:
-    """Answer every step of the ``reference`` and of the ``final`` tree, in the order of the final one.
+    """Return every step of the ``reference`` and of the ``final`` tree, in the order of the final one.
 
     A step that was left out stands before the next one of the reference that is still there.
     """
@@ -60,7 +60,7 @@ def step_changes(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> t
 
 
 def _pairs(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> dict[int, int]:
-    """Answer for the places of steps of the final tree the places of those of the reference that they go back to."""
+    """Return for the places of steps of the final tree the places of those of the reference that they go back to."""
     pairs: dict[int, int] = {}
     for alike in (_seen_alike, _done_alike):
         for number, unit in enumerate(final):
@@ -72,12 +72,12 @@ def _pairs(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> dict[in
 
 
 def _seen_alike(known: KnownUnit, unit: TreeUnit) -> int:
-    """Answer whether both were seen at one place of a video."""
+    """Return whether both were seen at one place of a video."""
     return int(not set(unit.sightings).isdisjoint(known.seen_in))
 
 
 def _done_alike(known: KnownUnit, unit: TreeUnit) -> int:
-    """Answer to how many of the same things both do the same."""
+    """Return to how many of the same things both do the same."""
     taken, made = ({node.label for node in side} for side in (unit.input_nodes, unit.output_nodes))
     changed = [node.label for node in known.unit.output_nodes if node not in known.unit.input_nodes]
     return len(taken & made & set(changed)) if known.unit.motion == unit.motion else 0

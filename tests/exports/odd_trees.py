@@ -54,5 +54,5 @@ trees = st.one_of(plans().map(ExportedTree.of_plan), plans().map(lambda plan: of
 
 
 def of_file(subgraph):
-    """Answer the tree of a FOON file."""
+    """Return the tree of a FOON file."""
     return ExportedTree.of_subgraph(subgraph, Kitchen.default())

@@ -45,7 +45,7 @@ _PORTS = {
 
 
 def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> str:
-    """Answer a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
+    """Return a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
 
     Raises :class:`~foon_kg.model.errors.FormatError` for names with control characters, which no XML can hold.
     """
@@ -69,7 +69,7 @@ def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> s
 
 
 def _action_names(motions: Iterable[str]) -> dict[str, str]:
-    """Answer an ID for each motion, which is never one of BehaviorTree.CPP's own actions (``Sleep``, ``Script``)."""
+    """Return an ID for each motion, which is never one of BehaviorTree.CPP's own actions (``Sleep``, ``Script``)."""
     names: dict[str, str] = {}
     for motion in motions:
         wanted = "".join(word.capitalize() for word in slug(motion).split("_")) + "Motion"
@@ -132,10 +132,10 @@ def _listed(nodes: Iterable[ObjectNode]) -> str:
 
 
 def _literal(text: str) -> str:
-    """Answer ``text`` so that it is not taken for an entry of the blackboard, which stands in braces."""
+    """Return ``text`` so that it is not taken for an entry of the blackboard, which stands in braces."""
     return xml_text(text.replace("{", "%7B").replace("}", "%7D"))
 
 
 def _instance(text: str) -> str:
-    """Answer ``text`` in the characters that Groot and BehaviorTree.CPP allow in names of nodes."""
+    """Return ``text`` in the characters that Groot and BehaviorTree.CPP allow in names of nodes."""
     return "".join(c if c.isalnum() or c in " -_" else "_" for c in text)

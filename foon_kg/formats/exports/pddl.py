@@ -42,7 +42,7 @@ class PlanningProblem:
 
 
 def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> PlanningProblem:
-    """Answer the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
+    """Return the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
 
     Raises :class:`~foon_kg.model.errors.FormatError` for a tree that does not say what its goal is.
     """
@@ -104,7 +104,7 @@ def _written(action: Action) -> Iterator[str]:
 
 
 def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> PlanningProblem:
-    """Answer the problem of making a dish, called ``goal``, with all that a FOON knows and what ``kitchen`` has.
+    """Return the problem of making a dish, called ``goal``, with all that a FOON knows and what ``kitchen`` has.
 
     At hand is what the kitchen of a search has, and what the contract lets be a leaf (C6) where no unit makes it. Where
     several goal nodes have that label, any of them will do. Raises :class:`~foon_kg.model.errors.UsageError` where

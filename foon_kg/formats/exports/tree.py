@@ -31,7 +31,7 @@ class ExportedTree:
 
     @classmethod
     def of_plan(cls, result: PlanResult) -> Self:
-        """Answer the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
+        """Return the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
         subgraph = result.to_subgraph()
         units = tuple(
             KnownUnit(annotation.unit, planned.sightings)
@@ -41,7 +41,7 @@ class ExportedTree:
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph, kitchen: Kitchen) -> Self:
-        """Answer the tree that a FOON file tells, each unit seen where the file has it.
+        """Return the tree that a FOON file tells, each unit seen where the file has it.
 
         A file names no kitchen: the tree starts from its leaves, and from the empty utensils at rest that it also puts
         back later, as ``foon check`` reads it.
@@ -70,7 +70,7 @@ class ExportedTree:
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
-    """Answer what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
+    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
     made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
     taken = dict.fromkeys(node for unit in units for node in unit.input_nodes)
     return tuple(n for n in taken if n not in made or (not kitchen.is_food(n) and kitchen.has(n)))

@@ -33,7 +33,7 @@ _BUTTONS = (
 
 
 def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Answer the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
+    """Return the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
     style, stage, script = (_file(name) for name in ("page.css", "stage.js", "page.js"))
     parts = [
         f"<h1>{_text(tree.title)}</h1>",
@@ -68,7 +68,7 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
 
 
 def steps_list(tree: ShownTree) -> str:
-    """Answer the steps as an HTML list, each with a link to the second of a video where it was seen."""
+    """Return the steps as an HTML list, each with a link to the second of a video where it was seen."""
     return _list((_step(unit, tree) for unit in tree.units), ordered=True)
 
 

@@ -47,7 +47,7 @@ class Scene:
 
 
 def scene_of(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
-    """Answer the scene of a tree whose ``units`` are in the order of execution.
+    """Return the scene of a tree whose ``units`` are in the order of execution.
 
     ``folded`` leaves out what a person does not look for: utensils are named within the motion, vessels whose foods
     stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow to what follows.
@@ -102,7 +102,7 @@ def _made(unit: TreeUnit) -> tuple[Mention, ...]:
 
 
 def _takings(units: Sequence[TreeUnit]) -> list[dict[Mention, int]]:
-    """Answer for every unit which unit made each of its inputs last."""
+    """Return for every unit which unit made each of its inputs last."""
     made: dict[Mention, int] = {}
     takings = []
     for place, unit in enumerate(units):

@@ -44,7 +44,7 @@ _LEGEND = (
 
 
 def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Answer the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
+    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
     return as_text(_Picture.of(tree, kitchen, folded=folded).drawn())
 
 
@@ -205,7 +205,7 @@ def _name_foods(drawn: ET.Element, foods: Collection[str]) -> None:
 
 
 def _curve(points: Sequence[Point]) -> str:
-    """Answer a path that leaves and enters every point straight down."""
+    """Return a path that leaves and enters every point straight down."""
     path, (x, y) = [f"M{number(points[0][0])} {number(points[0][1])}"], points[0]
     for to_x, to_y in points[1:]:
         if to_y - y < _NOTHING:
@@ -228,7 +228,7 @@ def _arrow_head(root: ET.Element) -> None:
 
 
 def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
-    """Answer what a reader of this tree meets; FOON text is as it is."""
+    """Return what a reader of this tree meets; FOON text is as it is."""
     origins = {unit.origin for unit in tree.units}
     there = {
         "kitchen": True,

@@ -66,7 +66,7 @@ class ShownTree:
 
 
 def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
-    """Answer the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
+    """Return the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
     if any(step.object for line in result.progress_lines for step in line.steps):
         return result.progress_lines
     kitchen = Kitchen.default().with_foods(wanted.object for wanted in result.recipe.ingredients)

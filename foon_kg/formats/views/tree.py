@@ -39,7 +39,7 @@ WIDE = 140
 
 
 def plan_view(result: PlanResult) -> RenderableType:
-    """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    """Return the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
     return tree_view(ShownTree.of_result(result))
 
 
@@ -63,7 +63,7 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
 
 
 def progress_view(tree: ShownTree) -> RenderableType:
-    """Answer the progress line of every ingredient."""
+    """Return the progress line of every ingredient."""
     return _progress(tree.lines, frozenset(tree.unseen))
 
 
@@ -86,7 +86,7 @@ class _Beside:
 
 
 def dish_name(recipe: Recipe) -> str:
-    """Answer what to call a recipe: its title, else its id, else its dish type."""
+    """Return what to call a recipe: its title, else its id, else its dish type."""
     return recipe.title or recipe.id or recipe.dish_type
 
 
@@ -167,7 +167,7 @@ def _units(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
 
 
 def _step(unit: TreeUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
-    """Answer what goes in, what is done and what comes out; what something holds is told once (``told``)."""
+    """Return what goes in, what is done and what comes out; what something holds is told once (``told``)."""
 
     def words(node: ObjectNode) -> Text:
         contents = (node.label, node.ingredients)
@@ -218,7 +218,7 @@ def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
 
 
 def _stages(line: ProgressLine) -> Iterator[Text]:
-    """Answer each stage and the motion that ends it; what the food has become part of is named where that changes."""
+    """Yield each stage and the motion that ends it; what the food has become part of is named where that changes."""
     name = line.ingredient
     for step in line.steps:
         stage = stage_words(step.states, step.relation, step.container)

@@ -22,7 +22,7 @@ class RetrievedUnit:
     success: Fraction | None
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``units`` of a result."""
+        """Return one of the ``units`` of a result."""
         unit = unit_to_json(TreeUnit.of(self.known.unit, "foon", self.known.seen_in))
         return {**unit, "success": None if self.success is None else float(self.success)}
 
@@ -54,7 +54,7 @@ class RetrievalResult:
         return leaves_of(step.known.unit for step in self.units)
 
     def to_json(self) -> JsonObject:
-        """Answer the result as ``foon retrieve --json`` prints it."""
+        """Return the result as ``foon retrieve --json`` prints it."""
         return {
             "asked": self.sought.to_json(),
             "goal": node_to_json(self.goal),
@@ -71,7 +71,7 @@ class RetrievalResult:
         }
 
     def to_subgraph(self) -> Subgraph:
-        """Answer the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
+        """Return the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
         last = len(self.units) - 1
         units = [
             _marked(step.known.unit, self.goal if place == last else None) for place, step in enumerate(self.units)
