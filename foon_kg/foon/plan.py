@@ -139,7 +139,9 @@ class Plan:
         >>> plan.to_frame()["motion"][2]
         'peel'
         """
-        return self.result.to_frame()
+        from foon_kg.formats.views.notebook import steps_frame  # noqa: PLC0415 - notebooks alone ask this
+
+        return steps_frame(self.to_json())
 
     def to_networkx(self) -> nx.DiGraph[str]:
         """Return the tree as a graph of networkx: objects and motions are nodes, what goes in and comes out edges.
@@ -207,4 +209,6 @@ class Plan:
         return f"<Plan of {recipe.title or recipe.dish_type or self.goal.label}: {len(self)} steps>"
 
     def _repr_html_(self) -> str:
-        return self.result._repr_html_()
+        from foon_kg.formats.views.notebook import plan_html  # noqa: PLC0415 - notebooks alone ask this
+
+        return plan_html(self.to_json())

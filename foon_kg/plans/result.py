@@ -7,7 +7,7 @@ Every type here is a plain frozen value with ``to_json`` and ``from_json``; :met
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, Self, cast, get_args
+from typing import Literal, Self, cast, get_args
 
 from foon_kg.model import Annotation, ObjectNode, Recipe, Subgraph
 from foon_kg.model.errors import FoonError
@@ -15,11 +15,7 @@ from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import node_from_json, node_to_json, recipe_from_json, recipe_to_json
 from foon_kg.model.tree import TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
-from foon_kg.plans.notebook import plan_html, steps_frame
 from foon_kg.plans.progress import ProgressLine
-
-if TYPE_CHECKING:
-    import pandas as pd
 from foon_kg.plans.shortage import ShortageError, remedy
 
 SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
@@ -209,14 +205,6 @@ class PlanResult:
             tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
             tuple(map(PassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
         )
-
-    def to_frame(self) -> pd.DataFrame:
-        """Return the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
-        return steps_frame(self.to_json())
-
-    def _repr_html_(self) -> str:
-        """Show the plan in a notebook."""
-        return plan_html(self.to_json())
 
     def to_subgraph(self) -> Subgraph:
         """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""

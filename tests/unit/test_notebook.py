@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from foon_kg.formats.views.notebook import plan_html, steps_frame
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.errors import UsageError
 from foon_kg.model.tree import Step, TreeUnit
@@ -29,7 +30,7 @@ PLAN = PlanResult(
 
 
 def test_a_notebook_shows_steps_substitutions_and_assumptions():
-    html = PLAN._repr_html_()
+    html = plan_html(PLAN.to_json())
     assert "<b>Kohlrabi &amp; cream</b>" in html
     for told in ("grate", "toss", "~kohlrabi", "0.53", "like carrot", "or celery 0.20", "nothing makes it"):
         assert told in html
@@ -40,7 +41,7 @@ def test_a_notebook_shows_steps_substitutions_and_assumptions():
 
 def test_a_frame_has_a_row_a_step():
     pytest.importorskip("pandas", reason="pandas is not installed")
-    frame = PLAN.to_frame()
+    frame = steps_frame(PLAN.to_json())
     assert list(frame.index) == [1, 2]
     assert list(frame.columns) == ["motion", "inputs", "outputs", "origin", "video", "start", "end"]
     assert frame.loc[1, "inputs"] == ["kohlrabi (whole)"]
@@ -52,5 +53,5 @@ def test_a_frame_has_a_row_a_step():
 def test_without_pandas_it_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(UsageError, match="needs pandas") as raised:
-        PLAN.to_frame()
+        steps_frame(PLAN.to_json())
     assert "pip install pandas" in raised.value.hint
