@@ -43,12 +43,11 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
 from foon_kg.validation import Finding, Report, TaskTree, check
-from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
-from foon_kg.world import Mention, Step
+from foon_kg.validation.tree import Assumed, Substituted
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
@@ -408,7 +407,7 @@ def _as_tree(result: PlanResult) -> TaskTree:
     """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
     return TaskTree(
         result.recipe.id or result.goal.label,
-        tuple(TreeUnit(_step(unit), unit.origin, unit.grounding, unit.seen_in) for unit in result.units),
+        result.units,
         result.goal,
         result.recipe,
         result.kitchen,
@@ -421,9 +420,3 @@ def _as_tree(result: PlanResult) -> TaskTree:
         ),
         tuple(Assumed(one.node, one.why) for one in result.assumptions),
     )  # fmt: skip
-
-
-def _step(unit: PlannedUnit) -> Step:
-    inputs = (Mention(node, *things) for node, things in zip(unit.input_nodes, unit.input_things, strict=True))
-    outputs = (Mention(node, *things) for node, things in zip(unit.output_nodes, unit.output_things, strict=True))
-    return Step(tuple(inputs), unit.motion_node, tuple(outputs))
