@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from foon_kg.food import is_among
+from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
 from foon_kg.world.reading import Said
@@ -37,11 +38,16 @@ def _fill_spoon(out: Outcome) -> None:
 
 
 def _run_through(out: Outcome) -> None:
-    """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says."""
+    """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says.
+
+    What was kneaded or shaped keeps the liquid that is worked into it.
+    """
     for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
         if "strain" not in vessel.row.can or vessel.row.role != "vessel":
             continue
         for lump in list(vessel.lumps):
+            if not word_list("keeps its shape").isdisjoint(lump.states):
+                continue
             lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
             if not lump.parts:
                 out.supply.put(lump, None)
