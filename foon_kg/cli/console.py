@@ -18,11 +18,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from foon_kg.cli.help_pages import HelpedGroup
+from foon_kg.cli.streams import data, messages
 from foon_kg.model.errors import FoonError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
 if TYPE_CHECKING:
-    from rich.console import Console, RenderableType
+    from rich.console import RenderableType
 
 _JSON_ASKED = "foon_kg.cli.json"
 
@@ -46,7 +47,7 @@ Say = Callable[[str], None]
 
 
 def examples(*lines: str) -> str:
-    """Answer the end of a command's help: its examples, each on a line of its own."""
+    """Return the end of a command's help: its examples, each on a line of its own."""
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
@@ -109,20 +110,6 @@ def _give_up_stdout() -> None:
         os.close(nowhere)
 
 
-def data() -> Console:
-    """Answer the console for data: stdout, coloured only on a terminal."""
-    from rich.console import Console
-
-    return Console(highlight=False)
-
-
-def messages(*, quiet: bool = False) -> Console:
-    """Answer the console for messages and progress: stderr, or nothing at all."""
-    from rich.console import Console
-
-    return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
-
-
 @dataclass(frozen=True)
 class Sayer:
     """Prints lines to stderr, or keeps them to itself; and shows there, on a terminal, what is waited for."""
@@ -165,7 +152,7 @@ def print_json(value: object) -> None:
 
 
 def json_line(value: object) -> str:
-    """Answer a JSON value as one line."""
+    """Return a JSON value as one line."""
     return json.dumps(value, ensure_ascii=False)
 
 

@@ -29,7 +29,7 @@ LIKE = 0.5
 def shortage(
     missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
 ) -> ShortageError:
-    """Answer the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+    """Return the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
 
     ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
     """
@@ -49,7 +49,7 @@ def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float])
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
-    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
+    """Return what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
         processed = kitchen.processed_states(node)
@@ -63,7 +63,7 @@ def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
 
 
 def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> str:
-    """Answer a sentence that says what to do about all of ``missing``, each once, in their order."""
+    """Return a sentence that says what to do about all of ``missing``, each once, in their order."""
     found = list(dict.fromkeys(remedy(node, kitchen) for node in missing))
     rest = f"; and {len(found) - MOST_NAMED} more" if found[MOST_NAMED:] else ""
     text = "; ".join(found[:MOST_NAMED]) + rest
@@ -71,7 +71,7 @@ def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> s
 
 
 def named(missing: Sequence[ObjectNode]) -> str:
-    """Answer the first of ``missing`` by name, and how many more there are."""
+    """Return the first of ``missing`` by name, and how many more there are."""
     rest = f" and {len(missing) - MOST_NAMED} more" if missing[MOST_NAMED:] else ""
     return "; ".join(map(str, missing[:MOST_NAMED])) + rest
 
@@ -81,7 +81,7 @@ def nearest_first(
     units: Sequence[tuple[Collection[ObjectNode], Collection[ObjectNode]]],
     goal: ObjectNode,
 ) -> tuple[ObjectNode, ...]:
-    """Answer ``leaves`` by how few units are between them and ``goal``; ties by node.
+    """Return ``leaves`` by how few units are between them and ``goal``; ties by node.
 
     ``units`` are the (inputs, outputs) of a tree, in the order of execution.
     """

@@ -31,13 +31,13 @@ _COGNATE = 3
 
 
 def sentence(unit: FunctionalUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
-    """Answer one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
     said = _Reading(unit, kitchen).said() + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
 
 def listed(names: Iterable[str]) -> str:
-    """Answer ``a, b and c``, each name once; nothing for no names."""
+    """Return ``a, b and c``, each name once; nothing for no names."""
     *first, last = dict.fromkeys(names) or ("",)
     return f"{', '.join(first)} and {last}" if first else last
 
@@ -66,12 +66,12 @@ class _Reading:
         return next(gaining, next((u for u in self._utensils if self._placed(u.label)), None))
 
     def _placed(self, place: str) -> set[str]:
-        """Answer the foods that are in ``place`` now and were elsewhere before."""
+        """Return the foods that are in ``place`` now and were elsewhere before."""
         before = {food.label: food.container for food in self._foods}
         return {n.label for n in self._food_made if n.container == place and before.get(n.label, place) != place}
 
     def _gained(self, after: ObjectNode) -> set[str]:
-        """Answer what a utensil holds that it did not hold before; one that nobody named before held nothing."""
+        """Return what a utensil holds that it did not hold before; one that nobody named before held nothing."""
         if self._kitchen.is_food(after):
             return set()
         return set(after.ingredients).difference(*(u.ingredients for u in self._utensils if u.label == after.label))
@@ -168,7 +168,7 @@ class _Reading:
         return said + self._until_utensil(first)
 
     def _moved_to(self, node: ObjectNode) -> str | None:
-        """Answer where a utensil ends up, if it is in or on something else then."""
+        """Return where a utensil ends up, if it is in or on something else then."""
         after = [other for other in self._outputs if other.label == node.label and other.relation in _PLACES]
         return next((n.container for n in after if n.container and n.container != node.container), None)
 
@@ -221,7 +221,7 @@ def _the(labels: Iterable[str]) -> str:
 
 
 def _with_object(verb: str, thing: str) -> str:
-    """Answer ``cut the onion in half``, ``cut off the ends of the onion``, ``put the onion``."""
+    """Return ``cut the onion in half``, ``cut off the ends of the onion``, ``put the onion``."""
     words = _SAID_AS.get(verb, verb).split()
     if len(words) > 1 and words[-1] in _PARTS:
         between = "in" if words[-1] == "slits" else "of"
