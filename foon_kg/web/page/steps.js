@@ -23,7 +23,8 @@ export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
 
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
-  return plan.kitchen.filter((node) => !bought.has(node.label));
+  const there = plan.kitchen.filter((node) => !bought.has(node.label) && !node.ingredients.length); // no packet that a food is sold in
+  return there.filter((node, i) => there.findIndex((other) => other.label === node.label) === i);
 };
 
 // How much of a food was asked, in front of its name.
@@ -32,7 +33,7 @@ export const amountOf = (plan, label) => plan.amounts[plan.recipe.ingredients.fi
 export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(plan, node.label), " ", ...words(node)]);
 
 // How near what a video shows is to what this step does, where nothing of it stands for anything else.
-const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
+const NEAR = { like: "with a like food", kind: "with a food of its kind", motion: "with something else" };
 
 // The evidence of a step: “as in the video at 1:05” where it does what that shows, else “like it, onion for leek, 0.95”.
 export const evidence = (plan, i) => {
