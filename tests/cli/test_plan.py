@@ -140,7 +140,7 @@ def test_no_tree_is_exit_code_3_with_a_reason_and_a_hint(foon):
         (["nowhere.json"], "there is no file or folder nowhere.json"),
         (["--dish", "salad", " "], "an ingredient is empty"),
         (["--dish", "salad"], "say what to plan"),
-        (["--fish", "salad", "onion"], "No such option"),
+        (["--fish", "salad", "onion"], "no such option"),
     ],
 )
 def test_wrong_usage_is_exit_code_2_and_nothing_on_stdout(foon, arguments, message):
