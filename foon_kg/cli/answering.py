@@ -45,7 +45,7 @@ def answer_all(
     *,
     dask: str | None = None,
 ) -> int:
-    """Answer and write ``questions``, those that the output file answers already apart; return the exit code.
+    """Return and write ``questions``, those that the output file answers already apart; return the exit code.
 
     They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
     """

@@ -46,7 +46,7 @@ Say = Callable[[str], None]
 
 
 def examples(*lines: str) -> str:
-    """Answer the end of a command's help: its examples, each on a line of its own."""
+    """Return the end of a command's help: its examples, each on a line of its own."""
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
@@ -139,14 +139,14 @@ def _give_up_stdout() -> None:
 
 
 def data() -> Console:
-    """Answer the console for data: stdout, coloured only on a terminal."""
+    """Return the console for data: stdout, coloured only on a terminal."""
     from rich.console import Console
 
     return Console(highlight=False)
 
 
 def messages(*, quiet: bool = False) -> Console:
-    """Answer the console for messages and progress: stderr, or nothing at all."""
+    """Return the console for messages and progress: stderr, or nothing at all."""
     from rich.console import Console
 
     return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
@@ -194,7 +194,7 @@ def print_json(value: object) -> None:
 
 
 def json_line(value: object) -> str:
-    """Answer a JSON value as one line."""
+    """Return a JSON value as one line."""
     return json.dumps(value, ensure_ascii=False)
 
 

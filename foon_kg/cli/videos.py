@@ -56,7 +56,7 @@ def diff(
 def found_differences(
     subgraphs: Sequence[Subgraph], files: Sequence[Path] | None, say: Say
 ) -> Sequence[VideoDifference]:
-    """Answer what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
+    """Return what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
     if files:
         from foon_kg.cli.knowledge import snapshot_of
         from foon_kg.plans.difference import differences as differences_in_memory
@@ -129,7 +129,7 @@ def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> No
 
 
 def _sum(found: Iterable[VideoDifference]) -> str:
-    """Answer how many distinct units come and go in all; two videos may bring the same one."""
+    """Return how many distinct units come and go in all; two videos may bring the same one."""
     come = {unit.key for one in found for unit in one.added}
     gone = {unit.key for one in found for unit in one.dropped}
     return f"in all {len(come)} units new, {len(gone)} gone"

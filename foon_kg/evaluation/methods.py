@@ -25,22 +25,22 @@ class SameName:
     """A similarity for which only the same food is like a food."""
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer 1 for equal canonical names, else 0."""
+        """Return 1 for equal canonical names, else 0."""
         columns = np.array([canonical(name) for name in known], dtype=object)
         rows = [columns == canonical(name) for name in wanted]
         return np.array(rows, dtype=float).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the same food first, then the others by name."""
+        """Return the same food first, then the others by name."""
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer what makes two names alike."""
+        """Return what makes two names alike."""
         return ("the same food",) if canonical(name) == canonical(known) else ()
 
 
 def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
+    """Return the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
     goals = view.goals(recipe.dish_type or None)
     if not goals:
         raise NoTreeError(f"this FOON has no {recipe.dish_type}", code="no-goal")
@@ -54,7 +54,7 @@ def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUn
 
 
 def by_the_paper(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the tree that the four algorithms of the paper make, to the letter."""
+    """Return the tree that the four algorithms of the paper make, to the letter."""
     return [unit.as_unit() for unit in plan_by_the_paper(view, recipe).units]
 
 
@@ -65,7 +65,7 @@ class Planning:
     settings: PlanSettings = field(default_factory=PlanSettings)
 
     def __call__(self, view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-        """Answer the units of the tree; raises NoTreeError where there is none."""
+        """Return the units of the tree; raises NoTreeError where there is none."""
         return [unit.as_unit() for unit in Planner(view, self.settings).plan(recipe).units]
 
 

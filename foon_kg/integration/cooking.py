@@ -19,7 +19,7 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
-from foon_kg.integration.frames import Line, Phase, Stage
+from foon_kg.integration.frames import BATH, Line, Phase, Stage
 from foon_kg.integration.layouts import only_carries
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
@@ -448,10 +448,11 @@ class Cooking:
     def _water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
         taken = [join.slot for join in self.plan.joins if join.slot is not None]
-        free = (slot for slot in stage.slots if not any(slot is one for one in taken))
+        free = [slot for slot in stage.slots if not any(slot is one for one in taken)]
         if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
             return False
-        if any(join.want.facts.is_a("water") for join in self.plan.joins):
+        bath = any(slot == BATH for slot in free)
+        if not bath and any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
         if isinstance(stage, Phase):
             return True

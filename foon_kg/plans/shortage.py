@@ -32,7 +32,7 @@ LIKE = 0.5
 def shortage(
     missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
 ) -> ShortageError:
-    """Answer the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+    """Return the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
 
     ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
     """
@@ -52,7 +52,7 @@ def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float])
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
-    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
+    """Return what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
         processed = kitchen.processed_states(node)
@@ -109,7 +109,7 @@ def nearest_first(
     units: Sequence[tuple[Collection[ObjectNode], Collection[ObjectNode]]],
     goal: ObjectNode,
 ) -> tuple[ObjectNode, ...]:
-    """Answer ``leaves`` by how few units are between them and ``goal``; ties by node.
+    """Return ``leaves`` by how few units are between them and ``goal``; ties by node.
 
     ``units`` are the (inputs, outputs) of a tree, in the order of execution.
     """

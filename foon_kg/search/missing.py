@@ -23,7 +23,7 @@ def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
 
 
 def missing_behind(problem: SearchProblem, target: ObjectNode) -> tuple[ObjectNode, ...]:
-    """Answer the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
+    """Return the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
     number = problem.index.number_of.get(target)
     if number is None:
         return (target,)

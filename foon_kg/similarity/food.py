@@ -65,11 +65,11 @@ class FoodSimilarity:
 
     @property
     def weights(self) -> dict[str, float]:
-        """Answer what each kind of evidence weighs."""
+        """Return what each kind of evidence weighs."""
         return dict(zip(KINDS, self._weights.tolist(), strict=True))
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer confidences, one row for each wanted name, one column for each known one.
+        """Return confidences, one row for each wanted name, one column for each known one.
 
         They are 0 where nothing speaks for it, else between ``LEAST`` and 1.
         """
@@ -88,14 +88,14 @@ class FoodSimilarity:
         return np.array([side.answered[name] for name in rows if known]).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name.
+        """Return the ``limit`` known names that can best stand for ``name``, best first, ties by name.
 
         Fewer where fewer are like it, and none where nothing is.
         """
         return best(known, self.matrix([name], known)[0], limit)
 
     def in_slot(self, name: str, known: Sequence[str], role: str) -> Confidences:
-        """Answer for each known name how sure a cook is to accept it where ``name`` plays ``role`` in a dish.
+        """Return for each known name how sure a cook is to accept it where ``name`` plays ``role`` in a dish.
 
         Broth is unlike water, and is taken for it as a liquid. 0 for names that do not play it, and where ``name``
         does not.
@@ -110,7 +110,7 @@ class FoodSimilarity:
         return np.where(sure < LEAST, 0.0, np.where(same & plays, 1.0, sure))
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer the kinds of evidence that speak for ``known`` standing for ``name``, the weightiest first."""
+        """Return the kinds of evidence that speak for ``known`` standing for ``name``, the weightiest first."""
         one, other = canonical(name), canonical(known)
         if one == other:
             return ("the same food",)
@@ -138,14 +138,14 @@ class FoodSimilarity:
 
 
 def confidence_of(odds: Table) -> Confidences:
-    """Answer the confidences that log odds amount to; none reaches that of an equal name."""
+    """Return the confidences that log odds amount to; none reaches that of an equal name."""
     confidences: Confidences = _MOST / (1 + np.exp(-odds))
     return confidences
 
 
 @lru_cache(maxsize=1)
 def food_similarity() -> FoodSimilarity:
-    """Answer the default similarity, made once (some 0.1 s)."""
+    """Return the default similarity, made once (some 0.1 s)."""
     fitted = json.loads(files("foon_kg.data").joinpath("similarity.json").read_text(encoding="utf-8"))
     weights = np.array([fitted["weights"][kind] for kind in KINDS])
     slot = fitted["in a slot"]["slope"], fitted["in a slot"]["bias"]

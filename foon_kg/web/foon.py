@@ -33,15 +33,15 @@ class FixedFoon:
         self._snapshot = snapshot
 
     def edition(self) -> str:
-        """Answer the name of its only edition."""
+        """Return the name of its only edition."""
         return self._name
 
     def fresh(self) -> str:
-        """Answer the name of its only edition."""
+        """Return the name of its only edition."""
         return self.edition()
 
     def read(self) -> Served:
-        """Answer the FOON."""
+        """Return the FOON."""
         return Served(self._name, self._snapshot)
 
     def close(self) -> None:
@@ -68,7 +68,7 @@ class LiveFoon:
         self._unnamed = (f"look-{number}" for number in itertools.count())
 
     def edition(self) -> str:
-        """Answer which edition the graph had at most ``every`` seconds ago; raises GraphError where nothing answers.
+        """Return which edition the graph had at most ``every`` seconds ago; raises GraphError where nothing answers.
 
         While one thread looks the others are told what was seen before.
         """
@@ -84,11 +84,11 @@ class LiveFoon:
             self._turn.release()
 
     def fresh(self) -> str | None:
-        """Answer which edition was seen in the last ``every`` seconds, if any was; waits for nobody."""
+        """Return which edition was seen in the last ``every`` seconds, if any was; waits for nobody."""
         return self._name if time.monotonic() - self._looked < self._every else None
 
     def read(self) -> Served:
-        """Answer the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
+        """Return the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
         name = self._read_name()
         return Served(name, self._connected().snapshot())
 
@@ -108,7 +108,7 @@ class LiveFoon:
             return self._read_name()
 
     def _read_name(self) -> str:
-        """Answer the edition's name; of a graph that does not tell editions apart each look is one of its own."""
+        """Return the edition's name; of a graph that does not tell editions apart each look is one of its own."""
         with self._connected().reading() as view:
             return view.edition or next(self._unnamed)
 

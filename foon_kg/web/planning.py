@@ -37,7 +37,7 @@ class PlanningDesk:
         self._foon.get_ready(_NO_WISHES)
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``; what is wrong with it is an answer too."""
+        """Return ``question``; what is wrong with it is an answer too."""
         try:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)

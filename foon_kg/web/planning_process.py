@@ -31,7 +31,7 @@ class PlanningProcess:
         self._begin()
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``.
+        """Return ``question``.
 
         Raises TooLongError where that takes more than ``seconds``, BusyError where the process was ended from outside
         (perhaps for want of memory), InternalError where planning failed; then another process is there already.
@@ -90,7 +90,7 @@ class PlanningProcess:
 
 
 def _plan(line: Connection[Any, Any], snapshot: Snapshot) -> None:
-    """Answer what comes through ``line`` for as long as somebody has its other end."""
+    """Return what comes through ``line`` for as long as somebody has its other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()

@@ -104,21 +104,21 @@ class Reply:
 
     @classmethod
     def of(cls, value: JsonObject, status: int = 200) -> Self:
-        """Answer with ``value``."""
+        """Return with ``value``."""
         return cls(status, json.dumps(value, ensure_ascii=False, separators=(",", ":")).encode())
 
     @classmethod
     def of_error(cls, error: FoonError, beside: JsonObject | None = None) -> Self:
-        """Answer with what is wrong and what to do about it."""
+        """Return with what is wrong and what to do about it."""
         said = {"code": error.code, "message": error.message, "hint": error.hint}
         return cls.of({"error": said} | (beside or {}), status_of(error))
 
     def value(self) -> JsonObject:
-        """Answer the JSON as a value."""
+        """Return the JSON as a value."""
         read: JsonObject = json.loads(self.body)
         return read
 
 
 def status_of(error: FoonError) -> int:
-    """Answer the HTTP status that says what kind of error this is."""
+    """Return the HTTP status that says what kind of error this is."""
     return next((status for kind, status in _STATUS if isinstance(error, kind)), 500)

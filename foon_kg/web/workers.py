@@ -22,7 +22,7 @@ class Desk(Protocol):
     """What answers questions, one after the other."""
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``."""
+        """Return ``question``."""
         ...
 
     def close(self) -> None:

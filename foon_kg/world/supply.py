@@ -11,9 +11,9 @@ from collections.abc import Iterator
 
 from foon_kg.food import Food, Utensil, is_among
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Mention
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Reader, Said
-from foon_kg.world.step import Mention
 from foon_kg.world.things import Lump, Part, Vessel
 
 _PLACE = Utensil("", "place", "places")

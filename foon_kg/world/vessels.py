@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from foon_kg.food import Utensil
 from foon_kg.model import NodeSortKey, ObjectNode
+from foon_kg.model.tree import Mention
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Said
-from foon_kg.world.step import Mention
 from foon_kg.world.things import Vessel
 
 

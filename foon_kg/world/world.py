@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from foon_kg.food import Tables, singular, tables
+from foon_kg.model.tree import Mention, Step
 from foon_kg.world import contents, foods, power, treatment, vessels
 from foon_kg.world.happening import Happening
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Reader, Said, reader
-from foon_kg.world.step import Mention, Step
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Vessel
 

@@ -108,12 +108,12 @@ class _Reading:
         return next(gaining, next((u for u in self._utensils if self._placed(u.label)), None))
 
     def _placed(self, place: str) -> set[str]:
-        """Answer the foods that are in ``place`` now and were elsewhere before."""
+        """Return the foods that are in ``place`` now and were elsewhere before."""
         before = {food.label: food.container for food in self._foods}
         return {n.label for n in self._food_made if n.container == place and before.get(n.label, place) != place}
 
     def _gained(self, after: ObjectNode) -> set[str]:
-        """Answer what a utensil holds that it did not hold before; one that nobody named before held nothing."""
+        """Return what a utensil holds that it did not hold before; one that nobody named before held nothing."""
         if self._kitchen.is_food(after):
             return set()
         return set(after.ingredients).difference(*(u.ingredients for u in self._utensils if u.label == after.label))
@@ -227,7 +227,7 @@ class _Reading:
         return said + self._until_utensil(first)
 
     def _moved_to(self, node: ObjectNode) -> str | None:
-        """Answer where a utensil ends up, if it is in or on something else then."""
+        """Return where a utensil ends up, if it is in or on something else then."""
         after = [other for other in self._outputs if other.label == node.label and other.relation in _PLACES]
         return next((n.container for n in after if n.container and n.container != node.container), None)
 

@@ -18,7 +18,7 @@ HANDS = ("cyan", "yellow", "magenta", "blue")
 
 
 def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
-    """Answer a table of the steps by their start: when, whose hands, what, and how sure the time is."""
+    """Return a table of the steps by their start: when, whose hands, what, and how sure the time is."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
     timed = plan.known_until > 0
     for title, justify in (("from", "right"), ("to", "right")) if timed else ():
@@ -37,7 +37,7 @@ UNKNOWN = "unknown"
 
 
 def summary(plan: Schedule) -> str:
-    """Answer in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
+    """Return in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
     if plan.untimed:
         return _untimed(plan)
     pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
@@ -61,12 +61,12 @@ def _when(plan: Schedule, seconds: float) -> str:
 
 
 def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
-    """Answer what to buy, one food a line."""
+    """Return what to buy, one food a line."""
     return Group(*(node_words(food, unseen) for food in foods))
 
 
 def clock(seconds: float) -> str:
-    """Answer a time as minutes and seconds: 1:05."""
+    """Return a time as minutes and seconds: 1:05."""
     return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
 
 
@@ -87,7 +87,7 @@ def _hands(step: ScheduledStep) -> Text:
 
 def _step(tree: ShownTree, step: ScheduledStep) -> Text:
     unit = tree.units[step.place]
-    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))
 
 
 def _seen(duration: Duration | None) -> Text:

@@ -36,7 +36,7 @@ _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over
 
 
 def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | None = None) -> Draft:
-    """Answer the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
+    """Return the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
@@ -52,7 +52,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
 
 def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOut:
-    """Answer ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
+    """Return ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
     if isinstance(row, LeftOut):
         return row
     return replace(row, confidence=round(probability(row.confidence, parsed=parsed), 2))
@@ -81,7 +81,7 @@ class _Drafter:
                 self._scene.coming.setdefault(name, changing[0])
 
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
-        """Answer the units of one action."""
+        """Return the units of one action."""
         reading = self._precedents.verbs.reading(action.verb)
         if not reading.motions and self._keeps_cold(action):
             action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
@@ -157,7 +157,7 @@ class _Drafter:
         return known not in self._precedents.labels and not {known, known.split()[-1]}.isdisjoint(_ROOM)
 
     def _plain(self, action: NarratedAction) -> NarratedAction:
-        """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
+        """Return ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
         objects = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
         objects = [one for one in objects if one.name]
         instruments = list(filter(None, (self._known_as(plain_name(name)) for name in action.instruments)))
@@ -208,7 +208,7 @@ def _dish_of(name: str) -> str:
 
 
 def plain_name(name: str) -> str:
-    """Answer ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
+    """Return ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
 
     >>> plain_name("the [red] onion; DROP")
     'red onion DROP'

@@ -24,7 +24,7 @@ class NodeDrafter:
     scene: Scene
 
     def like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
-        """Answer what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
+        """Return what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
         like = self.precedents.of(motion, mention.name)
         evidence.shares.append(like.likeness)
         evidence.doubts += [like.doubt] if like.doubt else []
@@ -39,7 +39,7 @@ class NodeDrafter:
         at: str | None = None,
         away_from: str | None = None,
     ) -> ObjectNode:
-        """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
+        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
         known = self.scene.foods.get(mention.name)
         if known is not None:
             evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
@@ -97,7 +97,7 @@ class NodeDrafter:
     def become(
         self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
     ) -> tuple[str, ...]:
-        """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        """Return the states of a food after an action: those that the narration tells instead of those of the FOON."""
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
@@ -111,20 +111,20 @@ class NodeDrafter:
         return states
 
     def vessel(self, name: str) -> ObjectNode:
-        """Answer a utensil as it is now."""
+        """Return a utensil as it is now."""
         known = self.scene.utensils.get(name)
         if known is None:  # nobody said of it before that it is one
             known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
         return known
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
-        """Answer the instruments that are told, else those of the FOON; none of ``besides``."""
+        """Return the instruments that are told, else those of the FOON; none of ``besides``."""
         names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
 
     def sources(self, foods: Iterable[ObjectNode]) -> tuple[list[ObjectNode], list[ObjectNode]]:
-        """Answer the vessels that foods leave, each once, before and after."""
+        """Return the vessels that foods leave, each once, before and after."""
         leaving: dict[str, list[str]] = {}
         for food in foods:
             if food.container is not None and self.in_utensil(food):
@@ -135,7 +135,7 @@ class NodeDrafter:
     def target(
         self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
     ) -> str | None:
-        """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        """Return where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
         for place in action.places:
             label = self._place_called(place.name)
             if label != mention.name:
@@ -159,7 +159,7 @@ class NodeDrafter:
         return label
 
     def utensil_place(self, action: NarratedAction) -> str | None:
-        """Answer the first place that is told and that is a utensil."""
+        """Return the first place that is told and that is a utensil."""
         for place in action.places:
             label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
@@ -173,7 +173,7 @@ class NodeDrafter:
         return self.precedents.labels.get(known, known)
 
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Answer the utensil that holds one of the objects; none where they all come for the first time."""
+        """Return the utensil that holds one of the objects; none where they all come for the first time."""
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
         return next((at for at in held if at is not None and at in self.scene.utensils), None)
 
@@ -194,5 +194,5 @@ def _cooks(container: str) -> bool:
 
 
 def listed(states: Sequence[str]) -> str:
-    """Answer states in words."""
+    """Return states in words."""
     return ", ".join(states) if states else "it is"

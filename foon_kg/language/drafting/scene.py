@@ -36,7 +36,7 @@ class Scene:
     taken: dict[str, str] = field(default_factory=dict)
 
     def called(self, name: str) -> str | None:
-        """Answer the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.
+        """Return the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.
 
         The same name, else the only one that ends in it ("onion" for the red onion).
         """
@@ -50,11 +50,11 @@ class Scene:
         return None
 
     def held(self, vessel: str) -> tuple[str, ...]:
-        """Answer what is in ``vessel``."""
+        """Return what is in ``vessel``."""
         return self.utensils[vessel].ingredients if vessel in self.utensils else ()
 
     def at_hand(self) -> tuple[str, ...]:
-        """Answer what an action without an object is done to: all in the vessel of the last one, else its foods."""
+        """Return what an action without an object is done to: all in the vessel of the last one, else its foods."""
         held = tuple(food for food in self.held(self.focus or "") if food in self.foods)
         last = tuple(food for food in self.last if food in self.foods)
         return held if set(last) <= set(held) else last
@@ -90,12 +90,12 @@ class Scene:
 
 
 def filled(vessel: ObjectNode, foods: Sequence[str]) -> ObjectNode:
-    """Answer ``vessel`` with ``foods`` in it as well."""
+    """Return ``vessel`` with ``foods`` in it as well."""
     states = tuple(state for state in vessel.states if state != EMPTY)
     return replace(vessel, states=states, ingredients=(*vessel.ingredients, *foods))
 
 
 def emptied(vessel: ObjectNode, foods: Sequence[str]) -> ObjectNode:
-    """Answer ``vessel`` without ``foods``; it is empty when they were all."""
+    """Return ``vessel`` without ``foods``; it is empty when they were all."""
     left = tuple(food for food in vessel.ingredients if food not in foods)
     return replace(vessel, states=vessel.states if left else (*vessel.states, EMPTY), ingredients=left)

@@ -10,7 +10,7 @@ from foon_kg.similarity.states import state_in
 
 @cache
 def done(verb: str) -> str | None:
-    """Answer the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
+    """Return the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
     word = verb.split(" ", maxsplit=1)[0]
     forms = (f"{word}ed", f"{word}d", f"{word}{word[-1:]}ed", f"{word}n", f"{word}en", word)
     given = tables().motion(word).gives

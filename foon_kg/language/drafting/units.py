@@ -61,7 +61,7 @@ class UnitDrafter:
         return Bringing(self._maker)
 
     def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
-        """Answer the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
+        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
         evidence = Evidence([sure], list(doubts))
         if self.precedents.kitchen.is_utensil(action.objects[0].name):
             return (self._handled(action, motion, evidence),)
@@ -131,7 +131,7 @@ class UnitDrafter:
     def _changed(
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
     ) -> list[DraftUnit]:
-        """Answer a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
+        """Return a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
 
         It is brought there before, and away after ("slice it into a bowl"). What it is dipped into or rolled in takes
         part, and is on it then.
@@ -179,7 +179,7 @@ class UnitDrafter:
         return [self.nodes.there(Mention(name), Precedents(()), Evidence()) for name in dict.fromkeys(names)]
 
     def _changed_together(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
-        """Answer one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
+        """Return one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self.nodes.utensil_place(action) or self.nodes.common_vessel(action)
         vessel = [self.nodes.vessel(at)] if at is not None else []
         befores, afters, leaving = (list[ObjectNode]() for _ in range(3))
@@ -212,7 +212,7 @@ class UnitDrafter:
         return len(at) == 1 and None not in at and not motions.transfers(motion)
 
     def _handled(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
-        """Answer a unit that changes a utensil: opened, washed, greased, turned on, put somewhere."""
+        """Return a unit that changes a utensil: opened, washed, greased, turned on, put somewhere."""
         mention = action.objects[0]
         row = tables().utensil(mention.name)
         heats = tables().motion(motion).does <= {"warm", "heat"} and row is not None and row.source == "heat"

@@ -55,7 +55,7 @@ def start(
 
 
 def stop(say: Say = silent) -> bool:
-    """Stop the local server; answers whether there was one to stop."""
+    """Stop the local server; return whether there was one to stop."""
     place = home()
     if not place.root.exists():
         return False

@@ -70,7 +70,7 @@ class StartupCache:
         return [f"-XX:AOTCache={self.file}"]
 
     def discard(self) -> bool:
-        """Remove the cache; answers whether there was one."""
+        """Remove the cache; return whether there was one."""
         there = self.file.exists()
         self.file.unlink(missing_ok=True)
         return there
