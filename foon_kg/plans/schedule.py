@@ -107,8 +107,8 @@ def schedule(
         sorted(places, key=lambda i: (-work.seconds[i], i)),
     )
     off = [place for place in places if motions.switches_off(units[place].motion)]  # at once, whatever else waits
-    orders = tuple([*off, *(place for place in order if place not in off)] for order in orders)
-    order = _bettered(min(orders, key=lambda order: work.length(work.starts(order))), work)
+    tried = [[*off, *(place for place in order if place not in off)] for order in orders]
+    order = _bettered(min(tried, key=lambda order: work.length(work.starts(order))), work)
     return work.told(work.starts(order))
 
 

@@ -21,6 +21,12 @@ export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
   return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
 });
 
+// What a plan is made after: a video, or a draft that nobody has reviewed.
+export const from = (plan) => {
+  const sure = plan.reference.draft_confidence;
+  return [sure === undefined ? "video " : "draft ", ...videos(plan), sure === undefined ? "" : ` (made of the words of a recipe, not reviewed: ${sure.toFixed(2)} sure)`];
+};
+
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
   const there = plan.kitchen.filter((node) => !bought.has(node.label) && !node.ingredients.length); // no packet that a food is sold in
@@ -61,7 +67,7 @@ export const stepsView = (plan, { unseen, to }) => {
   const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of video `, ...videos(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},
