@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from foon_kg.food import singular
 from foon_kg.integration.places import Join
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.tree import TreeUnit
-
-if TYPE_CHECKING:
-    from foon_kg.planning.likes import RecipeLikes
-    from foon_kg.planning.planner import Attempt
+from foon_kg.planning.attempt import Attempt
+from foon_kg.planning.likes import RecipeLikes
 
 MOST_OTHERS = 3
 """How many known foods that were passed over are named."""
