@@ -37,7 +37,7 @@ _BEGINS = re.compile(rf"(?i:{_MANNER})([A-Za-z]+)")
 _JOINED = re.compile(
     rf"((?:,|\band|\bthen|\bor)\s+(?:(?:and|then)\s+)?){_MANNER}([a-z]+)"
     r"(?=\s+(?:an?|the|it|them|until|till|in|into|for|on|onto|over|with|well|together|to|off|out|up|aside|again|from|your"
-    r"|between|before|everything|all|each|\w+ly)\b|,|\s+(?:and|then)\s+[a-z]+|[\s.,]*$)"
+    r"|between|before|around|through|everything|all|each|\w+ly)\b|,|\s+(?:and|then)\s+[a-z]+|[\s.,]*$)"
 )
 _LEFT_TO_ITSELF = word_list("leaves it to itself")
 _BETWEEN = "_"

@@ -13,12 +13,12 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
-from foon_kg.food import motions
+from foon_kg.food import motions, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.clauses import Clauses, Told
 from foon_kg.language.drafting.scene import PRONOUNS
 from foon_kg.language.drafting.verbs import Verbs
-from foon_kg.language.nouns import NAMES, as_result, governed, is_vessel, names_in, plural
+from foon_kg.language.nouns import NAMES, as_result, governed, is_vessel, names_in, plural, spoken
 from foon_kg.language.parsed_verbs import LEFT_TO_ITSELF, MAKES, OBJECTS, UNTIL, is_action, lemma_of, other_way
 from foon_kg.model.errors import UsageError
 from foon_kg.model.names import canonical
@@ -42,6 +42,7 @@ AT_HAND = Place("into", "it")
 ON_HAND = Place("on", "it")
 """Where a thing goes with which what is at hand is covered."""
 
+_FREES = frozenset({"grate", "separate", "shell"})
 _YOU = re.compile(r"\b[Yy]ou (\w+)")
 
 Token = Any  # spaCy says nothing of its types
@@ -153,7 +154,8 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
     lemma = lemma_of(called, verbs)
     said = _Said(_objects(verb))
     particle, taken = _particle(verb, lemma, verbs, said)
-    for head in (verb, *(child for child in verb.children if child.dep_ in OBJECTS)):
+    objects = [child for child in verb.children if child.dep_ in OBJECTS or _is_joined(child)]
+    for head in (verb, *objects, *(joined for child in objects for joined in child.conjuncts)):
         for preposition in head.children:
             if preposition.dep_ in {"prep", "agent", "dative"} and preposition != taken:
                 said.add(preposition.lower_, governed(preposition))
@@ -173,13 +175,18 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
 def _objects(verb: Token) -> list[Mention]:
     """Return the objects of a verb; of one that is only let happen (let the cookies cool), those that it happens to."""
     found = [name for child in verb.children if child.dep_ in OBJECTS for name in names_in(child)]
-    joined = (child for child in verb.children if child.dep_ == "conj" and child.pos_ in NAMES)
+    joined = (child for child in verb.children if _is_joined(child))
     found += [name for child in joined for name in names_in(child)]
     if verb.dep_ in {"ccomp", "xcomp"} and verb.head.lemma_ in LEFT_TO_ITSELF:
         around = [child for one in (verb, verb.head) for child in one.children]
         let = [child for child in around if child.dep_ in {"nsubj", "dobj"} and child.pos_ in NAMES]
         found += [name for child in let for name in names_in(child) if name.name.lower() != "you"]
     return found
+
+
+def _is_joined(child: Token) -> bool:
+    """Whether the parser joined a noun to the verb that is joined to its object: flour and salt."""
+    return child.dep_ == "conj" and child.pos_ in NAMES
 
 
 def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, Token | None]:
@@ -199,6 +206,14 @@ def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, 
         return particle, None
     said.direct += governed(taken)
     return str(taken.lower_), taken
+
+
+def _brings_or_mixes(verb: str, verbs: Verbs) -> bool:
+    """Whether a verb with "in" speaks of what comes in: tip in the beans, crack in the eggs."""
+    motion = next(iter(verbs.reading(verb).motions), "")
+    if not tables().motion(motion).does.isdisjoint(_FREES):
+        return True
+    return motions.transfers(motion) or (motions.mixes(motion) and not motions.heats(motion))
 
 
 def _brings(verb: str, verbs: Verbs) -> bool:
@@ -242,7 +257,7 @@ class _Said:
             joins = not self.direct and not self.places  # toss with the dressing
             self.places += [AT_HAND] if joins else []
             self.direct += foods
-        if particle == "in" and self.direct and not self.places:  # stir in the eggs
+        if particle in {"in", "through"} and self.direct and not self.places:  # stir in the eggs
             self.places.append(AT_HAND)
         return tuple(name.name for name in tools)
 
@@ -250,9 +265,14 @@ class _Said:
 def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
     """Whether a preposition belongs to the verb before it: turn on the stove, stir in the eggs."""
     lemma = lemma_of(verb, verbs)
-    if word.dep_ != "prep" or word.i != verb.i + 1 or not verbs.is_said(f"{lemma} {word.lower_}"):
+    if word.dep_ != "prep" or word.i != verb.i + 1:
         return False
     into = any(is_vessel(name.name) for name in governed(word))
+    comes_in = word.lower_ in {"in", "through"} and _brings_or_mixes(lemma, verbs) and not into  # tip in the tomatoes
+    if not comes_in and not verbs.is_said(f"{lemma} {word.lower_}"):
+        return False
+    if comes_in:
+        return not any(child.dep_ in OBJECTS for child in verb.children)
     return not (word.lower_ in _TO and (into or (_brings(lemma, verbs) and word.lower_ != "in")))
 
 
@@ -275,6 +295,8 @@ def _results(verb: Token) -> Iterator[str]:
     for child in verb.children:
         until = child.lower_ in UNTIL
         clause = child.dep_ == "advcl" and any(mark.lower_ in UNTIL for mark in child.children)
+        if any(one.dep_ == "nsubj" and is_vessel(spoken(one)) for one in child.subtree):
+            continue  # until a skewer comes out clean
         if until or clause:
             start = child.i if until else min(mark.i for mark in child.children if mark.lower_ in UNTIL)
             for token in (one for one in child.subtree if one.i > start and one.pos_ in {"ADJ", "VERB"}):

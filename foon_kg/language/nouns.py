@@ -31,9 +31,11 @@ def spoken(token: Token) -> str:
 def names_in(token: Token) -> Iterator[Mention]:
     """Yield the thing that a noun names, and those joined to it; a measure names what it is of."""
     of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
-    if of and token.lemma_.lower() in _MEASURES:
+    if of and (token.lemma_.lower() in _MEASURES or is_vessel(spoken(token))):
         for thing in of:
             yield from names_in(thing)
+        if is_vessel(spoken(token)) and token.lemma_.lower() not in _MEASURES:
+            yield _name(token)  # a pan of water
     elif token.pos_ in NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
         yield from (Mention(spoken(one)) for one in _apart(token))
         yield _name(token)
@@ -87,5 +89,5 @@ def plural(word: str) -> str:
 def as_result(name: str) -> str | None:
     """Return the state that something goes on to ("into cubes"); ``None`` for a place or a thing."""
     last = canonical(name).split()[-1:]
-    thing = Kitchen.default().is_utensil(name) or not _MIXED.isdisjoint(last) or tables().foods.food(name).known
+    thing = is_vessel(name) or not _MIXED.isdisjoint(last) or tables().foods.food(name).known
     return None if thing else state_in(name)

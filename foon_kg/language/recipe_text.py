@@ -9,12 +9,14 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model.narration import Mention
 
 _BULLET = r"\s*(?:[-*\u2022]\s*)?"
 _AMOUNT = re.compile(rf"{_BULLET}(?:\d+(?!\s*[.)\d]\s)|[¼½¾⅓⅔⅛]|\d)(?![.)]\s)")
+_TITLE_AND_MORE, _LONGEST_TITLE = 2, 8
 _STEP = re.compile(rf"{_BULLET}(?:step\s*)?\d+\s*[.):]\s", re.IGNORECASE)
 
 
@@ -26,13 +28,15 @@ class RecipeText(NamedTuple):
 
 
 def recipe_text(lines: Sequence[str]) -> RecipeText:
-    """Return the lines of ingredients and the lines of instructions; headings are neither.
+    """Return the lines of ingredients and the lines of instructions; title and headings are neither.
 
-    What stands above a heading of ingredients is kept with the instructions, so that it is told where it gives nothing.
+    What else stands above a heading of ingredients is kept with the instructions, so that it is told where it gives
+    nothing.
 
     >>> recipe_text(["2 eggs", "1 pinch of salt", "Beat the eggs."]).ingredients
     ('2 eggs', '1 pinch of salt')
     """
+    lines = lines[1:] if _begins_with_a_title(lines) else lines
     heading = next((place for place, line in enumerate(lines) if _is(line, "headings of ingredients")), None)
     start = 0 if heading is None else heading + 1
     after = range(start, len(lines))
@@ -44,6 +48,15 @@ def recipe_text(lines: Sequence[str]) -> RecipeText:
     if heading is None and end == len(lines):  # nothing would be left to do
         end = 0
     return RecipeText(_without_headings(lines[start:end]), _without_headings([*lines[:start], *lines[end:]]))
+
+
+def _begins_with_a_title(lines: Sequence[str]) -> bool:
+    """Whether the first line is short and no sentence, where the text is written in sentences."""
+    if len(lines) < _TITLE_AND_MORE or _names_an_amount(lines[0]) or _STEP.match(lines[0]):
+        return False
+    ends = [line.rstrip()[-1:] in ".!?;:" for line in (lines[0], lines[-1])]
+    several = 1 < len(lines[0].split()) <= _LONGEST_TITLE
+    return ends == [False, True] and several and not tables().foods.is_listed(lines[0].strip(" -*").lower())
 
 
 def _without_headings(lines: Iterable[str]) -> tuple[str, ...]:

@@ -300,6 +300,37 @@ def test_what_is_wiped_is_the_bowl_and_not_the_rag():
     assert [node.label for node in wipe.output_nodes] == ["bowl"]
 
 
+def test_what_is_wet_and_what_is_dry_are_the_mixtures_that_were_made_so():
+    mixed = (action("mix", "flour", "sugar", to="bowl"), action("mix", "egg", "milk", to="jug"))
+    *_, pour = from_text(*mixed, action("pour", "wet ingredients", to="dry ingredients"))
+    (batter,) = [node for node in pour.output_nodes if node.container == "bowl"]
+    assert set(batter.ingredients) == {"flour", "sugar", "egg", "milk"}
+
+
+def test_a_kind_of_food_is_the_only_one_of_it():
+    boil, drain = from_text(action("cook", "spaghetti", to="pot"), action("drain", "pasta"))[-2:]
+    assert "spaghetti" in {node.label for node in boil.output_nodes}
+    assert "spaghetti" in {node.label for node in drain.input_nodes}
+
+
+def test_preheat_is_said_of_an_oven_and_baking_never_of_a_lid():
+    assert from_text(action("preheat"))[0].output_nodes == (ObjectNode("oven", ("on",)),)
+    cooked = from_text(action("pour", "potato", to="pot"), action("cook", "lid"))[-1]
+    assert "potato" in {node.label for node in cooked.output_nodes}
+
+
+def test_what_is_squeezed_into_a_food_is_in_it_afterwards():
+    *_, squeeze, comes = from_text(action("mix", "egg", "flour", to="bowl"), action("squeeze", "lemon", to="mixture"))
+    assert all(len(node.ingredients) == 0 for node in squeeze.output_nodes if node.label == "lemon")
+    assert any("lemon" in node.ingredients and node.container == "bowl" for node in comes.output_nodes)
+
+
+def test_nothing_is_washed_into_water_nor_folded_over_itself():
+    under = NarratedAction("wash", (Mention("onion"),), (Place("under", "cold water"),), said="wash under water")
+    over = NarratedAction("peel", (Mention("onion"),), (Place("over", "itself"),), said="peel it over itself")
+    assert all(node.ingredients == () for one in (under, over) for unit in from_text(one) for node in unit.output_nodes)
+
+
 def test_a_fixture_is_never_empty_for_what_leaves_it():
     fridge = NarratedAction("take", (Mention("egg"),), origin="fridge", said="take egg from fridge")
     (put,) = units(fridge, action("put", "egg", to="bowl"))

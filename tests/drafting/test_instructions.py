@@ -55,6 +55,28 @@ def test_places_instruments_results_and_products():
     assert (season.objects, season.places) == ((Mention("salt"),), (Place("on", "salad"),))
 
 
+def test_what_comes_in_is_what_is_said_after_in():
+    into = (Place("into", "it"),)
+    for text, name in (
+        ("Pour in the milk.", "milk"),
+        ("Stir through the spinach.", "spinach"),
+        ("Crack in the eggs.", "eggs"),
+    ):
+        (told,) = actions(text)
+        assert ([one.name for one in told.objects], told.places) == ([name], into)
+    (told,) = actions("Mix the flour and salt in a mixing bowl.")
+    assert told.places == (Place("in", "mixing bowl"),)
+
+
+def test_parts_and_vessels_of_a_food_are_said_of_it():
+    (add,) = actions("Add the juice of half a lemon.")
+    assert add.objects == (Mention("lemon juice"),)
+    (cook,) = actions("Cook a large pan of water.")
+    assert [one.name for one in cook.objects] == ["water", "large pan"]
+    (cook,) = actions("Cook until a skewer comes out clean.")
+    assert cook.results == ()
+
+
 def test_a_clause_longer_than_any_is_kept_as_one_without_a_verb():
     (action,) = actions("chop " + "onion " * 1000)
     assert action.verb == ""

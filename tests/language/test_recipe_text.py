@@ -25,6 +25,13 @@ def test_headings_tell_the_parts_apart():
     assert recipe_text(("Method", *STEPS)) == ((), STEPS)
 
 
+def test_a_title_is_neither_an_ingredient_nor_a_step():
+    assert recipe_text(("Sunday pancakes", "2 eggs", *STEPS)) == (("2 eggs",), STEPS)
+    assert recipe_text(("Roast chicken with potatoes", *STEPS)) == ((), STEPS)
+    for listed in (("sea salt", "2 eggs", *STEPS), ("salt", *STEPS), ("Chop onion", "Fry it")):
+        assert listed[0] in (*recipe_text(listed).ingredients, *recipe_text(listed).instructions)
+
+
 def test_numbered_steps_are_no_ingredients():
     numbered = ("1. Beat the eggs.", "2) Bake.")
     assert recipe_text(numbered) == ((), numbered)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from foon_kg.food import motions
 from foon_kg.language.drafting.drafts import DraftUnit
 from foon_kg.language.drafting.evidence import Evidence
 from foon_kg.language.drafting.making import Maker
 from foon_kg.language.drafting.precedents import Precedents
 from foon_kg.language.drafting.scene import filled
+from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.model import ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction
 
@@ -42,7 +44,9 @@ class Bringing:
             inputs, outputs = self._onto(target, [before, *left, *tools], gone)
             return [self.maker.unit(action, motion, inputs, outputs, evidence)]
         into = nodes.vessel(target)
-        after = replace(before, relation=self.maker.precedents.relation(target), container=target)
+        told = None if motions.transfers(motion) else done(action.verb)
+        states = before.states if told is None else with_state(before.states, told)  # sifted into the bowl
+        after = replace(before, states=states, relation=self.maker.precedents.relation(target), container=target)
         scene.focus = target
         inputs = [into, *left, before, *tools]
         outputs = [filled(into, [mention.name]), after, *gone]

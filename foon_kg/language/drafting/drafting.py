@@ -35,6 +35,9 @@ _ROOM = word_list("belongs to the room")
 _CHILL = "refrigerate"
 _PREPARES_A_VESSEL = frozenset({"coat", "cover"})
 _INTO = frozenset({"in", "into", "inside", "on", "onto"})
+_HEATS_ONE = word_list("heats an appliance")
+_OVEN = "oven"
+_ITSELF, _SEVERAL = word_list("speaks of the thing itself"), word_list("speaks of several")
 _PUT_IT = re.compile(r"[\w-]+\s+(?:(?:it|them|this|that)\s+)?(?:in|into|inside|on|onto)\s", re.IGNORECASE)
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
 
@@ -168,9 +171,14 @@ class _Drafter:
         source = tables().motion(next(iter(reading.motions), "")).source
         listed = [tables().utensil(one.name) for one in action.objects]
         heats = bool(source) and "heat" in tables().motion(reading.motions[0]).does
-        if heats and listed and all(row is not None and row.source == source for row in listed):
+        if heats and listed and all(row is not None and row.role in {"lid", "tool", "wrap"} for row in listed):
+            action = replace(action, objects=())  # "remove the lid and bake" is said of what is in the pot
+        elif heats and listed and all(row is not None and row.source == source for row in listed):
             places = (*action.places, *(Place("in", one.name) for one in action.objects))
             action = replace(action, objects=(), places=places)  # "bake the oven" is said of nothing
+        if action.verb in _HEATS_ONE and not listed:
+            named = [place.name for place in action.places if _is_source(place.name)]
+            return replace(action, objects=(Mention(named[0] if named else _OVEN),), places=()), reading
         rows = {place.name: tables().utensil(place.name) for place in action.places}
         named = [name for name, row in rows.items() if row is not None and row.source in {"heat", "cold"}]
         if not named or (all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects):
@@ -203,16 +211,20 @@ class _Drafter:
         used = [name for name in utensils if self._precedents.is_tool(name)]
         if objects and all(self._is_of_the_room(one.name) for one in objects):
             objects = [Mention(name) for name in map(self._switched, action.places) if name] or objects
-        places = [Place(place.relation, self._known_as(plain_name(place.name))) for place in action.places]
+        places = [Place(place.relation, self._place_known_as(plain_name(place.name))) for place in action.places]
         places += [Place("", name) for name in utensils if name not in used]
         return replace(
             action,
             objects=tuple(objects),
-            places=tuple(place for place in places if place.name),
+            places=tuple(place for place in places if place.name and not self._is_no_place(place)),
             origin=plain_name(action.origin or "") or None,
             product=plain_name(action.product or "") or None,
             instruments=(*(name for name in instruments if name not in foods), *used),
         )
+
+    def _is_no_place(self, place: Place) -> bool:
+        """Whether nothing is brought there: "fold it over itself", "rinse under cold water"."""
+        return place.name.lower() in _ITSELF or (place.relation == "under" and not self._kitchen.is_utensil(place.name))
 
     def _known_as(self, name: str) -> str:
         """Return a name as the kitchen knows it: the plate that a dirty plate is; else the name itself."""
@@ -222,6 +234,16 @@ class _Drafter:
             return self._precedents.appliance(name)
         listed = tables().foods.is_listed(singular(name))
         return name if listed else next((end for end in ends if self._kitchen.is_utensil(end)), name)
+
+    def _place_known_as(self, name: str) -> str:
+        """Return a place as the kitchen knows it: a hot pot is a dish, but what is put there comes into a pot."""
+        last = name.split()[-1:]
+        first = name.split()[:1]
+        return (
+            last[0]
+            if first and first[0].lower() in tables().states and self._kitchen.is_utensil(last[0])
+            else (self._known_as(name))
+        )
 
     def _put_there(self, action: NarratedAction, reading: Reading) -> NarratedAction:
         """Return an action of a table whose only noun is where a thing is put: "put it on the shelf"."""
@@ -259,6 +281,11 @@ def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
     return LeftOut(action.said, f"{reason}: left out", action.timing)
 
 
+def _is_source(name: str) -> bool:
+    row = tables().utensil(name)
+    return row is not None and row.source == "heat"
+
+
 def _dish_of(name: str) -> str:
     """Return the dish in the name of a recipe, the bread of "easy banana bread 2"; ``""`` where there is none."""
     last = next((word for word in reversed(words(name)) if len(word) > 1), "")
@@ -272,6 +299,8 @@ def plain_name(name: str) -> str:
     'red onion DROP'
     """
     words = _RELATIONS.sub(" ", _NOT_IN_NAMES.sub(" ", name)).split()
+    if name.lower() in _SEVERAL:
+        return name  # spread each with butter
     return " ".join(word for word in words if word.lower() not in _ARTICLES)[:80].strip()
 
 

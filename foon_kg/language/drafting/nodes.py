@@ -15,6 +15,9 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
 
+_TRUSTED = 0.6
+"""Below this, how a food is before an action is rather taken from what it is elsewhere than from another food."""
+
 
 @dataclass(frozen=True)
 class NodeDrafter:
@@ -65,7 +68,8 @@ class NodeDrafter:
     def _start(
         self, mention: Mention, like: Precedents, evidence: Evidence
     ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
-        if like.rows and like.likeness != UNSEEN:
+        own = self.precedents.start(mention.name) if like.likeness < _TRUSTED else None
+        if own is None and like.rows and like.likeness != UNSEEN:
             place, at = like.place_before()
             if mention.states:
                 return mention.states, place
@@ -78,7 +82,12 @@ class NodeDrafter:
             evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
             evidence.weigh(max(at, UNSEEN))
             return states, place
-        known = self.precedents.start(mention.name)
+        known = own or self.precedents.start(mention.name)
+        if known is None and not mention.states and (sold := tables().foods.food(mention.name).sold_as):
+            known = (sold,), (None, None)
+            evidence.weigh_states(
+                SOMETHING - 0.05, f"{mention.name} was never seen before: taken as {sold}, as it is sold"
+            )
         if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
             known = self.precedents.start(near.name)
             doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
@@ -154,6 +163,8 @@ class NodeDrafter:
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
         focus = self.scene.focus if "discard" not in tables().motion(action.verb).does else None
+        if focus is not None and focus == before.container and len(self.scene.held(focus)) > 1:
+            return focus  # it is there already
         if focus is not None and focus != before.container and self.scene.held(focus):
             evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
             return focus

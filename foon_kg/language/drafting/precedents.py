@@ -192,7 +192,7 @@ class FoonPrecedents:
             return None
         states, _ = _commonest((node.states, count) for node, count in starts)
         place, _ = _commonest(((node.relation, node.container), n) for node, n in starts if node.states == states)
-        return states, place
+        return _plain(states), place
 
     def relation(self, container: str) -> str:
         """Return the word that the FOON puts before ``container``; "in" for one that it does not know."""
@@ -213,7 +213,7 @@ class FoonPrecedents:
             and node.container is None
             and not self.kitchen.is_running(node)
         ]
-        return _commonest(found)[0] if found else ()
+        return _plain(_commonest(found)[0]) if found else ()
 
     def appliance(self, name: str) -> str:
         """Return what the FOON calls an appliance of just this group, its stove for a hob; else ``name`` itself."""
@@ -300,8 +300,8 @@ def _outside(node: ObjectNode) -> tuple[States, str | None, str | None]:
 
 
 def _plain(states: Collection[str]) -> States:
-    """Leave out the places that a loader kept as states."""
-    return tuple(state for state in states if not is_place(state))
+    """Leave out the places that a loader kept as states, and remarks in brackets, which no table can say."""
+    return tuple(state.partition(" (")[0] for state in states if not is_place(state))
 
 
 def _change(row: Seen) -> tuple[States, States]:

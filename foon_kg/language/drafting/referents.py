@@ -26,7 +26,10 @@ _DISHES = word_list("groups of dishes")
 _ON_TOP = word_list("is the outside of what is at hand")
 _ANOTHER = word_list("is another vessel")
 _INGREDIENTS = word_list("speaks of ingredients")
-_DRY = word_list("speaks of what is dry")
+_DRY, _WET = word_list("speaks of what is dry"), word_list("speaks of what is wet")
+_BOTH = 2
+_RAW = frozenset({"boil", "cook", "peel", "wash"})
+_SEVERAL = word_list("speaks of several")
 _IS_DRY = word_list("is dry in a batter") | word_list("sweetens a batter")
 _REMAINING = word_list("speaks of what remains")
 _DETERMINERS = word_list("says nothing of a thing")
@@ -55,17 +58,22 @@ class Referents:
         named: list[Mention] = []
         doubts: list[str] = []
         for mention in action.objects:
-            if is_everything(mention.name):
-                named += self._ingredients(mention.name, action.said) or map(
-                    Mention, self._everything(mention.name, besides)
-                )
+            if self._is_state(mention.name):
+                continue  # serve hot
+            if (mixed := self._dry_or_wet(mention.name)) is not None:
+                named.append(Mention(mixed))
+                continue
+            if is_everything(mention.name) or is_outside(mention.name):
+                several = mention.name.lower() in _SEVERAL and [*self.scene.foods][-_BOTH:]
+                ingredients = self._ingredients(mention.name, action.said)
+                named += ingredients or map(Mention, several or self._everything(mention.name, besides))
                 continue
             label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
             if label is not None:
                 named.append(Mention(label, mention.states))
             else:
                 named.append(self._new(mention))
-        if not action.objects:
+        if not named and all(self._is_state(one.name) for one in action.objects):
             named = [Mention(label) for label in self._at_hand(besides)]
             if named:
                 doubts.append(f"nobody says what “{action.verb}” is done to: taken as what is at hand")
@@ -74,12 +82,15 @@ class Referents:
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
         besides = frozenset(filter(None, (self._already(one.name, action) for one in action.objects)))
+        besides |= frozenset() if action.objects else frozenset(self._hand())
         found = []
         for place in action.places:
             name = place.name
             if self.precedents.kitchen.is_utensil(name):
                 found.append(Place(place.relation, self._vessel(name, action.said)))
-            elif is_everything(name) or canonical(name).split()[-1] in _ON_TOP:
+            elif (mixed := self._dry_or_wet(name)) is not None:
+                found.append(Place(place.relation, mixed))
+            elif is_everything(name) or is_outside(name):
                 found += [Place(place.relation, label) for label in self._hand()]
             elif (label := self.thing(name, besides) or self._merged(name)) is not None:
                 found.append(Place(place.relation, label))
@@ -103,7 +114,36 @@ class Referents:
             return known
         if words[-1] in _MIXED or words[-1] in tables().unfinished:
             return self._mixture(words, besides)
-        return self._product(words, besides)
+        return self._product(words, besides) or self._of_kind(name)
+
+    def _of_kind(self, name: str) -> str | None:
+        """Return the only thing of the scene that is of the kind that ``name`` is: the spaghetti that pasta is."""
+        foods, called = tables().foods, canonical(name)
+        kind = foods.food(called).kind
+        if kind.split()[-1] != called or called in self.larder.listed:
+            return None
+        alike = [label for label in self.scene.foods if foods.food(label).kind == kind]
+        return alike[0] if len(alike) == 1 else None
+
+    def _is_state(self, name: str) -> bool:
+        """Whether a word only says how something is: hot, warm."""
+        known = canonical(name)
+        listed = known in self.precedents.labels or tables().foods.is_listed(known)
+        return self.title is not None and not listed and name.lower() in tables().states
+
+    def _dry_or_wet(self, name: str) -> str | None:
+        """Return the mixture of what is dry, or of what is not, where both were mixed: "the wet ingredients"."""
+        words = set(canonical(name).split())
+        made = self.scene.made()
+        if words.isdisjoint(_INGREDIENTS) or words.isdisjoint(_DRY | _WET) or not made:
+            return None
+        foods = tables().foods
+        shares = {}
+        for label in made:
+            parts = self.scene.foods[label].ingredients
+            shares[label] = sum(foods.food(part).is_a(*_IS_DRY) for part in parts) / len(parts)
+        best = max if not words.isdisjoint(_DRY) else min
+        return best(shares, key=lambda label: shares[label])
 
     def _merged(self, name: str) -> str | None:
         """Return the mixture in which a food went that is by itself no more: the creamed butter."""
@@ -147,7 +187,9 @@ class Referents:
 
     def _product(self, words: Sequence[str], besides: frozenset[str]) -> str | None:
         """Return what was made last, where its name is that of a dish or of a shape: the cookies, the balls."""
-        if not (self._is_dish(words) or words[-1] in _SHAPES):
+        ends = (" ".join(words[place:]) for place in range(len(words) - 1))
+        bought = any(tables().foods.is_listed(end) for end in ends)  # a few ice cubes
+        if not self._is_dish(words) and (words[-1] not in _SHAPES or bought):
             return None
         made = [label for label in reversed(self.scene.made()) if label not in besides]
         if not made and words[-1] in _SHAPES:
@@ -160,6 +202,8 @@ class Referents:
         name = " ".join(words)
         if self.larder.listed and words[-1] in tables().dishes and self.larder.take(name) is None:
             return True
+        if not tables().foods.food(name).owes.keys().isdisjoint(_RAW):
+            return False  # potatoes are dishes by no other sign than their name
         return words[-1] == self.title or not _DISHES.isdisjoint(groups.of(" ".join(words)) or groups.of(words[-1]))
 
     def _already(self, name: str, action: NarratedAction) -> str | None:
@@ -249,7 +293,12 @@ class Referents:
 def is_everything(name: str) -> bool:
     """Whether a name is a pronoun, or speaks of all that is there."""
     words = set(canonical(name).split()) - _DETERMINERS
-    return name.lower() in PRONOUNS or (bool(words) and words <= EVERYTHING)
+    return name.lower() in PRONOUNS | _SEVERAL or (bool(words) and words <= EVERYTHING)
+
+
+def is_outside(name: str) -> bool:
+    """Whether a name is that of a side or top of what is at hand."""
+    return canonical(name).split()[-1:] != [] and canonical(name).split()[-1] in _ON_TOP
 
 
 def is_mixed(name: str) -> bool:

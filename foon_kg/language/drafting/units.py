@@ -10,20 +10,21 @@ from foon_kg.food import motions, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.bringing import Bringing
 from foon_kg.language.drafting.drafts import DraftUnit
-from foon_kg.language.drafting.evidence import Evidence, as_one
+from foon_kg.language.drafting.evidence import IMPLIED, Evidence, as_one
 from foon_kg.language.drafting.handling import Handling
 from foon_kg.language.drafting.making import Maker
 from foon_kg.language.drafting.mixing import Mixing
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
-from foon_kg.model import Annotation, ObjectNode
+from foon_kg.model import Annotation, ObjectNode, Timing
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
 COVERED = word_list("covers with")
 """Verbs by which something comes onto their objects, where it is told with what."""
 
 _SEASONS = word_list("only seasons")
+_FREES = frozenset({"separate", "shell"})
 _AWAY = frozenset({"into", "onto", "to"})
 
 
@@ -119,12 +120,23 @@ class UnitDrafter:
             brought = (
                 brings
                 or _covers(action, motion)
-                or (like.brings and not motions.heats(motion) and (bool(action.places) or not self.free))
+                or (
+                    like.brings
+                    and not self._rolled_in(action, motion)
+                    and not motions.heats(motion)
+                    and (bool(action.places) or not self.free)
+                )
             )
             draft = self._bringing.units if brought else self._changed
             found += draft(action, mention, motion, like, own)
-        self.scene.last = tuple(one.name for one in action.objects)
+        there = [one.name for one in (*action.objects, *action.places) if one.name in self.scene.foods]
+        own = tuple(dict.fromkeys(name for name in there if name in {one.name for one in action.objects}))
+        self.scene.last = own or tuple(there[:1])  # what came onto another food is by itself no more
         return (as_one(found),) if brings and found else tuple(found)
+
+    def _rolled_in(self, action: NarratedAction, motion: str) -> bool:
+        """Whether the objects are coated in a food, and not brought to it."""
+        return "coat" in tables().motion(motion).does and bool(self._food_places(action))
 
     def _food_places(self, action: NarratedAction) -> tuple[Place, ...]:
         return tuple(place for place in action.places if not self.precedents.kitchen.is_utensil(place.name))
@@ -139,8 +151,11 @@ class UnitDrafter:
         inside = [one for one in at if self._maker.cooks_in(one, source, motion)]
         if inside:
             return inside[0]
+        if self.scene.focus is not None and self._maker.cooks_in(self.scene.focus, source, motion):
+            return self.scene.focus  # the pan in which the oil is hot
         usual = self.precedents.vessel_of(motion)
-        fit = usual is not None and self._maker.cooks_in(usual, source, motion)
+        row = tables().utensil(usual or "")
+        fit = row is not None and row.role == "vessel" and self._maker.cooks_in(usual, source, motion)
         plain = "bowl" if "microwave" in source else "pan"
         vessel = usual if fit and usual is not None else plain
         return self.scene.another(vessel) if self.scene.held(vessel) else vessel
@@ -156,6 +171,8 @@ class UnitDrafter:
         at = self.nodes.utensil_place(action)
         away = at if any(place.relation in _AWAY for place in action.places) else None
         at = at if away is None else None
+        onto = self._brought_onto(action, mention, motion)
+        action = replace(action, places=tuple(place for place in action.places if place not in onto))
         moved = self._maker.moved([mention.name], at, action) if at is not None else []
         before = self.nodes.there(mention, like, evidence, at=at)
         with_ = self._foods_of_places(action, mention.name)
@@ -181,7 +198,22 @@ class UnitDrafter:
             moved = moved or self._maker.moved([after.label], away or "", action)
             return [self._told(one, action, motion, evidence) for one in moved]
         made = self._maker.unit(action, motion, [*vessel, before, *with_, *tools], [*held, after, *with_], evidence)
-        return [*moved, made, *(self._maker.moved([after.label], away, action) if away is not None else [])]
+        brought = self._brought(onto, after, action) if onto else []
+        return [*moved, made, *brought, *(self._maker.moved([after.label], away, action) if away is not None else [])]
+
+    def _brought_onto(self, action: NarratedAction, mention: Mention, motion: str) -> tuple[Place, ...]:
+        """Return the foods into which a changed food comes afterwards: a lemon is squeezed into the soup."""
+        if tables().motion(motion).does.isdisjoint(_FREES):
+            return ()
+        into = (place for place in action.places if place.relation in _AWAY and place.name != mention.name)
+        return tuple(place for place in into if place.name in self.scene.foods)
+
+    def _brought(self, onto: Sequence[Place], food: ObjectNode, action: NarratedAction) -> list[DraftUnit]:
+        motion = self.precedents.bringing(food.label)
+        quiet = replace(action, verb=motion, places=tuple(onto), instruments=(), timing=Timing(assumed=True))
+        told = Evidence([IMPLIED], [f"nobody says how the {food.label} comes to the {onto[0].name}"])
+        like = self.precedents.of(motion, food.label)
+        return self._bringing.units(quiet, Mention(food.label), motion, like, told)
 
     def _told(self, moved: DraftUnit, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
         """Return a unit that brings food as the motion that was told."""
