@@ -41,6 +41,7 @@ Substitutes = Annotated[
 Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kinds of food (nuts) to leave out.")]
 AtHand = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND)]
 Names = Annotated[list[Words], Field(min_length=1, max_length=20, description="Foods, known or not.")]
+Role = Annotated[str, Field(max_length=40, description="What it does in a dish: acid, fat, liquid, milk, protein …")]
 Rows = Annotated[int, Field(ge=1, le=1000, description="Answer no more rows than this.")]
 Most = Annotated[int, Field(ge=1, le=20)]
 
@@ -112,9 +113,9 @@ class _Tools:
         told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen, explain=True)
         return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
 
-    def similar(self, names: Names, limit: Most = 5) -> dict[str, Any]:
+    def similar(self, names: Names, limit: Most = 5, role: Role | None = None) -> dict[str, Any]:
         """Name the known foods that can best stand for each of these, and how likely a cook is to accept them."""
-        return {"similar": _explained(lambda: self._service.similar(list(names), limit))}
+        return {"similar": _explained(lambda: self._service.similar(list(names), limit, role))}
 
     def suggest(self, foods: Ingredients, most: Most = 5, kitchen: AtHand | None = None) -> dict[str, Any]:
         """Name the dishes that the foods at hand make best: what each takes, what is missing, what is left over."""

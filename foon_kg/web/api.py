@@ -65,6 +65,9 @@ _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, kn
 _LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
 _BEGINNING = Query(max_length=asking.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _LIMIT = Query(ge=1, le=50)
+_ROLE = Query(
+    alias="as", max_length=40, description="What it does in a dish: liquid, protein, fat …", examples=["liquid"]
+)
 _INGREDIENTS = Query(
     alias="ingredient",
     min_length=1,
@@ -167,9 +170,11 @@ def similar(
     response: Response,
     names: Annotated[list[asking.Words], _NAMES],
     limit: Annotated[int, _LIMIT] = 5,
+    role: Annotated[str | None, _ROLE] = None,
 ) -> list[telling.SimilarTold]:
-    """Return for each name the known foods that can stand for it, best first."""
-    return [telling.SimilarTold.model_validate(told) for told in _words(request, response).similar(names, limit)]
+    """Return for each name the known foods that can stand for it, best first; with ``as``, where it plays a role."""
+    found = _words(request, response).similar(names, limit, role)
+    return [telling.SimilarTold.model_validate(told) for told in found]
 
 
 @router.get("/object")

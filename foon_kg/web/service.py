@@ -169,9 +169,9 @@ class FoonService:
         """Return what ``text`` may become."""
         return self.current().words.complete(kind, text, limit)
 
-    def similar(self, names: list[str], limit: int) -> list[JsonObject]:
-        """Return for each name the known foods that can stand for it."""
-        return self.current().words.similar(names, limit)
+    def similar(self, names: list[str], limit: int, role: str | None = None) -> list[JsonObject]:
+        """Return for each name the known foods that can stand for it; with ``role``, where it plays that role."""
+        return self.current().words.similar(names, limit, role)
 
     def around(self, label: str) -> JsonObject:
         """Return what the FOON has around an object; raises UnknownError."""

@@ -68,10 +68,15 @@ class FoonWords:
             found = list(dict.fromkeys((*found, *self._ingredients(text, limit))))
         return found[:limit]
 
-    def similar(self, names: Sequence[str], limit: int) -> list[JsonObject]:
-        """Return for each name the known foods that can best stand for it, with what speaks for each."""
-        similarity = food_similarity()
-        found = Foon(self.snapshot).similar_to_each(names, limit)
+    def similar(self, names: Sequence[str], limit: int, role: str | None = None) -> list[JsonObject]:
+        """Return for each name the known foods that can best stand for it, with what speaks for each.
+
+        With ``role`` ("liquid", "protein"), those that a cook takes for it where it is there for that; UsageError for
+        a role that nobody knows.
+        """
+        similarity, foon = food_similarity(), Foon(self.snapshot)
+        in_role = [foon.similar(name, limit, role=role) for name in names] if role is not None else None
+        found = in_role if in_role is not None else foon.similar_to_each(names, limit)
         return [
             {
                 "name": name,

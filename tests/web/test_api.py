@@ -188,6 +188,18 @@ def test_likeness_says_why(client):
     assert told["nearest"][0]["why"]
 
 
+def test_likeness_in_a_role_is_asked_with_as(client):
+    asked = {"name": "broth", "limit": 3}
+    (plain,) = client.get("/api/similar", params=asked).json()
+    (liquid,) = client.get("/api/similar", params={**asked, "as": "liquid"}).json()
+    assert {one["name"]: one["confidence"] for one in plain["nearest"]} != {
+        one["name"]: one["confidence"] for one in liquid["nearest"]
+    }
+    refused = client.get("/api/similar", params={**asked, "as": "frob"})
+    assert refused.status_code == 422
+    assert "liquid" in error_of(refused)["hint"]
+
+
 @pytest.mark.parametrize(
     "body",
     [
