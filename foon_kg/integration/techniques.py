@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -16,10 +16,19 @@ _MAIN = "dish"
 """The line of a technique that makes the dish."""
 
 
-def technique_for(dish_type: str, told: Sequence[str], wants: Sequence[Want]) -> Technique | None:
-    """Return the first technique of the table that a dish is called by, and for which its foods are there."""
+def technique_for(
+    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[Sequence[str]] = ()
+) -> Technique | None:
+    """Return the first technique of the table that a dish is called by, and for which its foods are there.
+
+    ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
+    what the title says, it teaches that, and no table.
+    """
+    taught = [tuple(label) for label in recorded if set(label) <= set(told)]
     for one in techniques():
-        if not one.is_called(dish_type, told):
+        if not one.is_called(dish_type, told) or any(
+            label[-len(name) :] == name for name in one.called for label in taught
+        ):
             continue
         there = all(any(_mean(some, want) for some in need for want in wants) for need in one.needs)
         if there and not any(_mean(some, want) for some in one.without for want in wants):
@@ -88,11 +97,10 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     if not foods.made:
         return want, None
     row = preparations()[foods.made]
-    if "cooked" in row:
-        return want, Slot(want.label, want.facts.kind, cooked=(row["cooked"],))
     if "make" in row and (row.get("always") or not want.make or not known.state(want.make).fine):
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
     if "then" in row and not want.then:
         want = replace(want, then=row["then"])
     kept = {name: level for name, level in want.facts.owes.items() if name not in row.get("waives", ())}
-    return replace(want, facts=replace(want.facts, owes=kept)), None
+    slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
+    return replace(want, facts=replace(want.facts, owes=kept)), slot
