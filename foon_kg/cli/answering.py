@@ -103,7 +103,7 @@ def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, sett
 
 
 def _stdout_is_terminal() -> bool:
-    from foon_kg.cli.console import data
+    from foon_kg.cli.streams import data
 
     return data().is_terminal
 

@@ -18,11 +18,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from foon_kg.cli.help_pages import HelpedGroup
+from foon_kg.cli.streams import data, messages
 from foon_kg.model.errors import FoonError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
 if TYPE_CHECKING:
-    from rich.console import Console, RenderableType
+    from rich.console import RenderableType
 
 _JSON_ASKED = "foon_kg.cli.json"
 
@@ -107,20 +108,6 @@ def _give_up_stdout() -> None:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
         os.close(nowhere)
-
-
-def data() -> Console:
-    """Return the console for data: stdout, coloured only on a terminal."""
-    from rich.console import Console
-
-    return Console(highlight=False)
-
-
-def messages(*, quiet: bool = False) -> Console:
-    """Return the console for messages and progress: stderr, or nothing at all."""
-    from rich.console import Console
-
-    return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.cli.streams import data
 from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Techniques: how dishes of a family are put together whatever a video does, read from ``techniques.toml``.
+"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
 
 A technique has lines of stages, written as ``stage as label @ vessel < lines: foods``. What each of these may say
 stands at the head of the table.
@@ -158,8 +158,9 @@ class Technique:
 
 @cache
 def techniques() -> tuple[Technique, ...]:
-    """Return every technique in the order of the table: the first that suits a dish is taken."""
-    return tuple(_technique(name, row) for name, row in shipped("techniques")["techniques"].items())
+    """Return every technique in the order of the tables: the first that suits a dish is taken."""
+    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    return tuple(_technique(name, row) for name, row in rows)
 
 
 @cache
@@ -183,7 +184,7 @@ def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
         tuple(tuple(words(one)) for one in row.get("called", ())),
-        frozenset(row.get("never", ())),
+        frozenset(word for one in row.get("never", ()) for word in words(one)),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),

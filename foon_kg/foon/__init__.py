@@ -354,7 +354,7 @@ class Foon:
         'black olive'
         """
         if role is not None:
-            from foon_kg.similarity.roles import in_role
+            from foon_kg.similarity.in_role import in_role
 
             with self.reading() as view:
                 return in_role(food, view.vocabulary().labels, role, limit)

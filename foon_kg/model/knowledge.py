@@ -1,4 +1,6 @@
-"""What the planner asks of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+"""What is asked of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+
+What it teaches of making dishes is :class:`foon_kg.integration.methods.TeachingView`.
 
 One suite of contract tests (``tests/contract``) runs against every implementation.
 """
@@ -9,12 +11,9 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
-
-if TYPE_CHECKING:
-    from foon_kg.integration.methods import Methods
 
 
 class SeenAs(NamedTuple):
@@ -194,14 +193,6 @@ class KnowledgeView(Protocol):
         output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
         in the default kitchen (``foon_kg.plans.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
         """
-        ...
-
-    def methods(self) -> Methods:
-        """Return what the FOON teaches of making dishes: its operators and frames."""
-        ...
-
-    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Return what of that matters to a dish of ``foods``; it may be more, up to all of it."""
         ...
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
 
+from foon_kg.integration.methods import TeachingView
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
-from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
 from foon_kg.planning.considered import Considered
@@ -95,7 +95,7 @@ class Answer:
 class Cook:
     """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
 
-    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
+    def __init__(self, view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
         self.units = units
@@ -173,7 +173,7 @@ def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> It
 
 
 def answering(
-    questions: Iterable[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
+    questions: Iterable[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
@@ -186,7 +186,7 @@ def answering(
 
 
 def answering_on(
-    address: str, questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
+    address: str, questions: Sequence[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
     from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it
@@ -194,9 +194,7 @@ def answering_on(
     return spread_over(partial(_answers_of, view, settings, units), questions, address)
 
 
-def _answers_of(
-    view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
-) -> Callable[[Question], Answer]:
+def _answers_of(view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
     return Cook(view, settings, units).answer
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import difflib
 from collections import Counter
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -25,7 +25,7 @@ from foon_kg.integration.called import Called, arranged
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
-from foon_kg.integration.methods import Methods
+from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Join, Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
@@ -33,7 +33,7 @@ from foon_kg.integration.techniques import technique_for
 from foon_kg.integration.warmed import can_be_warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
-from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, nearer_goals, other_goals
 from foon_kg.planning.explanation import Explanation, explanations
@@ -43,18 +43,17 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Finding, Report, TaskTree, check
-from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
-from foon_kg.world import Mention, Step
+from foon_kg.validation import Finding, TaskTree, check
+from foon_kg.validation.tree import Assumed, Substituted
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
 
 
-def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
+def plan(view: TeachingView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
     """Return the task tree that makes ``recipe``.
 
     A recipe without a dish type (``""``) may become a dish of any; the answer says which. Raises :class:`UsageError`
@@ -62,18 +61,6 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     make it; the code is ``no-goal``, ``no-way``, ``avoided`` or ``missing``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """A tree that was built after one frame, with what the judge says of it and what its kitchen lacks."""
-
-    fit: Fit
-    tree: FinalTree
-    result: PlanResult
-    report: Report
-    missing: tuple[ObjectNode, ...]
-    cooking: Cooking
 
 
 class Reasons(NamedTuple):
@@ -100,7 +87,7 @@ class Planner:
     the view for what matters to it.
     """
 
-    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
+    def __init__(self, view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
         self.known: Tables = tables()
@@ -270,6 +257,8 @@ class _Question:
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
+        if self.technique is not None:  # it makes what the title says, and not what the video makes
+            own = own and frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         told = frozenset((*asked.type_words, *asked.told))
@@ -406,7 +395,7 @@ def _as_tree(result: PlanResult) -> TaskTree:
     """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
     return TaskTree(
         result.recipe.id or result.goal.label,
-        tuple(TreeUnit(_step(unit), unit.origin, unit.grounding, unit.seen_in) for unit in result.units),
+        result.units,
         result.goal,
         result.recipe,
         result.kitchen,
@@ -419,9 +408,3 @@ def _as_tree(result: PlanResult) -> TaskTree:
         ),
         tuple(Assumed(one.node, one.why) for one in result.assumptions),
     )  # fmt: skip
-
-
-def _step(unit: PlannedUnit) -> Step:
-    inputs = (Mention(node, *things) for node, things in zip(unit.input_nodes, unit.input_things, strict=True))
-    outputs = (Mention(node, *things) for node, things in zip(unit.output_nodes, unit.output_things, strict=True))
-    return Step(tuple(inputs), unit.motion_node, tuple(outputs))

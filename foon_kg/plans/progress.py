@@ -12,10 +12,11 @@ import itertools
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol, Self
+from typing import NamedTuple, Self
 
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.kitchen import Kitchen, singular
 
 _KITCHEN = -1
@@ -80,39 +81,15 @@ def progress_lines(
     return tuple(dict.fromkeys(lines))
 
 
-class NumberedUnit(Protocol):
-    """A unit whose nodes say by a number which thing they are."""
-
-    @property
-    def input_nodes(self) -> tuple[ObjectNode, ...]:
-        """What goes in."""
-
-    @property
-    def output_nodes(self) -> tuple[ObjectNode, ...]:
-        """What comes out."""
-
-    @property
-    def motion_node(self) -> str:
-        """What is done."""
-
-    @property
-    def input_things(self) -> tuple[tuple[int | None, int | None], ...]:
-        """The numbers of the input things and of what they are in."""
-
-    @property
-    def output_things(self) -> tuple[tuple[int | None, int | None], ...]:
-        """The same of the output things."""
-
-
 def lines_of_things(
-    units: Sequence[NumberedUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
+    units: Sequence[TreeUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
 ) -> tuple[ProgressLine, ...]:
     """Return a line for each of ``foods`` through a tree that numbers its things; each comes with its number.
 
     A thing that a unit takes and does not put out has become part of the food that names it among its ingredients.
     """
-    inputs = [_by_thing(unit.input_nodes, unit.input_things) for unit in units]
-    outputs = [_by_thing(unit.output_nodes, unit.output_things) for unit in units]
+    inputs = [_by_thing(unit.taken) for unit in units]
+    outputs = [_by_thing(unit.made) for unit in units]
     found = []
     for food, number in foods:
         name, steps, now = singular(food.object), [], number
@@ -120,7 +97,7 @@ def lines_of_things(
             taken = taken_by.get(now)
             if taken is None:
                 continue
-            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
+            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion, taken.label))
             if now not in made_by:
                 holding = [thing for thing, node in made_by.items() if name in map(singular, node.ingredients)]
                 now = holding[-1] if holding else now
@@ -129,10 +106,10 @@ def lines_of_things(
     return tuple(dict.fromkeys(found))
 
 
-def _by_thing(nodes: Sequence[ObjectNode], things: Sequence[tuple[int | None, int | None]]) -> dict[int, ObjectNode]:
+def _by_thing(mentions: Sequence[Mention]) -> dict[int, ObjectNode]:
     """Return the first node of each numbered thing of a unit."""
     found: dict[int, ObjectNode] = {}
-    for node, (thing, _) in zip(nodes, things, strict=True):
+    for node, thing, _ in mentions:
         if thing is not None:
             found.setdefault(thing, node)
     return found

@@ -17,9 +17,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Mentioned, PlannedUnit
 from foon_kg.plans.step_order import earlier_steps
 
 WITHOUT_HANDS = word_list("without hands")
@@ -86,7 +86,7 @@ class Schedule:
 
 
 def schedule(
-    units: Sequence[PlannedUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
+    units: Sequence[TreeUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
 ) -> Schedule:
     """Schedule the ``units`` of a tree for so many pairs of ``hands``.
 
@@ -137,7 +137,7 @@ def _is_free(spans: Sequence[_Span], there: int, start: float, end: float) -> bo
     return all(sum(since <= moment < until for since, until in during) < there for moment in moments)
 
 
-def _name(utensil: Mentioned) -> str:
+def _name(utensil: Mention) -> str:
     """Return what tells a utensil from others: its number, and for a burner also that of the vessel on it."""
     node, thing, container = utensil
     if thing is None:
@@ -159,14 +159,14 @@ class _Work:
     @classmethod
     def of(
         cls,
-        units: Sequence[PlannedUnit],
+        units: Sequence[TreeUnit],
         leaves: Sequence[ObjectNode],
         durations: Durations,
         kitchen: Kitchen,
         hands: int,
     ) -> _Work:
         usual = durations.overall.median if durations.overall else UNTIMED
-        known = [durations.by_motion.get(unit.motion_node) for unit in units]
+        known = [durations.by_motion.get(unit.motion) for unit in units]
         seconds = [usual if one is None else one.median for one in known]
         before = earlier_steps(units)
         tails, behind = list(seconds), [set[int]() for _ in units]
@@ -174,7 +174,7 @@ class _Work:
             for earlier in before[place]:
                 tails[earlier] = max(tails[earlier], seconds[earlier] + tails[place])
                 behind[earlier] |= behind[place] | {place}
-        handless = [unit.motion_node in WITHOUT_HANDS for unit in units]
+        handless = [unit.motion in WITHOUT_HANDS for unit in units]
         uses = [
             frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
             | (frozenset() if alone else {_HANDS})

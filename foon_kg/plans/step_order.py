@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 
-def earlier_steps(units: Sequence[PlannedUnit]) -> tuple[frozenset[int], ...]:
+def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
     """Return for every unit (in the order of execution) the places of the units that have to be done before it.
 
     What lies in the kitchen may be taken by several steps: there is more than one onion. What a unit made is used up

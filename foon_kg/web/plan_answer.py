@@ -41,7 +41,7 @@ def plan_to_json(
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
-    looked_at = [place_to_see(unit.seen_in, plan.reference.videos) for unit in plan.units]
+    looked_at = [place_to_see(unit.sightings, plan.reference.videos) for unit in plan.units]
     told: JsonObject = plan.to_json() | {
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),

@@ -69,7 +69,7 @@ def test_foon_text_is_read_back_as_the_same_steps(foon):
     assert read.notices == ()
     units = [annotation.unit for annotation in read.subgraph.annotations]
     assert [(u.input_nodes, u.motion, u.output_nodes) for u in units] == [
-        (u.input_nodes, u.motion_node, u.output_nodes) for u in result.units
+        (u.input_nodes, u.motion, u.output_nodes) for u in result.units
     ]
     assert [p.dish_type for p in units[-1].outputs if p.node == result.goal] == ["salad"]
 

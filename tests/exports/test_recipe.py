@@ -13,8 +13,9 @@ from foon_kg.formats.exports.recipe import video_address, write_recipe
 from foon_kg.formats.exports.sentences import listed, sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.plans.result import Assumption, PlanResult, ReferenceSummary, Substitution
 
 KITCHEN = Kitchen.default()
 
@@ -99,7 +100,7 @@ def plan(**changes):
         "recipe": Recipe("salad", (onion, RequiredIngredient("tomato", "diced"), onion), title="My salad"),
         "reference": ReferenceSummary(salad, 8, 2, exact=True),
         "goal": salad,
-        "units": tuple(PlannedUnit.of(step, "foon", seen) for step in steps),
+        "units": tuple(TreeUnit.of(step, "foon", seen) for step in steps),
         "kitchen": (
             node("knife"),
             node("onion(whole)"),

@@ -49,7 +49,7 @@ def refused(*things, **question):
 
 
 def motions(result):
-    return [unit.motion_node for unit in result.units]
+    return [unit.motion for unit in result.units]
 
 
 def test_naming_all_that_a_dish_takes_changes_nothing():

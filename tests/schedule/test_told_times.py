@@ -20,7 +20,7 @@ from foon_kg.plans.schedule import Schedule, schedule
 
 FILE = demo_folder() / "greek_salad.txt"
 TREE = ShownTree.of_subgraph(read_text(FILE.read_text(encoding="utf-8"), FILE.stem, str(FILE)).subgraph)
-MOTIONS = sorted({unit.motion_node for unit in TREE.units})
+MOTIONS = sorted({unit.motion for unit in TREE.units})
 USUAL = Duration(median=7.0, low=6.0, high=8.0, sightings=3)
 
 
@@ -78,7 +78,7 @@ def test_a_time_is_told_only_where_all_before_it_was_timed(motions):
 @pytest.mark.parametrize("hands", [1, 2])
 def test_what_was_timed_is_summed_without_what_was_not(hands):
     plan = schedule(TREE.units, TREE.kitchen, Durations({MOTIONS[0]: USUAL}, USUAL), Kitchen.default(), hands)
-    timed = sum(unit.motion_node == MOTIONS[0] for unit in TREE.units)
+    timed = sum(unit.motion == MOTIONS[0] for unit in TREE.units)
     told = summary(plan)
     assert f"{len(TREE.units) - timed} of {len(TREE.units)} steps were never timed" in told
     assert told.endswith(f"take {7 * timed // 60}:{7 * timed % 60:02} one after the other.")

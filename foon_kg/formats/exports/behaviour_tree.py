@@ -21,7 +21,7 @@ from foon_kg.formats.exports.pddl_names import slug
 from foon_kg.formats.exports.pddl_things import has_numbers
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 _TREE = "TaskTree"
 _TEXTS = "std::vector<std::string>"
@@ -105,16 +105,16 @@ def _success(known: KnownUnit, costs: MotionCosts) -> dict[str, str]:
     return {"success_rate": f"{float(costs.success(motion)):g}"} if motion in costs.costs else {}
 
 
-def _add_conditions(sequence: ET.Element, unit: PlannedUnit) -> None:
+def _add_conditions(sequence: ET.Element, unit: TreeUnit) -> None:
     for one in unit.taken:
         attributes = {"ID": _CONDITION, "name": _instance(one.node.label), "object": xml_text(node_text(one.node))}
         attributes["thing"] = str(one.thing)
-        if one.container is not None:
-            attributes["container_thing"] = str(one.container)
+        if one.container_thing is not None:
+            attributes["container_thing"] = str(one.container_thing)
         ET.SubElement(sequence, "Condition", attributes)
 
 
-def _numbers(unit: PlannedUnit) -> dict[str, str]:
+def _numbers(unit: TreeUnit) -> dict[str, str]:
     """Return the numbers of all nodes, in the order of the nodes; here two things that look alike are two."""
     sides = {"input": unit.taken, "output": unit.made}
     told = {f"{name}_things": ";".join(str(one.thing) for one in side) for name, side in sides.items()}

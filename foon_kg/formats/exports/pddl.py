@@ -22,9 +22,10 @@ from typing import Self
 from foon_kg.formats.exports.notation import node_text, unit_text
 from foon_kg.formats.exports.pddl_names import comment, name_of, words_of
 from foon_kg.formats.exports.pddl_things import FOOD, UTENSIL, Action, Kitchenful, has_numbers
-from foon_kg.formats.exports.tree import ExportedTree, nodes_of
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.model.errors import FormatError, UsageError
+from foon_kg.model.tree import nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 

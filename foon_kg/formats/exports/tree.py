@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Recipe, Subgraph
+from foon_kg.model.tree import nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import sightings_of
@@ -33,7 +34,7 @@ class ExportedTree:
         """Return the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
         subgraph = result.to_subgraph()
         units = tuple(
-            KnownUnit(annotation.unit, planned.seen_in)
+            KnownUnit(annotation.unit, planned.sightings)
             for annotation, planned in zip(subgraph.annotations, result.units, strict=True)
         )
         return cls(subgraph.name, units, result.kitchen, result.goal, subgraph, result)
@@ -66,11 +67,6 @@ class ExportedTree:
     def nodes(self) -> tuple[ObjectNode, ...]:
         """Every object node, in the order of appearance."""
         return nodes_of(known.unit for known in self.units)
-
-
-def nodes_of(units: Iterable[FunctionalUnit]) -> tuple[ObjectNode, ...]:
-    """Return every object node of ``units`` once, in the order of appearance."""
-    return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:

@@ -126,7 +126,7 @@ class _Sheet:
 
     def _write_name(self, row: ET.Element, step: ScheduledStep, foot: float) -> None:
         unit = self.tree.units[step.place]
-        number, motion = f"{step.place + 1} ", f"{unit.motion_node} "
+        number, motion = f"{step.place + 1} ", f"{unit.motion} "
         room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width(number + motion, 13)
         foods = wrapped(handled(unit.input_nodes), room, 12, most=1)
         text = element(row, "text", {"x": _EDGE, "y": foot, "font-size": 12})
@@ -138,7 +138,7 @@ class _Sheet:
         unit = self.tree.units[step.place]
         who = ITSELF if step.hands is None else f"pair of hands {step.hands + 1}"
         seen = f"seen {seen_words(step.duration)}" if step.duration else NEVER
-        what = f"step {step.place + 1}, {unit.motion_node} {handled(unit.input_nodes)}"
+        what = f"step {step.place + 1}, {unit.motion} {handled(unit.input_nodes)}"
         when = f"{clock(step.start)} to {clock(step.end)}" if step.end <= self.plan.known_until else "nobody knows when"
         return f"{when}: {what}; {who}; {seen}"
 

@@ -51,7 +51,7 @@ def _draw(root: ET.Element, one: StepChange, top: float) -> None:
         _draw_step(root, one, _PAINT[one.change][0], (_EDGE, top), words)
     if one.after is not None:
         number, unit = one.after
-        words = (f"{number} {unit.motion_node}", handled(unit.input_nodes))
+        words = (f"{number} {unit.motion}", handled(unit.input_nodes))
         _draw_step(root, one, _PAINT[one.change][1], (right, top), words)
     if one.before is not None and one.after is not None:
         line = {"d": f"M{_EDGE + _COLUMN:.0f} {top + _ROW / 2:.1f}H{right:.0f}", "stroke-width": 1.3}

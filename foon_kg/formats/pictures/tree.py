@@ -124,8 +124,8 @@ class _Picture:
     def _told(self, box: ObjectBox | MotionBox) -> str:
         if isinstance(box, ObjectBox):
             return str(box.node)
-        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.seen_in))
-        return f"{box.number}. {box.unit.motion_node}" + (f" (seen in {seen})" if seen else "")
+        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.sightings))
+        return f"{box.number}. {box.unit.motion}" + (f" (seen in {seen})" if seen else "")
 
 
 @dataclass(frozen=True)
@@ -167,13 +167,13 @@ class _Words:
         return [Line(line, "aside", 11) for line in wrapped(f"with {names}", _TEXT_WIDTH, 11)]
 
     def of_motion(self, box: MotionBox) -> list[Line]:
-        lines = [Line(f"{box.number} {box.unit.motion_node}", "verb", 13, bold=True)]
+        lines = [Line(f"{box.number} {box.unit.motion}", "verb", 13, bold=True)]
         if box.tools:
             tools = wrapped(", ".join(box.tools), _TEXT_WIDTH, 10.5, most=2)
             lines += [Line(line, "aside", 10.5) for line in tools]
         labels = {node.label for node in box.unit.input_nodes}
         for one in self.tree.substitutions:
-            if (one.kind, one.required) == ("motion", box.unit.motion_node) and one.object in labels:
+            if (one.kind, one.required) == ("motion", box.unit.motion) and one.object in labels:
                 lines += self._once(one)
         return lines
 

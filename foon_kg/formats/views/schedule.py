@@ -85,7 +85,7 @@ def _hands(step: ScheduledStep) -> Text:
 
 def _step(tree: ShownTree, step: ScheduledStep) -> Text:
     unit = tree.units[step.place]
-    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))
 
 
 def _seen(duration: Duration | None) -> Text:

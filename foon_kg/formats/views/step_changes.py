@@ -56,4 +56,4 @@ def _after(one: StepChange) -> Text:
     if one.after is None:
         return Text()
     number, unit = one.after
-    return Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+    return Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))

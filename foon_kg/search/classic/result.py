@@ -9,7 +9,8 @@ from fractions import Fraction
 from foon_kg.model import Annotation, FunctionalUnit, KnownUnit, ObjectNode, Participant, Subgraph
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit, leaves_of
+from foon_kg.model.tree_json import unit_to_json
 from foon_kg.search.classic.goal import GoalSought
 
 
@@ -22,7 +23,7 @@ class RetrievedUnit:
 
     def to_json(self) -> JsonObject:
         """Return one of the ``units`` of a result."""
-        unit = PlannedUnit.of(self.known.unit, "foon", self.known.seen_in).to_json()
+        unit = unit_to_json(TreeUnit.of(self.known.unit, "foon", self.known.seen_in))
         return {**unit, "success": None if self.success is None else float(self.success)}
 
 
@@ -50,12 +51,7 @@ class RetrievalResult:
     @property
     def kitchen(self) -> tuple[ObjectNode, ...]:
         """What has to be there before the first step, in the order of first use."""
-        made: set[ObjectNode] = set()
-        leaves: dict[ObjectNode, None] = {}
-        for step in self.units:
-            leaves.update((node, None) for node in step.known.unit.input_nodes if node not in made)
-            made.update(step.known.unit.output_nodes)
-        return tuple(leaves)
+        return leaves_of(step.known.unit for step in self.units)
 
     def to_json(self) -> JsonObject:
         """Return the result as ``foon retrieve --json`` prints it."""

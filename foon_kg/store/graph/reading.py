@@ -60,7 +60,7 @@ from foon_kg.store.graph.statements import (
     ask,
 )
 from foon_kg.store.graph.words import WordsFound, find_words, seen_as
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 if TYPE_CHECKING:
     from foon_kg.integration.methods import Methods

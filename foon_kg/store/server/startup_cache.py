@@ -25,7 +25,7 @@ from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.store.server.launch import launched
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
 TRAINING_PREFIX = "training-"
