@@ -159,7 +159,7 @@ def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
         tuple(tuple(words(one)) for one in row.get("called", ())),
-        frozenset(row.get("never", ())),
+        frozenset(word for one in row.get("never", ()) for word in words(one)),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),

@@ -245,21 +245,21 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
-        self._take_out(stage, vessel, later, main=main)
-        return vessel
+        return self._take_out(stage, vessel, later, main=main)
 
-    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> None:
-        """Take out of a pot what only gave its taste, before the dish is served or blended."""
+    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> Vessel:
+        """Take out of a pot what only gave its taste, before the dish is served or blended; return what it is in."""
         if not (main or self.plan.drunk):
-            return
+            return vessel
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
-            return
+            return vessel
         if any(self.work.is_taken_out(join.want) for join in self.plan.joins):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
                 self.work.name(vessel, self.plan.label)
-            self.work.take_out(vessel)
+            return self.work.take_out(vessel)
+        return vessel
 
     def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
@@ -336,8 +336,7 @@ class Cooking:
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
         grease = [join for join in joins if bakes and join.want.facts.is_a(*under)]
         device, relation = self.utensils.device_for(stage)
-        if device and relation == "on":
-            self.bench.place(fresh, device, relation)
+        self._stand(fresh, stage, device if relation == "on" else "")
         if not grease:
             self._grease(fresh, vessel)
         for join in grease:
@@ -350,6 +349,15 @@ class Cooking:
             self.work.heat_fat(fresh)
         self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel) or stage.does == {"cut"})
         return fresh
+
+    def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
+        """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""
+        if BATH in stage.adds:
+            self.carry.add_water(fresh)
+        if device:
+            self.bench.place(fresh, device, "on")
+        if BATH in stage.adds:
+            self.carry.boil_water(fresh)
 
     def _grease(self, fresh: Vessel, vessel: Vessel) -> None:
         """Grease a tin for batter or dough, with some of the fat that was asked for."""

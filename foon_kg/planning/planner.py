@@ -257,6 +257,8 @@ class _Question:
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
+        if self.technique is not None:  # it makes what the title says, and not what the video makes
+            own = own and frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         told = frozenset((*asked.type_words, *asked.told))
