@@ -182,9 +182,16 @@ class Foon:
         from foon_kg.store.with_drafts import WithDrafts
 
         if self._snapshot is not None:
-            return WithDrafts.of(self._snapshot, self._lessons)
+            return self._with_drafts
         with self._graph.reading() as view:
             return WithDrafts.of(self._graph.snapshot(), view.lessons())
+
+    @cached_property
+    def _with_drafts(self) -> WithDrafts:
+        """What :meth:`with_drafts` returns of files: it never changes."""
+        from foon_kg.store.with_drafts import WithDrafts
+
+        return WithDrafts.of(self.snapshot(), self._lessons)
 
     @cached_property
     def known(self) -> KnownFoon:

@@ -90,7 +90,8 @@ class IngredientWords:
         state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
         if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:
             state = plain.sold_as
-        return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
+        usual = RequiredIngredient(wanted.object, state)
+        return usual, (_as_usual(usual),)
 
     def _chosen(
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
@@ -223,9 +224,10 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> R
     """
     read = [words.read(text) for text in texts]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
-        notes = "; ".join(note for _, notes in read for note in notes if note.startswith("no food"))
-        raise UsageError(f"nothing is known of what is asked: {notes}", hint="Check the spelling.", code="unknown-food")
-    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+        notes = [note for _, said in read for note in said if note.startswith(NO_FOOD)]
+        told = " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in notes)
+        raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
+    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), _gathered(read))
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
@@ -233,8 +235,23 @@ def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
     stated = [words.with_state(wanted) for wanted in recipe.ingredients]
     return ReadRecipe(
         replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
-        tuple(n for _, notes in stated for n in notes),
+        _gathered(stated),
     )
+
+
+def _as_usual(wanted: RequiredIngredient) -> str:
+    """Return the note of a food whose state nobody named."""
+    return f"“{wanted.object}” names no state: taken as {wanted.state}"
+
+
+def _gathered(read: Sequence[tuple[RequiredIngredient, tuple[str, ...]]]) -> tuple[str, ...]:
+    """Return the notes of several foods; of all those whose states nobody named there is one."""
+    usual = {_as_usual(wanted): wanted for wanted, notes in read if _as_usual(wanted) in notes}
+    notes = tuple(note for _, said in read for note in said)
+    if len(usual) <= 1:
+        return notes
+    told = ", ".join(f"{wanted.object} ({wanted.state})" for wanted in usual.values())
+    return f"no state is named for some foods, taken as usual: {told}", *(note for note in notes if note not in usual)
 
 
 def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
