@@ -23,7 +23,7 @@ from pathlib import Path
 from muhai_networks import Recipe as Told
 
 from foon_kg.language.collection import CollectionReader, labels_of
-from foon_kg.language.drafting.recipes import RecipeDrafter
+from foon_kg.language.recipe_drafts import RecipeDrafter
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.lessons import lesson_of
 from foon_kg.loaders.muhai import read_muhai

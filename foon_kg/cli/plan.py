@@ -235,7 +235,7 @@ def _substitute(text: str) -> Substitute:
 
 
 def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str], say: Say) -> list[Question]:
-    """Answer what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
+    """Return what is asked: with ``--dish`` ingredients in words, else files where any of ``wanted`` looks like one."""
     from foon_kg.planning.batch import Question
     from foon_kg.planning.recipes import recipe_files
 
@@ -249,7 +249,7 @@ def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str],
 
 
 def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:
-    """Answer recipes of the graph: as the asked dish type, else as their sure one, else as any."""
+    """Return recipes of the graph: as the asked dish type, else as their sure one, else as any."""
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.graph.recipes import stored_recipe
     from foon_kg.store.server import connection_settings

@@ -104,14 +104,14 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
-    """Answer the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
-    from foon_kg.cli.knowledge import snapshot_of
+    """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
+    from foon_kg.cli.knowledge import lessons_in, snapshot_of
     from foon_kg.store.graph import Neo4jGraph
     from foon_kg.store.server import connection_settings
     from foon_kg.web.foon import FixedFoon, LiveFoon
 
     if files:
-        return FixedFoon(snapshot_of(files, say))
+        return FixedFoon(snapshot_of(files, say), lessons_in(files))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
     foon.edition()  # what is wrong is said now, and not to the first who asks
     return foon
@@ -123,7 +123,7 @@ def _address(host: str, listener: socket.socket) -> str:
 
 
 def _listening(host: str, port: int) -> socket.socket:
-    """Answer a socket that listens; raises UsageError where it cannot."""
+    """Return a socket that listens; raises UsageError where it cannot."""
     import socket
 
     family = socket.AF_INET6 if ":" in host else socket.AF_INET

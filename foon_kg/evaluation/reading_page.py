@@ -11,8 +11,8 @@ from pathlib import Path
 from foon_kg.evaluation.reading import read_text
 from foon_kg.model import ObjectNode, Recipe
 from foon_kg.model.errors import ReadError
+from foon_kg.model.tree import TreeUnit
 from foon_kg.validation import TaskTree
-from foon_kg.validation.tree import TreeUnit
 
 
 def words_in(path: Path) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from array import array
+from collections.abc import Iterable, Sequence
 
 from foon_kg.food import singular
 from foon_kg.integration.operators import LIKE_AT_ALL
@@ -14,7 +15,6 @@ from foon_kg.model.recent import Recent
 from foon_kg.planning.settings import Substitute
 from foon_kg.similarity import Similarity
 from foon_kg.similarity.food import FoodSimilarity
-from foon_kg.similarity.roles import roles_of
 
 FAIR = 0.5
 """From this confidence on a cook would rather accept a food for another one than not."""
@@ -33,47 +33,69 @@ class FoodLikes:
     def __init__(self, similarity: Similarity, foods: Iterable[str], substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
         self.foods = tuple(sorted(foods))
-        self._rows: Recent[str, Mapping[str, float]] = Recent(MOST_KEPT)
+        self._place = {food: place for place, food in enumerate(self.foods)}
+        self._rows: Recent[str, array[float]] = Recent(MOST_KEPT)
+        self._slots: Recent[str, array[float]] = Recent(MOST_KEPT)
         self._likes: Recent[str, tuple[tuple[str, float], ...]] = Recent(MOST_KEPT)
         self.chosen: dict[str, str] = {}
         for substitute in substitutes:
             self._choose(substitute)
 
+    def knows(self, food: str) -> bool:
+        """Whether a food is one of those that can stand for others."""
+        return food in self._place
+
     def learn(self, foods: Iterable[str]) -> None:
         """Work out at once how well every known food stands for each of ``foods``."""
         fresh = [food for food in dict.fromkeys(foods) if food not in self._rows]
-        if fresh and self.foods:
-            for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods).tolist(), strict=True):
-                self._rows[food] = dict(zip(self.foods, row, strict=True))
+        if fresh:
+            for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods), strict=True):
+                self._rows[food] = array("d", row)
 
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
-        row = self._rows.find(food)
+        place = self._place.get(known)
+        return self._row(food)[place] if place is not None else 0.0
+
+    def in_slot(self, food: str, known: str) -> float:
+        """Return how sure a cook is (0 to 1) to accept a known food for what another one does in the slot of a dish.
+
+        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
+        """
+        place = self._place.get(known)
+        if place is None or not isinstance(self.similarity, FoodSimilarity):
+            return 0.0
+        row = self._slots.find(food)
         if row is None:
-            self.learn([food])
-            row = self._rows.find(food)
-        return row.get(known, 0.0) if row is not None else 0.0
+            row = self._slots[food] = array("d", self.similarity.in_slots([food], self.foods)[0])
+        return row[place]
 
     def likes(self, food: str) -> tuple[tuple[str, float], ...]:
         """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
         found = self._likes.find(food)
         if found is None:
-            self.learn([food])
-            row = self._rows.find(food) or {}
-            fair = [(name, sure) for name, sure in row.items() if sure >= FAIR and name != food]
+            row = self._row(food)
+            fair = [(name, sure) for name, sure in zip(self.foods, row, strict=True) if sure >= FAIR and name != food]
             found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
             like = self.chosen.get(canonical(food))
             if like is not None:
-                found = ((like, row.get(like, 0.0)), *(pair for pair in found if pair[0] != like))
+                found = ((like, self.alike(food, like)), *(pair for pair in found if pair[0] != like))
             self._likes[food] = found
         return found
 
     def others(self, food: str) -> list[tuple[str, float]]:
         """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
-        self.learn([food])
-        row = self._rows.find(food) or {}
-        found = [(name, sure) for name, sure in row.items() if sure >= LIKE_AT_ALL and name != food]
+        pairs = zip(self.foods, self._row(food), strict=True)
+        found = [(name, sure) for name, sure in pairs if sure >= LIKE_AT_ALL and name != food]
         return sorted(found, key=lambda pair: (-pair[1], pair[0]))
+
+    def _row(self, food: str) -> array[float]:
+        """Return how well every known food stands for one, in their order."""
+        row = self._rows.find(food)
+        if row is None:
+            self.learn([food])
+            row = self._rows[food]
+        return row
 
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
         """Return the likes for one recipe, in which a word with two meanings means what it does there."""
@@ -98,10 +120,9 @@ class RecipeLikes:
     def __init__(self, likes: FoodLikes, wants: Sequence[Want]) -> None:
         self._likes = likes
         self._read: dict[str, tuple[str, ...]] = {}
-        known = set(likes.foods)
         for want in wants:
             name, meant = singular(want.label), want.facts.taken_for
-            if meant and meant != name and meant in known:
+            if meant and meant != name and likes.knows(meant):
                 self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
         likes.learn(singular(want.label) for want in wants)
         names = (singular(want.label) for want in wants)
@@ -123,15 +144,8 @@ class RecipeLikes:
         return [pair for pair in found if pair[0] != chosen]
 
     def in_slot(self, food: str, known: str) -> float:
-        """Return how sure a cook is (0 to 1) to accept a known food for what another one does in the slot of a dish.
-
-        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
-        """
-        plain, name, similarity = self.alike(food, known), singular(food), self._likes.similarity
-        shared = roles_of(canonical(name)) & roles_of(canonical(known))
-        if not shared or not isinstance(similarity, FoodSimilarity):
-            return plain
-        return max(plain, *(float(similarity.in_slot(name, [known], role)[0]) for role in shared))
+        """Return how sure a cook is (0 to 1) to accept a known food for another one: in its slot, or anywhere."""
+        return max(self.alike(food, known), self._likes.in_slot(singular(food), known))
 
     def stands_for(self, food: str, other: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""

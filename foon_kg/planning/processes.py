@@ -107,7 +107,7 @@ def end_with_parent() -> None:
 
 @cache
 def _worker() -> Callable[[Any], Any]:
-    """Answer what works in this process, made for its first item: what is wrong with what was given is then told."""
+    """Return what works in this process, made for its first item: what is wrong with what was given is then told."""
     if _given is None:
         raise RuntimeError("a working process was asked before it had begun")
     return _given()

@@ -134,7 +134,10 @@ def asked(case: Case) -> Iterator[Finding]:
 
 def _was_taken_out(case: Case, food: str) -> bool:
     """Whether a food that nobody eats gave its taste to something before it was taken out of it again."""
-    if not case.tables.foods.food(food).is_a(*word_list("is taken out of the dish")):
+    given = word_list("is taken out of the dish")
+    if not word_list("is drunk").isdisjoint(case.dish_types):
+        given |= word_list("is taken out of what is drunk")
+    if not case.tables.foods.food(food).is_a(*given):
         return False
     lumps = (lump for happening in case.happenings for lump in happening.made)
     return any(len(lump.parts) > 1 and any(part.name == food for part in lump.parts) for lump in lumps)

@@ -8,9 +8,10 @@ from enum import IntEnum
 
 from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit
+from foon_kg.model.tree import TreeUnit
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.validation.tree import Substituted, TreeUnit
+from foon_kg.validation.tree import Substituted
 
 KINDS = ("object", "state", "motion", "tool", "vessel")
 

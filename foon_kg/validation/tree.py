@@ -11,53 +11,13 @@ from functools import cached_property
 from typing import Self
 
 from foon_kg.food import tables
-from foon_kg.model import FunctionalUnit, ObjectNode, Recipe, Sighting, Subgraph
+from foon_kg.model import ObjectNode, Recipe, Subgraph
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.levels import Level
 from foon_kg.model.node_json import node_from_json, recipe_from_json, sighting_from_json
-from foon_kg.world import Mention, Step
-
-
-@dataclass(frozen=True)
-class TreeUnit:
-    """One step. ``origin``, ``grounding`` and ``seen_in`` are ``None`` where the source of the tree cannot say them."""
-
-    step: Step
-    origin: str | None = None
-    grounding: str | None = None
-    seen_in: tuple[Sighting, ...] | None = None
-
-    @property
-    def motion(self) -> str:
-        """What is done."""
-        return self.step.motion
-
-    @cached_property
-    def input_nodes(self) -> tuple[ObjectNode, ...]:
-        """The nodes that go in."""
-        return tuple(mention.node for mention in self.step.inputs)
-
-    @cached_property
-    def output_nodes(self) -> tuple[ObjectNode, ...]:
-        """The nodes that come out."""
-        return tuple(mention.node for mention in self.step.outputs)
-
-    @cached_property
-    def identity(self) -> tuple[object, ...]:
-        """What is done to which things: equal for two units that are the same."""
-        return (frozenset(self.step.inputs), self.motion, frozenset(self.step.outputs))
-
-    @cached_property
-    def nodes_key(self) -> tuple[object, ...]:
-        """What is done to what, whichever things they are: as the FOON knows a unit."""
-        return (frozenset(self.input_nodes), self.motion, frozenset(self.output_nodes))
-
-    @cached_property
-    def new_outputs(self) -> tuple[ObjectNode, ...]:
-        """The outputs that are no inputs: what the step makes. A thing with a number is another than its like."""
-        inputs = set(self.step.inputs)
-        return tuple(mention.node for mention in self.step.outputs if mention not in inputs)
+from foon_kg.model.tree import Step, TreeUnit, leaves_of, nodes_of
+from foon_kg.model.tree_json import step_from_json
 
 
 @dataclass(frozen=True)
@@ -145,7 +105,7 @@ class TaskTree:
         """Read a tree from FOON text: its goal is the last food that is marked with a dish class."""
         units = [annotation.unit for annotation in subgraph.annotations]
         marked = [p.node for unit in units for p in unit.outputs if p.dish_type and not tables().utensil(p.node.label)]
-        return cls(subgraph.name, tuple(map(_bare, units)), marked[-1] if marked else None, recipe)
+        return cls(subgraph.name, tuple(map(TreeUnit.of, units)), marked[-1] if marked else None, recipe)
 
     @cached_property
     def made(self) -> dict[ObjectNode, tuple[int, ...]]:
@@ -159,18 +119,13 @@ class TaskTree:
 
     @cached_property
     def leaves(self) -> tuple[ObjectNode, ...]:
-        """The inputs that no earlier unit outputs, in the order of their first use.
-
-        A node that its first taker puts back as it was is a leaf too, or a stove could be on without anybody
-        having turned it on.
-        """
-        first = {node: min(places) for node, places in _places([unit.output_nodes for unit in self.units]).items()}
-        return tuple(node for node, places in self.takers.items() if first.get(node, len(self.units)) >= places[0])
+        """The inputs that no earlier unit outputs, in the order of their first use."""
+        return leaves_of(self.units)
 
     @cached_property
     def nodes(self) -> tuple[ObjectNode, ...]:
         """Every object node of the tree, in the order of appearance."""
-        return tuple(dict.fromkeys(n for unit in self.units for n in (*unit.input_nodes, *unit.output_nodes)))
+        return nodes_of(self.units)
 
 
 def _level(fields: Fields) -> Level:
@@ -181,26 +136,13 @@ def _level(fields: Fields) -> Level:
 
 
 def _unit(fields: Fields) -> TreeUnit:
-    step = Step(
-        tuple(dict.fromkeys(map(_mention, fields.nested_list("input_nodes")))),
-        fields.text("motion_node"),
-        tuple(dict.fromkeys(map(_mention, fields.nested_list("output_nodes")))),
-    )
+    step = step_from_json(fields)
     return TreeUnit(
-        step,
+        Step(tuple(dict.fromkeys(step.inputs)), step.motion, tuple(dict.fromkeys(step.outputs))),
         fields.optional_text("origin"),
-        fields.optional_text("grounding"),
         tuple(map(sighting_from_json, fields.nested_list("seen_in"))) if "seen_in" in fields else (),
+        fields.optional_text("grounding"),
     )
-
-
-def _mention(fields: Fields) -> Mention:
-    numbers = [fields.whole_number(name) if name in fields else None for name in ("thing", "container_thing")]
-    return Mention(node_from_json(fields), *numbers)
-
-
-def _bare(unit: FunctionalUnit) -> TreeUnit:
-    return TreeUnit(Step.of(unit.input_nodes, unit.motion, unit.output_nodes))
 
 
 def _places(sides: list[tuple[ObjectNode, ...]]) -> dict[ObjectNode, tuple[int, ...]]:

@@ -33,7 +33,7 @@ def plan_to_json(
     foon: KnownFoon,
     places: Mapping[Place, KnownUnit],
 ) -> JsonObject:
-    """Answer the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
+    """Return the plan of ``question``, what to buy and where to look, and of why, when and pictures what is asked.
 
     Why has what the judge says of the plan, who compares it with ``foon``. ``places`` are its units by where they are
     seen.
@@ -41,7 +41,7 @@ def plan_to_json(
     plan, kitchen = answer.outcome, Kitchen.default()
     if not isinstance(plan, PlanResult):
         raise TypeError("only a plan has steps")
-    looked_at = [place_to_see(unit.seen_in, plan.reference.videos) for unit in plan.units]
+    looked_at = [place_to_see(unit.sightings, plan.reference.videos) for unit in plan.units]
     told: JsonObject = plan.to_json() | {
         "notes": list(answer.notes),
         "shopping": list(map(node_to_json, shopping_list(plan.kitchen, kitchen))),
@@ -82,7 +82,7 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
 
 
 def explanation_to_json(one: Explanation) -> JsonObject:
-    """Answer why one ingredient is made as it is, field by field."""
+    """Return why one ingredient is made as it is, field by field."""
     fields: JsonObject = asdict(one)
     fields["renamed"] = [{"asked": asked, "read_as": meant} for asked, meant in one.renamed]
     return fields

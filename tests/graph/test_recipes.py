@@ -124,7 +124,7 @@ sys.path[:0] = {path!r}
 from foon_kg.language.collection import CollectionReader
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.recipes import load_recipes
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 from foon_kg.model.collected import CollectedLine, CollectedRecipe
 
 settings = ConnectionSettings(*sys.argv[1:5])

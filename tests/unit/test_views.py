@@ -15,12 +15,12 @@ from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.tree import plan_view, tree_view
 from foon_kg.formats.views.words import node_words, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.plans.progress import ProgressLine, ProgressStep
 from foon_kg.plans.result import (
     Alternative,
     Assumption,
     PassedOver,
-    PlannedUnit,
     PlanResult,
     ReferenceSummary,
     Substitution,
@@ -41,8 +41,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True, videos=("greens",)),
     goal=SALAD,
     units=(
-        PlannedUnit((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL), "adapted", (Sighting("carrot", 2),)),
-        PlannedUnit((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER), "foon", (Sighting("greens", 5),)),
+        TreeUnit(Step.of((KOHLRABI, GRATER, BOWL), "grate", (GRATED, FULL_BOWL)), "adapted", (Sighting("carrot", 2),)),
+        TreeUnit(Step.of((FULL_BOWL, GRATED, CREAM), "toss", (SALAD, GRATER)), "foon", (Sighting("greens", 5),)),
     ),
     kitchen=(KOHLRABI, GRATER, BOWL, CREAM),
     substitutions=(

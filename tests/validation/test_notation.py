@@ -9,11 +9,12 @@ from hypothesis import strategies as st
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
+from foon_kg.model.tree import TreeUnit
 from foon_kg.validation import TaskTree
 from foon_kg.validation.contract import rules
 from foon_kg.validation.notation import Remark, read_tree, read_trees, remarks, write_tree
 from foon_kg.validation.notation_nodes import RELATIONS, written_node
-from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
+from foon_kg.validation.tree import Assumed, Substituted
 from foon_kg.world import Mention, Step
 
 # names as a kitchen has them, names that look like the notation itself, and any text at all
@@ -37,8 +38,8 @@ units = st.builds(
     TreeUnit,
     st.builds(Step, sides, names | st.just("Pour") | st.just("pick-and-place"), sides),
     st.none() | names,
-    st.none() | names,
     st.none() | st.lists(st.builds(Sighting, names, st.integers()), max_size=2).map(tuple),
+    st.none() | names,
 )
 confidences = st.none() | st.floats(allow_nan=False, allow_infinity=False)
 substitutions = st.builds(
@@ -195,8 +196,8 @@ def test_everything_that_is_told_of_a_tree_is_read():
                     (ObjectNode("leek", ("whole",)), ObjectNode("knife")), "slice", (ObjectNode("leek", ("sliced",)),)
                 ),
                 "adapted",
-                "like",
                 (Sighting("onion_soup", 4), Sighting("0027 - salad", 0)),
+                "like",
             ),
         ),
         ObjectNode("soup", (), ("leek",)),

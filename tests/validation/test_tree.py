@@ -20,9 +20,10 @@ from foon_kg.model import (
 )
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
+from foon_kg.model.tree import TreeUnit
 from foon_kg.validation import TaskTree
 from foon_kg.validation.notation import read_tree
-from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
+from foon_kg.validation.tree import Assumed, Substituted
 from foon_kg.world import Mention
 
 TOMATO = {"label": "tomato", "states": ["whole"], "ingredients": [], "relation": None, "container": None}

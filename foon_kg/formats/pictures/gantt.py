@@ -24,11 +24,11 @@ from foon_kg.plans.schedule import Schedule, ScheduledStep
 
 WIDTH = 1180.0
 ITSELF = "by itself"
-NEVER = "never timed"
+NEVER = "unknown"
 _NARROW = 640.0  # below this what is done stands above its bar, not beside it
 _EDGE = 24.0
 _NAMES = 400.0
-_NOTE = 70.0  # beside the last bar: that its motion was never timed
+_NOTE = 70.0  # beside the last bar: that nothing tells how long it takes
 _BAR = 12.0
 _ROW = 22.0
 _TALL_ROW = 38.0
@@ -38,7 +38,7 @@ _TICKS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 
 
 
 def schedule_svg(tree: ShownTree, plan: Schedule, width: float = WIDTH) -> str:
-    """Answer the text of an SVG file with the schedule as a Gantt chart; bars of untimed steps are hollow."""
+    """Return the text of an SVG file with the schedule as a Gantt chart; bars of untimed steps are hollow."""
     sheet = _Sheet(tree, plan, width)
     head = [*_told(tree.title, width, "name", 18), *_told(summary(plan), width, "aside", 12)]
     axis = 34 + height_of(head) + 48
@@ -126,7 +126,7 @@ class _Sheet:
 
     def _write_name(self, row: ET.Element, step: ScheduledStep, foot: float) -> None:
         unit = self.tree.units[step.place]
-        number, motion = f"{step.place + 1} ", f"{unit.motion_node} "
+        number, motion = f"{step.place + 1} ", f"{unit.motion} "
         room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width(number + motion, 13)
         foods = wrapped(handled(unit.input_nodes), room, 12, most=1)
         text = element(row, "text", {"x": _EDGE, "y": foot, "font-size": 12})
@@ -138,7 +138,7 @@ class _Sheet:
         unit = self.tree.units[step.place]
         who = ITSELF if step.hands is None else f"pair of hands {step.hands + 1}"
         seen = f"seen {seen_words(step.duration)}" if step.duration else NEVER
-        what = f"step {step.place + 1}, {unit.motion_node} {handled(unit.input_nodes)}"
+        what = f"step {step.place + 1}, {unit.motion} {handled(unit.input_nodes)}"
         when = f"{clock(step.start)} to {clock(step.end)}" if step.end <= self.plan.known_until else "nobody knows when"
         return f"{when}: {what}; {who}; {seen}"
 

@@ -13,8 +13,9 @@ from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import PlannedUnit, Substitution
+from foon_kg.plans.result import Substitution
 from foon_kg.plans.shopping import shopping_list
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -32,7 +33,7 @@ _BUTTONS = (
 
 
 def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Answer the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
+    """Return the text of an HTML file: the tree as a picture to move and zoom, steps, lists and progress lines."""
     style, stage, script = (_file(name) for name in ("page.css", "stage.js", "page.js"))
     parts = [
         f"<h1>{_text(tree.title)}</h1>",
@@ -67,7 +68,7 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
 
 
 def steps_list(tree: ShownTree) -> str:
-    """Answer the steps as an HTML list, each with a link to the second of a video where it was seen."""
+    """Return the steps as an HTML list, each with a link to the second of a video where it was seen."""
     return _list((_step(unit, tree) for unit in tree.units), ordered=True)
 
 
@@ -80,12 +81,12 @@ def _stage(svg: str) -> str:
     return f'<div class="bar">{buttons}{hints}</div>{stage}'
 
 
-def _step(unit: PlannedUnit, tree: ShownTree) -> str:
+def _step(unit: TreeUnit, tree: ShownTree) -> str:
     taken = " + ".join(_node(node, tree) for node in shown_inputs(unit.input_nodes))
     made = " + ".join(_node(node, tree) for node in shown_outputs(unit.output_nodes))
     seen = unit.seen_in[0] if unit.seen_in else None
     origin = f' <span class="origin {unit.origin}">{_sighting(seen)}</span>' if seen else ""
-    return f"{taken} → {_span('motion', unit.motion_node)} → {made}{origin}"
+    return f"{taken} → {_span('motion', unit.motion)} → {made}{origin}"
 
 
 def _sighting(seen: Sighting) -> str:

@@ -44,7 +44,7 @@ _LEGEND = (
 
 
 def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Answer the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
+    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
     return as_text(_Picture.of(tree, kitchen, folded=folded).drawn())
 
 
@@ -124,8 +124,8 @@ class _Picture:
     def _told(self, box: ObjectBox | MotionBox) -> str:
         if isinstance(box, ObjectBox):
             return str(box.node)
-        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.seen_in))
-        return f"{box.number}. {box.unit.motion_node}" + (f" (seen in {seen})" if seen else "")
+        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.sightings))
+        return f"{box.number}. {box.unit.motion}" + (f" (seen in {seen})" if seen else "")
 
 
 @dataclass(frozen=True)
@@ -167,13 +167,13 @@ class _Words:
         return [Line(line, "aside", 11) for line in wrapped(f"with {names}", _TEXT_WIDTH, 11)]
 
     def of_motion(self, box: MotionBox) -> list[Line]:
-        lines = [Line(f"{box.number} {box.unit.motion_node}", "verb", 13, bold=True)]
+        lines = [Line(f"{box.number} {box.unit.motion}", "verb", 13, bold=True)]
         if box.tools:
             tools = wrapped(", ".join(box.tools), _TEXT_WIDTH, 10.5, most=2)
             lines += [Line(line, "aside", 10.5) for line in tools]
         labels = {node.label for node in box.unit.input_nodes}
         for one in self.tree.substitutions:
-            if (one.kind, one.required) == ("motion", box.unit.motion_node) and one.object in labels:
+            if (one.kind, one.required) == ("motion", box.unit.motion) and one.object in labels:
                 lines += self._once(one)
         return lines
 
@@ -205,7 +205,7 @@ def _name_foods(drawn: ET.Element, foods: Collection[str]) -> None:
 
 
 def _curve(points: Sequence[Point]) -> str:
-    """Answer a path that leaves and enters every point straight down."""
+    """Return a path that leaves and enters every point straight down."""
     path, (x, y) = [f"M{number(points[0][0])} {number(points[0][1])}"], points[0]
     for to_x, to_y in points[1:]:
         if to_y - y < _NOTHING:
@@ -228,7 +228,7 @@ def _arrow_head(root: ET.Element) -> None:
 
 
 def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
-    """Answer what a reader of this tree meets; FOON text is as it is."""
+    """Return what a reader of this tree meets; FOON text is as it is."""
     origins = {unit.origin for unit in tree.units}
     there = {
         "kitchen": True,

@@ -29,16 +29,17 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
-from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
+from foon_kg.plans.result import PlanResult, Substitution
 
 WIDE = 140
 """From so many columns on, what belongs to the steps stands beside them."""
 
 
 def plan_view(result: PlanResult) -> RenderableType:
-    """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    """Return the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
     return tree_view(ShownTree.of_result(result))
 
 
@@ -62,7 +63,7 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
 
 
 def progress_view(tree: ShownTree) -> RenderableType:
-    """Answer the progress line of every ingredient."""
+    """Return the progress line of every ingredient."""
     return _progress(tree.lines, frozenset(tree.unseen))
 
 
@@ -85,7 +86,7 @@ class _Beside:
 
 
 def dish_name(recipe: Recipe) -> str:
-    """Answer what to call a recipe: its title, else its id, else its dish type."""
+    """Return what to call a recipe: its title, else its id, else its dish type."""
     return recipe.title or recipe.id or recipe.dish_type
 
 
@@ -127,7 +128,7 @@ def _plain_header(tree: ShownTree) -> RenderableType:
     return table
 
 
-def _sentences(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+def _sentences(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     """Return each step as a sentence for a cook."""
     kitchen = Kitchen.default()
     table = Table.grid(padding=(0, 1))
@@ -148,7 +149,7 @@ def _marked(told: str, unseen: frozenset[str]) -> str:
     return told
 
 
-def _with_source(text: Text, unit: PlannedUnit) -> Text:
+def _with_source(text: Text, unit: TreeUnit) -> Text:
     if unit.origin == "foon" or not unit.seen_in:
         return text
     alone = unit.grounding == "motion" and any(map(Kitchen.default().is_food, unit.input_nodes))
@@ -156,7 +157,7 @@ def _with_source(text: Text, unit: PlannedUnit) -> Text:
     return text.append(f"  [{how} {unit.seen_in[0].video}]", ASIDE)
 
 
-def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+def _units(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     told: set[tuple[str, tuple[str, ...]]] = set()
@@ -165,8 +166,8 @@ def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
     return table
 
 
-def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
-    """Answer what goes in, what is done and what comes out; what something holds is told once (``told``)."""
+def _step(unit: TreeUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
+    """Return what goes in, what is done and what comes out; what something holds is told once (``told``)."""
 
     def words(node: ObjectNode) -> Text:
         contents = (node.label, node.ingredients)
@@ -176,7 +177,7 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
 
     taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
     made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
-    return _with_source(Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made), unit)
+    return _with_source(Text.assemble(taken, " → ", motion_words(unit.motion), " → ", made), unit)
 
 
 def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
@@ -217,7 +218,7 @@ def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
 
 
 def _stages(line: ProgressLine) -> Iterator[Text]:
-    """Answer each stage and the motion that ends it; what the food has become part of is named where that changes."""
+    """Yield each stage and the motion that ends it; what the food has become part of is named where that changes."""
     name = line.ingredient
     for step in line.steps:
         stage = stage_words(step.states, step.relation, step.container)

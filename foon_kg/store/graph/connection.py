@@ -12,8 +12,8 @@ import neo4j
 from neo4j import exceptions as driver_errors
 
 from foon_kg.model.errors import GraphError
-from foon_kg.store.server.disk import could_not_write
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.disk import could_not_write
+from foon_kg.store.settings import ConnectionSettings
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -44,7 +44,7 @@ class RecipesStored:
     left_over: int = 0
 
     def __add__(self, other: RecipesStored) -> RecipesStored:
-        """Answer both as one."""
+        """Return both as one."""
         return RecipesStored(
             self.inserted + other.inserted,
             self.replaced + other.replaced,
@@ -54,7 +54,7 @@ class RecipesStored:
         )
 
     def __len__(self) -> int:
-        """Answer how many recipes it is about."""
+        """Return how many recipes it is about."""
         return self.inserted + self.replaced + self.unchanged
 
 
@@ -68,7 +68,7 @@ class StoredRecipe:
     ingredients: tuple[CalledFor, ...]
 
     def asked(self, dish_type: str = "") -> Recipe:
-        """Answer what is to be planned: as the given dish type, else as its sure one, else as any."""
+        """Return what is to be planned: as the given dish type, else as its sure one, else as any."""
         return Recipe(
             dish_type or next((dish.name for dish in self.dish_classes if dish.sure), ""),
             tuple(RequiredIngredient(called.object, called.state) for called in self.ingredients),
@@ -124,34 +124,34 @@ def load_recipes(
 
 
 def class_counts(connection: Connection) -> list[RecipeClassRow]:
-    """Answer for each dish type how many recipes it surely has, what they call for, and what of it is unseen."""
+    """Return for each dish type how many recipes it surely has, what they call for, and what of it is unseen."""
     with connection.session() as session:
         session.execute_read(counted)
         return session.execute_read(ask, cypher.RECIPE_CLASSES)
 
 
 def recipe_count(connection: Connection) -> RecipeCountRow:
-    """Answer how many recipes there are, with a sure dish type and in all, and how many foods they name."""
+    """Return how many recipes there are, with a sure dish type and in all, and how many foods they name."""
     with connection.session() as session:
         return session.execute_read(counted)
 
 
 def wanted_foods(connection: Connection, most: int) -> list[WantedFoodRow]:
-    """Answer the foods that no unit has and most recipes call for, with their commonest states."""
+    """Return the foods that no unit has and most recipes call for, with their commonest states."""
     with connection.session() as session:
         session.execute_read(counted)
         return session.execute_read(ask, cypher.WANTED_FOODS, most=most)
 
 
 def recipe_ids(connection: Connection, dish_type: str, partition: str = "") -> list[str]:
-    """Answer the ids of the recipes that surely are a ``dish_type``, sorted."""
+    """Return the ids of the recipes that surely are a ``dish_type``, sorted."""
     with connection.session() as session:
         rows = session.execute_read(ask, cypher.RECIPE_IDS, dish_type=dish_type, partition=partition)
     return [row.id for row in rows]
 
 
 def stored_recipe(connection: Connection, recipe_id: str) -> StoredRecipe:
-    """Answer one recipe. Raises :class:`~foon_kg.model.errors.UsageError` where the graph does not have it."""
+    """Return one recipe. Raises :class:`~foon_kg.model.errors.UsageError` where the graph does not have it."""
     with connection.session() as session:
         rows = session.execute_read(ask, cypher.RECIPE, id=recipe_id)
     if not rows:
@@ -178,7 +178,7 @@ def recipes_after(connection: Connection, last: str = "", dish_type: str = "") -
 
 
 def recipes_until(connection: Connection, last: str, dish_type: str = "") -> tuple[int, int]:
-    """Answer how many recipes there are, and how many of them have an id up to ``last``."""
+    """Return how many recipes there are, and how many of them have an id up to ``last``."""
     with connection.session() as session:
         (row,) = session.execute_read(ask, cypher.RECIPES_UNTIL, last=last, dish_type=dish_type)
     return row.recipes, row.until

@@ -25,7 +25,7 @@ from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.store.server.launch import launched
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
 TRAINING_PREFIX = "training-"
@@ -70,7 +70,7 @@ class StartupCache:
         return [f"-XX:AOTCache={self.file}"]
 
     def discard(self) -> bool:
-        """Remove the cache; answers whether there was one."""
+        """Remove the cache; return whether there was one."""
         there = self.file.exists()
         self.file.unlink(missing_ok=True)
         return there
