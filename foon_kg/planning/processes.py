@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sized
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from functools import cache, partial
+from functools import cache
 from itertools import islice
 from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.connection import wait
@@ -37,7 +37,7 @@ def spread(make: Callable[[], Callable[[T], A]], items: Iterable[T], jobs: int) 
     workers = min(jobs, len(items)) if isinstance(items, Sized) else jobs
     pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(make,))
     try:
-        yield _told(in_order(partial(pool.submit, _work), items, workers))
+        yield _told(in_order(lambda share: pool.submit(_work, share), items, workers))
     except KeyboardInterrupt:
         for process in active_children():
             process.terminate()  # else each would end its share first

@@ -14,7 +14,7 @@ import neo4j
 from neo4j.api import BookmarkManager, Bookmarks
 
 from foon_kg.model import kept
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 _FOLDER = "bookmarks"
 
