@@ -9,7 +9,7 @@ import errno
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,7 @@ import typer
 
 from foon_kg.cli.help_pages import HelpedGroup
 from foon_kg.cli.streams import data, messages
-from foon_kg.model.errors import FoonError
+from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
 if TYPE_CHECKING:
@@ -51,25 +51,54 @@ def examples(*lines: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
+_WRONG_USAGE: Any = typer.BadParameter.__base__
+"""What typer raises for a command line that cannot be read; it has no public name of its own there."""
+
+
+def _asks_json(words: Sequence[str]) -> bool:
+    return "--json" in words[: words.index("--") if "--" in words else len(words)]
+
+
+def _as_ours(error: Any) -> FoonError:  # noqa: ANN401 - see _WRONG_USAGE
+    """Return the error of a command line that cannot be read, with where its help is; help that was asked for stays."""
+    if type(error).__name__ == "NoArgsIsHelpError":
+        raise error
+    message = " ".join(error.format_message().split()).rstrip(".")
+    command = error.ctx.command_path if error.ctx is not None else "foon"
+    return UsageError(message[:1].lower() + message[1:], hint=f"{command} --help says what there is.")
+
+
 class ErrorsAtTheEdge(HelpedGroup):
     """The root of the commands: turns a :class:`~foon_kg.model.errors.FoonError` into a message and its exit code.
 
     Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.
     """
 
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:  # noqa: ANN401 - as typer has it
+        """Read the options of the program itself."""
+        asked = _asks_json(args)
+        try:
+            context = super().make_context(info_name, args, parent, **extra)
+        except _WRONG_USAGE as error:
+            raise self._told(asked, _as_ours(error)) from error
+        context.meta[_JSON_ASKED] = asked  # a command that cannot be read remembers nothing
+        return context
+
     def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
         """Run the command that was asked for."""
         try:
             return super().invoke(ctx)
+        except _WRONG_USAGE as error:
+            raise self._told(ctx.meta[_JSON_ASKED], _as_ours(error)) from error
         except FoonError as error:
-            raise self._told(ctx, error) from error
+            raise self._told(ctx.meta[_JSON_ASKED], error) from error
         except ModuleNotFoundError as error:
             from foon_kg.model.extras import missing
 
             lacks = missing(error)
             if lacks is None:
                 raise
-            raise self._told(ctx, lacks) from error
+            raise self._told(ctx.meta[_JSON_ASKED], lacks) from error
 
     def main(self, *arguments: Any, **options: Any) -> Any:  # noqa: ANN401 - as typer has it
         """Run the program; where a disk is full, or nobody reads stdout any more, end it in order."""
@@ -87,10 +116,10 @@ class ErrorsAtTheEdge(HelpedGroup):
             sys.exit(1)
 
     @staticmethod
-    def _told(ctx: typer.Context, error: FoonError) -> typer.Exit:
+    def _told(as_json: bool, error: FoonError) -> typer.Exit:
         """Tell an error, and return the end of the program that it asks for."""
         show_error(error)
-        if ctx.meta.get(_JSON_ASKED):
+        if as_json:
             from foon_kg.plans.result import error_to_json
 
             print_json({"error": error_to_json(error)})

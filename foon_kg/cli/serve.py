@@ -105,13 +105,13 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
-    from foon_kg.cli.knowledge import snapshot_of
+    from foon_kg.cli.knowledge import lessons_in, snapshot_of
     from foon_kg.store.graph import Neo4jGraph
     from foon_kg.store.server import connection_settings
     from foon_kg.web.foon import FixedFoon, LiveFoon
 
     if files:
-        return FixedFoon(snapshot_of(files, say))
+        return FixedFoon(snapshot_of(files, say), lessons_in(files))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
     foon.edition()  # what is wrong is said now, and not to the first who asks
     return foon

@@ -101,6 +101,8 @@ def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
         return _COOKED
     last: tuple[str, ...] = ()
     for done in bench.done:
+        if all(mention.thing != stuff.number for mention in done.step.inputs):
+            continue
         foods = [m for m in done.step.inputs if bench.known.utensil(singular(m.node.label)) is None]
         if not any(mention.thing == stuff.number for mention in foods):
             continue

@@ -92,7 +92,7 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
     others = tuple(
         PassedOver(name, "", round(confidence, 4), "you chose another" if chosen else "less sure")
-        for name, confidence in likes.others(want.label, like)
+        for name, confidence in (likes.others(want.label, like) if like else ())
     )
     return Explanation(
         asked, how, like or want.label, sure, chosen, renamed,

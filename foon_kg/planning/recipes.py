@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
 
@@ -90,7 +90,8 @@ class IngredientWords:
         state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
         if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:
             state = plain.sold_as
-        return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
+        usual = RequiredIngredient(wanted.object, state)
+        return usual, (_as_usual(usual),)
 
     def _chosen(
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
@@ -192,18 +193,21 @@ def _counting(words: Sequence[str]) -> int:
 
 
 @cache
-def _spelling() -> tuple[str, ...]:
-    """Return every word of the tables of foods and of states, in their order."""
+def _spelling() -> Mapping[str, str]:
+    """Return every word of the tables of foods and of states, in their order, with its letters in theirs."""
     known = tables()
-    return tuple(sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()}))
+    found = sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()})
+    return {word: "".join(sorted(word)) for word in found}
 
 
+@lru_cache(maxsize=1 << 12)
 def _spelled(word: str) -> str | None:
     """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
     known = _spelling()
     if word in known or singular(word) in known:
         return word
-    swapped = next((one for one in known if sorted(one) == sorted(word)), None)
+    letters = "".join(sorted(word))
+    swapped = next((one for one, own in known.items() if own == letters), None)
     return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
 
 
@@ -223,9 +227,10 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> R
     """
     read = [words.read(text) for text in texts]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
-        notes = "; ".join(note for _, notes in read for note in notes if note.startswith("no food"))
-        raise UsageError(f"nothing is known of what is asked: {notes}", hint="Check the spelling.", code="unknown-food")
-    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+        notes = [note for _, said in read for note in said if note.startswith(NO_FOOD)]
+        told = " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in notes)
+        raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
+    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), _gathered(read))
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
@@ -233,8 +238,23 @@ def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
     stated = [words.with_state(wanted) for wanted in recipe.ingredients]
     return ReadRecipe(
         replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
-        tuple(n for _, notes in stated for n in notes),
+        _gathered(stated),
     )
+
+
+def _as_usual(wanted: RequiredIngredient) -> str:
+    """Return the note of a food whose state nobody named."""
+    return f"“{wanted.object}” names no state: taken as {wanted.state}"
+
+
+def _gathered(read: Sequence[tuple[RequiredIngredient, tuple[str, ...]]]) -> tuple[str, ...]:
+    """Return the notes of several foods; of all those whose states nobody named there is one."""
+    usual = {_as_usual(wanted): wanted for wanted, notes in read if _as_usual(wanted) in notes}
+    notes = tuple(note for _, said in read for note in said)
+    if len(usual) <= 1:
+        return notes
+    told = ", ".join(f"{wanted.object} ({wanted.state})" for wanted in usual.values())
+    return f"no state is named for some foods, taken as usual: {told}", *(note for note in notes if note not in usual)
 
 
 def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:

@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 
+from foon_kg.food import motions
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
@@ -99,13 +100,15 @@ def schedule(
     work = _Work.of(units, leaves, durations, kitchen, hands)
     places = range(len(units))
     orders = (
+        list(places),  # the tree's own: another one has to be shorter
         sorted(places, key=lambda i: (-work.tails[i], i)),
-        list(places),
         sorted(places, key=lambda i: (not work.handless[i], -work.tails[i], i)),
         sorted(places, key=lambda i: (-work.followers[i], i)),
         sorted(places, key=lambda i: (-work.seconds[i], i)),
     )
-    order = _bettered(min(orders, key=lambda order: work.length(work.starts(order))), work)
+    off = [place for place in places if motions.switches_off(units[place].motion)]  # at once, whatever else waits
+    tried = [[*off, *(place for place in order if place not in off)] for order in orders]
+    order = _bettered(min(tried, key=lambda order: work.length(work.starts(order))), work)
     return work.told(work.starts(order))
 
 
@@ -166,7 +169,7 @@ class _Work:
         hands: int,
     ) -> _Work:
         usual = durations.overall.median if durations.overall else UNTIMED
-        known = [durations.by_motion.get(unit.motion) for unit in units]
+        known = [durations.of_step(unit.motion, unit.measures) for unit in units]
         seconds = [usual if one is None else one.median for one in known]
         before = earlier_steps(units)
         tails, behind = list(seconds), [set[int]() for _ in units]

@@ -18,7 +18,7 @@ def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
     return NoWayError(
         f"nothing makes {goal}: missing {named(missing)}",
         missing=missing,
-        hint=f"{remedies(missing)}; or add it to the kitchen (--kitchen FILE) where it is there.",
+        hint=f"{remedies(missing)}. What is there after all is named with --kitchen FILE.",
     )
 
 

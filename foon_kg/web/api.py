@@ -189,6 +189,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         tuple(asked.avoid),
         tuple(asked.kitchen),
         asked.after,
+        with_drafts=asked.with_drafts,
         explain=asked.explain,
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
@@ -205,12 +206,12 @@ async def plan_again(
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
     *,
     after: asking.After = "",
+    with_drafts: Annotated[bool, Query(description=asking.DRAFTS)] = False,
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
-    return await _answered(
-        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), after, explain=explain)
-    )
+    wanted = tuple(ingredients), (), tuple(avoid), tuple(kitchen)
+    return await _answered(request, PlanQuestion(dish_type, *wanted, after, with_drafts=with_drafts, explain=explain))
 
 
 @router.post("/suggest", response_model=telling.SuggestionsTold)

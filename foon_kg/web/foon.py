@@ -5,11 +5,12 @@ from __future__ import annotations
 import itertools
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.model import content_key
+from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Neo4jGraph
 from foon_kg.store.snapshot import Snapshot
@@ -20,17 +21,22 @@ EVERY = 2.0
 
 @dataclass(frozen=True)
 class Served:
-    """A FOON in memory, and the name of its edition: another one has other content."""
+    """A FOON in memory, and the name of its edition: another one has other content.
+
+    ``lessons`` are what drafts of recipes teach, for who asks to plan with them.
+    """
 
     edition: str
     snapshot: Snapshot
+    lessons: tuple[Lesson, ...] = ()
 
 
 class FixedFoon:
     """The FOON of files: it never changes while it is served."""
 
-    def __init__(self, snapshot: Snapshot) -> None:
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self._snapshot = snapshot
+        self._lessons = tuple(lessons)
 
     def edition(self) -> str:
         """Return the name of its only edition."""
@@ -42,14 +48,15 @@ class FixedFoon:
 
     def read(self) -> Served:
         """Return the FOON."""
-        return Served(self._name, self._snapshot)
+        return Served(self._name, self._snapshot, self._lessons)
 
     def close(self) -> None:
         """Nothing is held open."""
 
     @cached_property
     def _name(self) -> str:
-        return content_key([known.unit.key for known in self._snapshot.units])
+        drafts = [lesson.subgraph.name for lesson in self._lessons]
+        return content_key([*(known.unit.key for known in self._snapshot.units), *drafts])
 
 
 class LiveFoon:
@@ -90,7 +97,9 @@ class LiveFoon:
     def read(self) -> Served:
         """Return the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
         name = self._read_name()
-        return Served(name, self._connected().snapshot())
+        snapshot = self._connected().snapshot()
+        with self._connected().reading() as view:
+            return Served(name, snapshot, view.lessons())
 
     def close(self) -> None:
         """Give the sockets back."""

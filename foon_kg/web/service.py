@@ -206,8 +206,10 @@ class FoonService:
     def _read(self) -> Edition:
         """Read the FOON, begin the processes that plan from it, and have it answer from now on."""
         served = self._foon.read()
-        workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
-        edition = Edition(served.edition, FoonWords(served.snapshot), Explorer(served.snapshot), workers)
+        workers = Workers(served.snapshot, self._processes, self._most, self._seconds, served.lessons)
+        edition = Edition(
+            served.edition, FoonWords(served.snapshot, served.lessons), Explorer(served.snapshot), workers
+        )
         with self._turn:
             if self._edition is not None:
                 self._edition.workers.close()

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 from foon_kg.foon import Foon
 from foon_kg.formats.exports.recipe import video_address
 from foon_kg.model import KnownUnit, Sighting
+from foon_kg.model.drafted import Lesson
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json, sighting_to_json
@@ -29,8 +30,9 @@ MOST_UNITS = 40
 class FoonWords:
     """The words of one FOON, and what is around each of them."""
 
-    def __init__(self, snapshot: Snapshot) -> None:
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self.snapshot = snapshot
+        self.lessons = lessons
         vocabulary = snapshot.vocabulary()
         self.dish_types = vocabulary.dish_types
         self.foods = vocabulary.labels
@@ -43,6 +45,8 @@ class FoonWords:
             "units": len(self.snapshot.units),
             "videos": len(self.snapshot.subgraphs),
             "foods": len(self.foods),
+            "drafts": len(self.lessons),
+            "drafted_types": sorted({one.dish_type for one in self.lessons}.difference(self.dish_types)),
         }
 
     def complete(self, kind: Kind, text: str, limit: int) -> list[str]:

@@ -69,6 +69,8 @@ def _keep_back(out: Outcome) -> None:
 def _gather(out: Outcome, place: int) -> None:
     """Bring to a food what its output node holds and what went in beside it: cream that is spread on a dough."""
     one, lump = out.said[place], out.happening.outputs[out.mentions[place].node]
+    if one.names <= {one.label}:
+        return
     there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
     there |= {name for rider in lump.riders if not rider.gone for name in rider.names}
     for name in sorted(one.names - there - {one.label}):
@@ -136,7 +138,7 @@ def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | N
 
 def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
     """Bring into a vessel what its output node holds and what has not come there yet."""
-    for name in sorted(one.names - vessel.names):
+    for name in sorted(one.names - vessel.names) if one.names else ():
         lump = _to_be_moved(out, name, vessel)
         if lump is not None:
             out.leave_rest(lump)

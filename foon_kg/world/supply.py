@@ -296,7 +296,7 @@ class Supply:
 
     def keep(self, lump: Lump, where: Vessel | None) -> None:
         """Let a lump be found under its names, and stand where it is."""
-        for name in (*lump.names, *(part.name for part in lump.parts)):
+        for name in (*lump.names, *[part.name for part in lump.parts]):
             found = self.lumps.setdefault(name, [])
             if lump not in found:
                 found.append(lump)
@@ -313,7 +313,7 @@ class Supply:
         if where is not None:
             where.lumps.append(lump)
             where.had |= lump.names
-            where.held.update(part.name for part in lump.parts)
+            where.held.update([part.name for part in lump.parts])
             if _carries(where.row):
                 for part in lump.parts:
                     part.spoonful = True

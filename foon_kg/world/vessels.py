@@ -19,7 +19,9 @@ def match(out: Outcome) -> None:
     """
     free = list(out.happening.vessels)
     utensils = [place for place, one in enumerate(out.said) if one.utensil is not None]
-    for place in sorted(utensils, key=lambda place: _surest_first(out, place)):
+    if len(utensils) > 1:
+        utensils.sort(key=lambda place: _surest_first(out, place))
+    for place in utensils:
         one = out.said[place]
         vessel = _matching(out, out.mentions[place], one, free)
         if vessel is None:

@@ -74,6 +74,23 @@ def test_what_bakes_by_itself_leaves_the_hands_free():
     assert [done.hands for done in plan.steps] == [0, None, 0] or [done.hands for done in plan.steps] == [None, 0, 0]
 
 
+def test_the_order_of_the_tree_is_kept_where_another_is_no_shorter():
+    units = [step(motion, [food], [(food, ("done",))]) for motion, food in (("mix", "a"), ("chop", "b"), ("mix", "c"))]
+    assert [done.place for done in planned(units).steps] == [0, 1, 2]
+
+
+def test_an_appliance_is_turned_off_as_soon_as_it_is_done():
+    stove = ("stove", ("off",)), ("stove", ("on",))
+    units = [
+        step("turn on", [stove[0]], [stove[1]]),
+        step("boil", [stove[1], "egg"], [stove[1], ("egg", ("cooked",))]),
+        *(step("chop", [food], [(food, ("chopped",))]) for food in "abcdef"),
+        step("turn off", [stove[1], ("egg", ("cooked",))], [stove[0], ("egg", ("cooked",))]),
+    ]
+    when = {done.place: done for done in planned(units).steps}
+    assert when[8].start - when[1].end < 8  # the hands end what they have begun
+
+
 def test_a_motion_that_nobody_timed_takes_as_long_as_a_usual_step_and_says_so():
     (done,) = planned([step("flambé", ["pear"], ["dessert"])]).steps
     assert (done.end, done.duration) == (7, None)

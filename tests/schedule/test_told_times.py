@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -14,6 +15,7 @@ from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.views.schedule import schedule_view, summary
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.loaders import read_text
+from foon_kg.model import Measures
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import Schedule, schedule
@@ -80,5 +82,12 @@ def test_what_was_timed_is_summed_without_what_was_not(hands):
     plan = schedule(TREE.units, TREE.kitchen, Durations({MOTIONS[0]: USUAL}, USUAL), Kitchen.default(), hands)
     timed = sum(unit.motion == MOTIONS[0] for unit in TREE.units)
     told = summary(plan)
-    assert f"{len(TREE.units) - timed} of {len(TREE.units)} steps were never timed" in told
-    assert told.endswith(f"take {7 * timed // 60}:{7 * timed % 60:02} one after the other.")
+    assert f"nothing tells how long {len(TREE.units) - timed} of its {len(TREE.units)} steps take" in told
+    assert told.endswith(f"The others take {7 * timed // 60}:{7 * timed % 60:02} in all.")
+
+
+def test_what_a_recipe_says_is_the_time_of_a_step():
+    units = tuple(replace(unit, measures=Measures((), 1500.0)) for unit in TREE.units[:1])
+    plan = schedule(units, TREE.kitchen, Durations({}, None), Kitchen.default())
+    assert (plan.length, plan.untimed) == (1500, 0)
+    assert "25:00, as a recipe says" in printed(plan)

@@ -24,11 +24,11 @@ from foon_kg.plans.schedule import Schedule, ScheduledStep
 
 WIDTH = 1180.0
 ITSELF = "by itself"
-NEVER = "never timed"
+NEVER = "unknown"
 _NARROW = 640.0  # below this what is done stands above its bar, not beside it
 _EDGE = 24.0
 _NAMES = 400.0
-_NOTE = 70.0  # beside the last bar: that its motion was never timed
+_NOTE = 70.0  # beside the last bar: that nothing tells how long it takes
 _BAR = 12.0
 _ROW = 22.0
 _TALL_ROW = 38.0

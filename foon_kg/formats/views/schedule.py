@@ -32,7 +32,7 @@ def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
     return Group(*parts, *([Text(CAUTION, ASIDE)] if plan.untimed < len(plan.steps) else []))
 
 
-CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself."
+CAUTION = "Times are the medians of what videos show. They cut short what cooks, rises or cools: that has no time here."
 UNKNOWN = "unknown"
 
 
@@ -50,9 +50,9 @@ def _untimed(plan: Schedule) -> str:
     if plan.untimed == count:
         return f"How long it takes is unknown: no video of this FOON times any of its {count} steps."
     alone = sum(step.duration.median for step in plan.steps if step.duration is not None)
+    untimed = f"{plan.untimed} of its {count} steps"
     return (
-        f"How long it takes is unknown: {plan.untimed} of {count} steps were never timed; "
-        f"the others take {clock(alone)} one after the other."
+        f"How long it takes is unknown: nothing tells how long {untimed} take. The others take {clock(alone)} in all."
     )
 
 
@@ -72,6 +72,8 @@ def clock(seconds: float) -> str:
 
 def seen_words(duration: Duration) -> str:
     """Return how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    if not duration.sightings:
+        return f"{clock(duration.median)}, as a recipe says"
     times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
     low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
     return f"{times}, {low if low == high else f'{low} to {high}'} s"

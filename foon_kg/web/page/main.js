@@ -150,7 +150,10 @@ const begin = async () => {
     const told = await api.summary();
     at("token").hidden = true;
     at("knows").textContent = knows(told);
-    dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)));
+    dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)),
+      ...told.drafted_types.map((name) => element("option", { value: name, "data-drafted": true }, `${name} (drafts alone)`)));
+    at("drafts").hidden = !told.drafts;
+    at("drafts-help").textContent = `Make it after one of ${told.drafts} dishes, too, that were drafted from the words of recipes: nobody has seen or reviewed them.`;
     empty = !told.units;
     if (empty) at("examples").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
     follow(true);
@@ -169,10 +172,12 @@ at("ask").addEventListener("keydown", (event) => {
   } else if (event.target.matches("input")) event.preventDefault(); // an empty field asks nothing
 });
 at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan(); });
+dish.addEventListener("change", () => { if ("drafted" in dish.selectedOptions[0].dataset) wished.drafts(true); });
 at("suggest").addEventListener("click", () => ask("make"));
 at("clear").addEventListener("click", () => {
   foods.set([]);
   wished.follow("");
+  wished.drafts(false);
   wished.question().substitutes.forEach(({ food }) => wished.choose(food, null));
   say("All ingredients are removed.");
   ingredient.focus();
