@@ -76,7 +76,7 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
 
     return {
         "tree": tree_svg(shown, Kitchen.default()),
-        "progress": progress_svg(shown, width),
+        "progress": progress_svg(shown.told_once(), width),
         "schedules": [schedule_svg(shown, one, width) for one in schedules],
     }
 

@@ -64,10 +64,10 @@ export const stepsView = (plan, { unseen, to }) => {
   const own = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
     own.setAttribute("aria-pressed", String(steps.classList.toggle("formulas")));
   } }, "In the FOON's own words");
-  const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
+  const like = [...unseen].map(([name, one]) => `~${name} handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},
