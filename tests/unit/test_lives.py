@@ -10,7 +10,7 @@ def step(motion, thing, *states):
     return ProgressStep(states, "in", "bowl", motion, thing)
 
 
-MIXED = (step("bake", "batter", "mixed"), step("cool", "cake", "baked"))
+MIXED = (step("bake", "batter", "mixed"), step("cool down", "cake", "baked"))
 FLOUR = ProgressLine("flour", (step("pour", "flour"), step("mix", "flour"), *MIXED), "cake")
 EGG = ProgressLine("egg", (step("crack", "egg"), step("mix", "egg"), *MIXED), "cake")
 SUGAR = ProgressLine("sugar", (step("strew", "sugar"),), "cake")
@@ -29,8 +29,8 @@ def test_what_two_foods_become_is_told_once_after_them():
     ]
 
 
-def test_a_food_alone_keeps_its_line():
-    assert told([FLOUR, SUGAR]) == [(one.ingredient, [s.motion for s in one.steps], "cake") for one in (FLOUR, SUGAR)]
+def test_a_food_alone_keeps_its_line_with_motions_as_they_are_said():
+    assert told([FLOUR, SUGAR]) == [("flour", ["pour", "mix", "bake", "cool"], "cake"), ("sugar", ["strew"], "cake")]
 
 
 def test_two_mixtures_of_one_name_have_numbers_and_what_they_become_is_told_once_too():

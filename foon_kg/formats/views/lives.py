@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.plans.progress import ProgressLine
 
 Tail = tuple[str, int, ProgressLine]
@@ -18,7 +20,8 @@ Tail = tuple[str, int, ProgressLine]
 def lives(lines: Sequence[ProgressLine]) -> tuple[ProgressLine, ...]:
     """Return ``lines`` cut where a food becomes part of what others become part of, too; then a line for each of those.
 
-    A line that is cut ends in what the food has become. What has the same name as another mixture is numbered.
+    A line that is cut ends in what the food has become. What has the same name as another mixture is numbered. Motions
+    are as they are said to a cook.
     """
     found, waiting = list[ProgressLine](), list(lines)
     named: dict[Tail, str] = {}
@@ -26,14 +29,15 @@ def lives(lines: Sequence[ProgressLine]) -> tuple[ProgressLine, ...]:
         tails = Counter(tail for line in waiting for tail in dict.fromkeys(_tails(line)))
         new: dict[Tail, str] = {}
         for line in waiting:
+            steps = tuple(replace(step, motion=motion_said(step.motion)) for step in line.steps)
             cut = next((tail for tail in _tails(line) if tail in named or tails[tail] > 1), None)
             if cut is None:
-                found.append(line)
+                found.append(replace(line, steps=steps))
                 continue
             if cut not in named:
                 new[cut] = named[cut] = _numbered(cut[0], named)
             kept = len(line.steps) - cut[1]
-            found.append(ProgressLine(line.ingredient, line.steps[:kept], named[cut]))
+            found.append(ProgressLine(line.ingredient, steps[:kept], named[cut]))
         waiting = [ProgressLine(name, tail[2].steps, tail[2].end_product) for tail, name in new.items()]
     return tuple(found)
 

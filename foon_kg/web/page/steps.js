@@ -54,8 +54,9 @@ export const evidence = (plan, i) => {
 
 const step = (plan, i, { unseen, to }) => {
   const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
-  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...evidence(plan, i),
-      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
+  return element("li", { "data-step": i + 1 },
+    element("div", { class: "step" }, element("span", {}, ...marked(plan.sentences[i], unseen)), element("div", { class: "where" }, ...evidence(plan, i),
+      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`)))),
     element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
 };
 

@@ -31,7 +31,7 @@ const others = ({ considered }, nearer, asked, to) => considered.filter((one) =>
 });
 
 // A food as it was asked: a state that nobody named is not told.
-const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.state) && text.includes(one.object)) ? foodAndState(one) : one.object);
+const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.object) && text.replace(one.object, "").includes(one.state)) ? foodAndState(one) : one.object);
 
 const after = (plan, asked, { recipe, reference } = plan) => [
   element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
