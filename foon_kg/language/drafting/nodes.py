@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
-from foon_kg.language.drafting.told_states import done
+from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
@@ -38,19 +38,25 @@ class NodeDrafter:
         *,
         at: str | None = None,
         away_from: str | None = None,
+        brought: bool = False,
     ) -> ObjectNode:
-        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
+        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action.
+
+        What is ``brought`` leaves the hand, and comes from where it was taken.
+        """
+        origin = self.origin(mention.name, evidence) if brought else None
         known = self.scene.foods.get(mention.name)
         if known is not None:
+            if origin is not None and known.container is None and self.precedents.kitchen.is_utensil(origin):
+                known = replace(known, relation=self.precedents.relation(origin), container=origin)
             evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
             return known
         states, (relation, container) = self._start(mention, like, evidence)
-        origin = self.scene.taken.pop(canonical(mention.name), None)
         if origin is not None and self.precedents.kitchen.is_utensil(origin):
             relation, container = self.precedents.relation(origin), origin
         elif at is not None:
             relation, container = self.precedents.relation(at), at
-        elif container is not None and (container == away_from or self._in_use(container) or _cooks(container)):
+        elif container is not None and (container == away_from or self._in_use(container) or _prepares(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
@@ -84,6 +90,13 @@ class NodeDrafter:
             return states, (None, None)
         return mention.states or known[0], known[1]
 
+    def origin(self, name: str, evidence: Evidence) -> str | None:
+        """Return where a thing that is put was taken from; ``None`` where nobody said so, and where it is known."""
+        origin, guessed = self.scene.hands.put(name)
+        if origin is not None and guessed:
+            evidence.weigh(IMPLIED, f"nobody says from where the {name} is taken: from the {origin}, which was open")
+        return origin
+
     def _in_use(self, container: str) -> bool:
         return bool(self.scene.held(container)) and not self.precedents.kitchen.is_storage(container)
 
@@ -106,7 +119,7 @@ class NodeDrafter:
             so = word_list("is so by cooling" if known.source == "cold" else "is so by waiting")
             states, share = tuple(dict.fromkeys((*states, *sorted(so)))), UNSEEN
         if set(states) == set(before.states) and (told := done(action.verb)):
-            states, share = (*states, told), UNSEEN
+            states, share = with_state(states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
 
@@ -140,7 +153,7 @@ class NodeDrafter:
             label = self._place_called(place.name)
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
-        focus = self.scene.focus
+        focus = self.scene.focus if "discard" not in tables().motion(action.verb).does else None
         if focus is not None and focus != before.container and self.scene.held(focus):
             evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
             return focus
@@ -187,10 +200,13 @@ def _runs_water(name: str) -> bool:
     return row is not None and row.source == "water"
 
 
-def _cooks(container: str) -> bool:
-    """Whether a vessel stands over the heat: no food begins there, though the FOON has it so before such an action."""
+def _prepares(container: str) -> bool:
+    """Whether a vessel is for mixing or cooking: no food begins there, though the FOON has it so before such an action.
+
+    Foods begin in what they are sold in, where they are put away, and on boards and plates.
+    """
     row = tables().utensil(container)
-    return row is not None and "cook" in row.can
+    return row is not None and row.role == "vessel" and row.can != {"hold"}
 
 
 def listed(states: Sequence[str]) -> str:

@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
 
+from foon_kg.food import singular, tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
@@ -27,6 +29,7 @@ _ALIKE = 0.3  # below this another food says no more than any
 _FEW = 3
 _ANY = 0.5
 _NOWHERE: Place = (None, None)
+_LIES_ON = word_list("things lie on it")
 
 T = TypeVar("T", bound=Hashable)
 
@@ -197,7 +200,8 @@ class FoonPrecedents:
         for node, count in self._nodes.items():
             if node.container == container and node.relation in {"in", "on"}:
                 counts[node.relation] += count
-        return _commonest(counts.items())[0] if counts else "in"
+        lies = "on" if singular(container).split()[-1:][0] in _LIES_ON else "in"
+        return _commonest(counts.items())[0] if counts else lies
 
     def empty(self, vessel: str) -> States:
         """Return the commonest states of ``vessel`` while it is empty."""
@@ -210,6 +214,17 @@ class FoonPrecedents:
             and not self.kitchen.is_running(node)
         ]
         return _commonest(found)[0] if found else ()
+
+    def appliance(self, name: str) -> str:
+        """Return what the FOON calls an appliance of just this group, its stove for a hob; else ``name`` itself."""
+        row = tables().utensil(name)
+        if row is None or row.role != "appliance" or canonical(name) in self.labels:
+            return name
+        alike = [known for known in self.labels.values() if _in_group(known, row.group)]
+        return min(alike, key=lambda label: (-self._seen(label), label)) if alike else name
+
+    def _seen(self, label: str) -> int:
+        return sum(count for node, count in self._nodes.items() if node.label == label)
 
     def is_tool(self, utensil: str) -> bool:
         """Whether foods are worked on with ``utensil`` rather than kept in it."""
@@ -273,6 +288,11 @@ def _tools(unit: FunctionalUnit, kitchen: Kitchen) -> tuple[str, ...]:
     holding = {node.label for node in (*unit.input_nodes, *unit.output_nodes) if node.ingredients}
     utensils = {node.label for node in unit.input_nodes if kitchen.is_utensil(node.label) and node.container is None}
     return tuple(sorted(utensils - containers - holding))
+
+
+def _in_group(label: str, group: str) -> bool:
+    row = tables().utensil(label)
+    return row is not None and row.group == group
 
 
 def _outside(node: ObjectNode) -> tuple[States, str | None, str | None]:
