@@ -59,8 +59,8 @@ def _keep_back(out: Outcome) -> None:
     """Take out of what is poured through a strainer what is told to stay in that."""
     if not out.happening.does("separate"):
         return
-    told = [one for one in out.said if one.utensil is None and one.place_utensil is not None]
-    held = {one.label for one in told if "strain" in one.place_utensil.can and one.place_utensil.role == "vessel"}
+    places = ((one, one.place_utensil) for one in out.said if one.utensil is None)
+    held = {one.label for one, row in places if row is not None and row.role == "vessel" and "strain" in row.can}
     for lump in out.happening.outputs.values():
         if held and lump.mixed and lump.label not in held:
             lump.parts = [part for part in lump.parts if part.name not in held]
