@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, Self, cast, get_args
 
+from foon_kg.food.words import singular_word
 from foon_kg.model import Annotation, ObjectNode, Recipe, Subgraph
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
@@ -117,9 +118,19 @@ class Substitution:
     @property
     def how(self) -> str:
         """How a food is handled, in words that follow its name."""
+        last = self.required.lower().rpartition(" ")[2]
+        several = singular_word(last) != last
         if self.for_want:
-            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
-        return f"is handled like {self.equivalent}"
+            has, handled = ("have", "are handled") if several else ("has", "is handled")
+            return f"{has} no equivalent, and {handled} like {self.equivalent} for want of one"
+        return f"{'are' if several else 'is'} handled like {self.equivalent}"
+
+    @property
+    def done_like(self) -> str:
+        """What another state, or another motion, is done like."""
+        if self.kind == "state":
+            return f"{self.required} {self.object} is made like {self.equivalent} {self.object}"
+        return f"to {self.required} the {self.object} is done as to {self.equivalent} it"
 
     def to_json(self) -> JsonObject:
         """Return one of the ``substitutions`` of a plan result."""

@@ -48,7 +48,7 @@ def plan_to_json(
         "seen": [seen and sighting_to_json(seen) for seen in looked_at],
         "videos": [seen and seen_at([seen]) for seen in looked_at],
         "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
-        "sentences": [sentence(unit.as_unit(), kitchen, unit.measures) for unit in plan.units],
+        "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:
@@ -75,8 +75,8 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
     from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - agents ask for none, and need no layout
 
     return {
-        "tree": tree_svg(shown, Kitchen.default()),
-        "progress": progress_svg(shown, width),
+        "tree": tree_svg(shown, Kitchen.default(), headed=False),
+        "progress": progress_svg(shown.told_once(), width),
         "schedules": [schedule_svg(shown, one, width) for one in schedules],
     }
 

@@ -55,7 +55,9 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
         parts.append(_section("passed-over", "Nearer by their foods, and passed over", _list(nearer)))
     if tree.lines:
         parts.append(
-            _section("progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree)}</div>')
+            _section(
+                "progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree.told_once())}</div>'
+            )
         )
     return (
         f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -118,7 +120,7 @@ def _substitution(one: Substitution) -> str:
     if one.kind == "object":
         told = f"{'! ' if one.for_want else ''}{_span('unseen', UNSEEN_SIGN + one.required)} {_text(one.how)}"
     else:
-        told = f"{_text(one.object)}: {_text(one.required)} where FOON has {_text(one.equivalent)}"
+        told = _text(one.done_like)
     others = ", ".join(f"{_text(other.name)} {other.confidence:.2f}" for other in one.alternatives)
     return f"<b>{one.confidence:.2f}</b> {told}" + (f' <span class="aside">or {others}</span>' if others else "")
 
