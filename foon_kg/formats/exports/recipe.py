@@ -8,9 +8,10 @@ from urllib.parse import quote, urlsplit
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen, is_place
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 _MARKUP = frozenset("\\`*_[]<>#|~&!")
 _IN_LINKS = "/:?=&%#+,;@~-._"

@@ -13,9 +13,9 @@ from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Substitution
 from foon_kg.plans.shopping import shopping_list
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"

@@ -29,10 +29,11 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 WIDE = 140
 """From so many columns on, what belongs to the steps stands beside them."""
