@@ -24,7 +24,7 @@ from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.processes import collect_seldom
+from foon_kg.planning.processes import collect_seldom, keep_for_good
 from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
@@ -84,6 +84,7 @@ def plan_all(snapshot: Snapshot, recipes: list[Recipe], settings: PlanSettings) 
     started = time.perf_counter()
     planner = Planner(snapshot, settings, snapshot.units)
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
+    keep_for_good()
     print(f"{len(snapshot.units)} units, ready in {time.perf_counter() - started:.2f} s")
     done = []
     for number, recipe in enumerate(recipes):

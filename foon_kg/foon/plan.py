@@ -82,7 +82,7 @@ class Plan:
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
     def _step(self, number: int, unit: TreeUnit) -> Step:
-        text = sentence(unit.as_unit(), self._settings.kitchen, unit.measures)
+        text = sentence(unit, self._settings.kitchen, unit.measures)
         return Step(number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings)
 
     @property

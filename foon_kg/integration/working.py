@@ -278,6 +278,10 @@ class Worker:
             return own
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
+        if stage.does == {"shape"}:  # to roll and to pinch are no less alike for other foods than what else shapes
+            own = self.bench.far([(stage.motion, stage.tools)], foods)
+            if own is not None:
+                return own
         found = self.bench.attest(ways, foods)
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")

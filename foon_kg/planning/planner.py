@@ -221,7 +221,7 @@ class _Question:
         outlines = self.methods.outlines
         title = self.recipe.title or ""
         dish_type = _made_as(self.recipe.dish_type, title, self.known)
-        if not outlines.are_of(dish_type):
+        if not outlines.are_of(dish_type) and self.technique is None:
             there = ", ".join(sorted(outlines.dish_types)) or "none"
             raise NoTreeError(
                 f"this FOON has no {dish_type or 'dish'}",

@@ -48,7 +48,7 @@ def plan_to_json(
         "seen": [seen and sighting_to_json(seen) for seen in looked_at],
         "videos": [seen and seen_at([seen]) for seen in looked_at],
         "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
-        "sentences": [sentence(unit.as_unit(), kitchen, unit.measures) for unit in plan.units],
+        "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:

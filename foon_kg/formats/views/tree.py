@@ -135,7 +135,7 @@ def _sentences(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     for number, unit in enumerate(units, start=1):
-        text = Text(_marked(sentence(unit.as_unit(), kitchen, unit.measures), unseen))
+        text = Text(_marked(sentence(unit, kitchen, unit.measures), unseen))
         text.highlight_words([f"{UNSEEN_SIGN}{name}" for name in unseen], UNSEEN, case_sensitive=False)
         table.add_row(str(number), _with_source(text, unit))
     return table
