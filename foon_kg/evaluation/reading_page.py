@@ -10,8 +10,8 @@ from pathlib import Path
 
 from foon_kg.evaluation.reading import read_text
 from foon_kg.model import ObjectNode, Recipe
-from foon_kg.model.errors import ReadError
 from foon_kg.model.claims import Substitution
+from foon_kg.model.errors import ReadError
 from foon_kg.model.tree import TaskTree, TreeUnit
 
 
