@@ -60,7 +60,7 @@ COMMANDS = (
     Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 55, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 191, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 197, 230, HEAVY | {"neo4j", "psutil"}),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 199, 230, HEAVY | {"neo4j", "psutil"}),
 )
 
 

@@ -75,13 +75,6 @@ class Substitution:
         """Whether nothing that is known is like the food: it is handled like something for want of anything."""
         return self.kind == "object" and self.confidence < UNLIKE
 
-    @property
-    def how(self) -> str:
-        """How a food is handled, in words that follow its name."""
-        if self.for_want:
-            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
-        return f"is handled like {self.equivalent}"
-
     def to_json(self) -> JsonObject:
         """Return one of the ``substitutions`` of a plan result."""
         return {

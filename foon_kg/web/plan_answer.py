@@ -75,8 +75,8 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
     from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - agents ask for none, and need no layout
 
     return {
-        "tree": tree_svg(shown, Kitchen.default()),
-        "progress": progress_svg(shown, width),
+        "tree": tree_svg(shown, Kitchen.default(), headed=False),
+        "progress": progress_svg(shown.told_once(), width),
         "schedules": [schedule_svg(shown, one, width) for one in schedules],
     }
 

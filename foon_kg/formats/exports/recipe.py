@@ -7,6 +7,7 @@ from urllib.parse import quote, urlsplit
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.substitution import handled
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
 from foon_kg.model.claims import Substitution
 from foon_kg.model.names import canonical
@@ -68,7 +69,7 @@ def _notes(result: PlanResult) -> list[list[str]]:
 
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
-        return f"{one.required} {one.how} (confidence {one.confidence:.2f})"
+        return f"{one.required} {handled(one)} (confidence {one.confidence:.2f})"
     if one.kind == "state":
         said = f"{one.object} is {one.required}"
     else:
