@@ -205,7 +205,7 @@ class _Question:
                 continue
             faults = [one for one in attempt.report.findings if not one.minor and not self._is_at_hand_so(one)]
             if faults:
-                troubles.append(f"{fit.frame.goal.label}: {faults[0]}")
+                troubles.append(f"{fit.frame.goal.label}: {faults[0].reason} ({faults[0].rule})")
             elif attempt.missing:
                 attempts.append(attempt)
             else:
@@ -228,21 +228,29 @@ class _Question:
                 code="no-goal",
                 hint=f"It has goals of these dish types: {there}.",
             )
+        asked = Asked(self.baked, dish_type, title, self.known)
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
-            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        avoided = self.settings.avoided
-        asked = Asked(self.baked, dish_type, title, self.known)
-        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
-        keys = shortlisted(outlines, asked, self.likes, allowed)
+            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(asked))
         after = self.settings.after
-        if after:
-            keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
-        return fits(self.methods.layouts_of(keys), asked, self.matcher)
+        return self._fits(asked, [one.key for one in outlines.all if one.label == after] if after else [])
 
-    def _nearest(self, lacks: Sequence[str]) -> str:
-        del lacks
-        return "Add what is missing, or ask for another dish type."
+    def _fits(self, asked: Asked, first: Sequence[str] = ()) -> list[Fit]:
+        """Return how well the dishes suit that are worth a closer look, those with the keys ``first`` among them."""
+        avoided = self.settings.avoided
+        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
+        keys = shortlisted(self.methods.outlines, asked, self.likes, allowed)
+        return fits(self.methods.layouts_of(list(dict.fromkeys((*first, *keys)))), asked, self.matcher)
+
+    def _nearest(self, asked: Asked) -> str:
+        """Return what to do where the asked dish cannot be: the recorded dishes that come nearest to it are named."""
+        found = sorted(self._fits(asked), key=lambda fit: fit.frame.dish_type != asked.dish_type)
+        hint = f"Add what is missing; the nearest is {_recorded(found[0])}." if found else "Add what is missing."
+        for fit in self._fits(Asked(self.baked, "", "", self.known)):
+            frame = fit.frame
+            if not fit.vetoes and not refusals(self.wants, frame.dish_type, frame.goal.label, self.known):
+                return f"{hint} Asked for as {frame.dish_type}, they suit {_recorded(fit)}."
+        return hint
 
     def _attempt(self, fit: Fit) -> Attempt:
         frame = fit.frame
@@ -363,6 +371,10 @@ class _Question:
             code="avoided" if self._is_all_avoided() else "no-way",
             hint="Leave an ingredient out or ask for it in another state, or ask for another dish type.",
         )
+
+
+def _recorded(fit: Fit) -> str:
+    return f"“{fit.frame.goal.label}” of the video {fit.frame.video}"
 
 
 def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
