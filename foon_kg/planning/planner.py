@@ -46,8 +46,7 @@ from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Finding, TaskTree, check
-from foon_kg.validation.tree import Assumed, Substituted
+from foon_kg.validation import Finding, check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
@@ -288,7 +287,7 @@ class _Question:
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
-        report = check(_as_tree(result), free=self.kitchen.free_foods)
+        report = check(result.tree, free=self.kitchen.free_foods)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
 
     def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:
@@ -402,22 +401,3 @@ def _made_as(dish_type: str, title: str, known: Tables) -> str:
     """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
-
-
-def _as_tree(result: PlanResult) -> TaskTree:
-    """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
-    return TaskTree(
-        result.recipe.id or result.goal.label,
-        result.units,
-        result.goal,
-        result.recipe,
-        result.kitchen,
-        tuple(
-            Substituted(
-                one.kind, one.object, one.required, one.equivalent, one.confidence,
-                tuple((other.name, other.confidence) for other in one.alternatives),
-            )
-            for one in result.substitutions
-        ),
-        tuple(Assumed(one.node, one.why) for one in result.assumptions),
-    )  # fmt: skip

@@ -132,7 +132,7 @@ def complete(case: Case) -> Iterator[Finding]:
     if case.tree.error is not None:
         return
     declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
-    declared |= {(singular(e.object), e.equivalent or "") for e in case.tree.substitutions or () if e.kind == "state"}
+    declared |= {(singular(e.object), e.equivalent) for e in case.tree.substitutions or () if e.kind == "state"}
     shown: dict[str, set[str]] = {}
     for node in case.tree.nodes:
         shown.setdefault(singular(node.label), set()).update(node.states)
