@@ -1,4 +1,4 @@
-"""Techniques: how dishes of a family are put together whatever a video does, read from ``techniques.toml``.
+"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
 
 A technique has lines of stages, written as ``stage as label @ vessel < lines: foods``. What each of these may say
 stands at the head of the table.
@@ -18,10 +18,21 @@ from foon_kg.food.shipped import shipped
 from foon_kg.food.words import words
 
 _STEP = re.compile(
-    r"(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
+    r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
     r"(?: ?< ?(?P<lines>[^:]+?))?(?: ?: ?(?P<foods>.+))?$"
 )
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
+
+
+@dataclass(frozen=True)
+class Around:
+    """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
+
+    foods: Sequence[Food] = ()
+    told: Sequence[str] = ()
+
+
+NOWHERE = Around()
 
 
 @dataclass(frozen=True)
@@ -50,30 +61,41 @@ class Foods:
         """Whether all foods are meant that join nowhere else."""
         return self.terms == ("*",)
 
-    def mean(self, label: str, facts: Food, states: Iterable[str]) -> bool:
-        """Whether a food is meant that is called ``label``, of which any of ``states`` is said."""
+    def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
+        """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
         if self.state and self.state not in states:
             return False
-        return all(_holds(term, label, facts) for term in self.terms)
+        return all(_holds(term, label, facts, around) for term in self.terms)
 
 
-def _holds(term: str, label: str, facts: Food) -> bool:
-    if term.startswith("!"):
-        return not _holds(term[1:], label, facts)
-    if term.startswith("#"):
-        return term[1:] in words(label)
-    return term == "*" or facts.is_a(*(word_list(term[1:]) if term.startswith("@") else (term,)))
+def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
+    mark, rest = term[0], term[1:]
+    if mark == "!":
+        return not _holds(rest, label, facts, around)
+    if mark == "%":
+        return any(one is not facts and _holds(rest, "", one, around) for one in around.foods)
+    if mark == "#":
+        return rest in words(label)
+    if term == "^":
+        return not set(words(label)).isdisjoint(around.told)
+    if term.startswith("kind:"):
+        return facts.is_of(term.removeprefix("kind:"))
+    return term == "*" or facts.is_a(*(word_list(rest) if mark == "@" else (term,)))
 
 
 @dataclass(frozen=True)
 class Part:
-    """One stage of a technique: which row of the stages, what the whole is called then, in what, and what joins."""
+    """One stage of a technique: which row of the stages, what the whole is called then, in what, and what joins.
+
+    ``optional``: it is left out where no food joins there.
+    """
 
     stage: str
     label: str
     vessel: str
     lines: tuple[str, ...]
     foods: tuple[Foods, ...]
+    optional: bool = False
 
     @classmethod
     def read(cls, text: str) -> Part:
@@ -83,7 +105,9 @@ class Part:
             raise ValueError(f"“{text}” is no stage of a technique")
         lines = tuple(line.strip() for line in (found["lines"] or "").split(",") if line.strip())
         foods = tuple(map(Foods.read, found["foods"].split(","))) if found["foods"] else ()
-        return cls(found["stage"], found["label"] or "", found["vessel"] or "", lines, foods)
+        return cls(
+            found["stage"], found["label"] or "", found["vessel"] or "", lines, foods, optional=bool(found["optional"])
+        )
 
 
 @dataclass(frozen=True)
@@ -134,8 +158,9 @@ class Technique:
 
 @cache
 def techniques() -> tuple[Technique, ...]:
-    """Return every technique in the order of the table: the first that suits a dish is taken."""
-    return tuple(_technique(name, row) for name, row in shipped("techniques")["techniques"].items())
+    """Return every technique in the order of the tables: the first that suits a dish is taken."""
+    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    return tuple(_technique(name, row) for name, row in rows)
 
 
 @cache

@@ -69,7 +69,7 @@ class Arranged(NamedTuple):
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it."""
     if called.technique is not None:
-        line, found = carried_out(called.technique, joins, known)
+        line, found = carried_out(called.technique, joins, words(called.title), known)
         return Arranged(line, found, "one pot" in called.technique.plan)
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)

@@ -153,8 +153,10 @@ class Carrier:
         return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
 
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
-        """Whether batter comes onto a tray: it is set on it spoon by spoon."""
+        """Whether batter comes onto a tray, or a filling onto what it fills: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
+        if is_flat(target.label) and target.contents and stuffs[-1].label in word_list("is spooned onto what it fills"):
+            return True
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
         flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
         kneaded = not word_list("keeps its shape").isdisjoint(stuffs[-1].states)
@@ -293,7 +295,10 @@ class Carrier:
 
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
         """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
-        if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
+        bath = word_list("goes into the water")
+        foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
+        boiled = any(food.is_a("water") for food in foods) and all(food.is_a(*bath) for food in foods)
+        if ready.whole_shell and not boiled:
             self.open_into(ready, vessel)
             return
         stuff = ready.stuff

@@ -165,7 +165,10 @@ class Cooking:
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._boil_now(stage, vessel, subs, later)
-            vessel = self._stage(stage, vessel, subs, later, main=main)
+            if vessel is not None and stage.motion in word_list("strains"):
+                vessel = self.work.strained(vessel)
+            else:
+                vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
@@ -249,12 +252,13 @@ class Cooking:
 
     def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> Vessel:
         """Take out of a pot what only gave its taste, before the dish is served or blended; return what it is in."""
-        if not (main or self.plan.drunk):
+        if not (main or self.plan.drunk or self.plan.one_pot):
             return vessel
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return vessel
-        if any(self.work.is_taken_out(join.want) for join in self.plan.joins):
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        if any(self.work.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
                 self.work.name(vessel, self.plan.label)
@@ -395,21 +399,27 @@ class Cooking:
             if on_stove and hot_first and not fat:
                 self._heat_on(vessel)  # what fries comes into a hot pan
                 self.work.heat_fat(vessel)
-            if isinstance(one, Vessel):
-                self.bench.heat_off(one)
-                if not vessel.contents and "shape" not in stage.does:
-                    self._grease(vessel, one)
-                self.carry.transfer(one, vessel, stage)
-            else:
-                if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
-                    self.carry.boil_water(vessel)
-                self.carry.bring(self.ready[one.want.number], vessel, one.slot)
+            self._add(stage, vessel, one, on_stove=on_stove)
             on_top = isinstance(one, Join) and one.on_top
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self._lays(stage, joins):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
+
+    def _add(self, stage: Stage, vessel: Vessel, one: Join | Vessel, *, on_stove: bool) -> None:
+        """Bring a food, or what is in another vessel, into a vessel."""
+        if isinstance(one, Vessel):
+            self.bench.heat_off(one)
+            if on_stove and BATH in stage.adds:
+                self.carry.boil_water(vessel)
+            if not vessel.contents and "shape" not in stage.does:
+                self._grease(vessel, one)
+            self.carry.transfer(one, vessel, stage)
+            return
+        if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
+            self.carry.boil_water(vessel)
+        self.carry.bring(self.ready[one.want.number], vessel, one.slot)
 
     def _lays(self, stage: Stage, joins: Sequence[Join]) -> bool:
         """Whether the recorded dish lays just such foods on each other and never mixes them: layers."""
@@ -547,7 +557,7 @@ class Cooking:
         if following is not None and self._goes_on(stage, following):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and heats and all(self._is_only_made_hot(food) for food in foods):
+        if later and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
             return True
         flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
         done = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)  # it lies on a plate
@@ -561,6 +571,13 @@ class Cooking:
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
         return not mixes and not heats and "wait" not in stage.does and single and not rolled and not opened
+
+    def _is_awaited(self, following: Stage) -> bool:
+        """Whether something comes next that has to come into a liquid that is hot: what was shaped."""
+        lines = (add for add in following.adds if isinstance(add, Line))
+        return (
+            isinstance(following, Phase) and following.bath and any("shape" in s.does for a in lines for s in a.stages)
+        )
 
     def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
         """Return the next stage, past one that only turns food over and that nobody does here."""

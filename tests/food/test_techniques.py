@@ -6,7 +6,7 @@ import pytest
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_lists
-from foon_kg.food.techniques import Foods, Part, preparations, techniques, works
+from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, works
 
 PLANS = {"cold", "one pot"}
 
@@ -32,9 +32,9 @@ def test_a_technique_names_only_what_the_tables_know(technique):
     assert technique.plan <= PLANS
     known = tables()
     traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
-    for term in (term.removeprefix("!") for one in meant(technique) for term in one.terms):
+    for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
         named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
-        assert named or term == "*" or term.startswith("#") or term.removeprefix("@") in word_lists(), term
+        assert named or term in {"*", "^"} or term.startswith("#") or term.removeprefix("@") in word_lists(), term
 
 
 @pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
@@ -52,6 +52,32 @@ def test_a_stage_is_read_with_all_that_it_says():
 def test_what_is_no_stage_is_refused(text):
     with pytest.raises(ValueError, match=r"is no stage|names no foods"):
         Part.read(text)
+
+
+def test_a_stage_may_be_left_out():
+    assert Part.read("?pan < one line: onion") == Part(
+        "pan", "", "", ("one line",), (Foods(("onion",)),), optional=True
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "food", "is_meant"),
+    [
+        ("egg&%flour", "egg", True),
+        ("egg&!%flour", "egg", False),
+        ("flour&%flour", "flour", False),  # none but itself
+        ("fish&^", "trout", True),
+        ("fish&^", "salmon", False),
+        ("stock", "black pepper", True),  # a trait: there is more of it
+        ("kind:stock", "black pepper", False),
+        ("kind:stock", "beef stock", True),
+    ],
+)
+def test_foods_are_meant_by_what_is_around_them(text, food, is_meant):
+    names = ("egg", "flour", "trout", "salmon", "black pepper", "beef stock")
+    facts = {name: tables().foods.food(name) for name in names}
+    around = Around(list(facts.values()), ("stuffed", "trout"))
+    assert Foods.read(text).mean(food, facts[food], (), around) is is_meant
 
 
 @pytest.mark.parametrize(
