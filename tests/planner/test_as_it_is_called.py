@@ -111,7 +111,7 @@ def test_crumble_is_strewn_on_fruit(steps):
 def test_crumbs_are_pressed_to_a_base_and_cream_that_is_to_be_whipped_is_whipped(steps):
     told = steps("pie", "Key Lime Pie", "graham cracker crumbs:crumbs", "butter:melted", "egg yolks:whole",
                  "condensed milk:thick liquid", "lime juice:juice", "whipping cream:chilled")  # fmt: skip
-    assert inside(told, "shape") == {"graham cracker crumbs", "butter"}
+    assert inside(told, "press") == {"graham cracker crumbs", "butter"}
     assert [motion for inputs, motion, _ in told if "whipping cream" in inputs and motion in {"beat", "whip", "whisk"}]
     assert first(told, "whipping cream", "pour") < motions(told).index("bake") < len(told) - 1
 
