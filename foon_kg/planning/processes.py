@@ -86,6 +86,14 @@ def collect_seldom() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+def collect_often() -> None:
+    """Let this process look for unreachable cycles again and again: each request to one that serves leaves some.
+
+    A command looks for them hardly ever, since it ends; for one that does not they are memory that only grows.
+    """
+    gc.set_threshold(10_000, 10, 10)
+
+
 def end_with_parent() -> None:
     """End this process when the one that asks is killed: the queue between them would wait for ever."""
     parent = parent_process()
