@@ -40,7 +40,7 @@ def real_subgraphs(folder: Path = SHARED) -> list[Subgraph]:
 
 
 def big_foon(real: Sequence[Subgraph], units: int) -> list[Subgraph]:
-    """Answer subgraphs with about ``units`` distinct units, the same for the same arguments."""
+    """Return subgraphs with about ``units`` distinct units, the same for the same arguments."""
     foods, shared = foods_of(real), shared_foods(real)
     own = [food for food in foods if food not in shared]
     keys: set[str] = set()
@@ -56,14 +56,14 @@ def big_foon(real: Sequence[Subgraph], units: int) -> list[Subgraph]:
 
 
 def shared_foods(real: Sequence[Subgraph]) -> set[str]:
-    """Answer the foods that nobody makes, by their singular names: every kitchen buys them as they are."""
+    """Return the foods that nobody makes, by their singular names: every kitchen buys them as they are."""
     outputs = {p.node for s in real for a in s.annotations for p in a.unit.outputs}
     made = {singular(name) for node in outputs if not KITCHEN.has(node) for name in (node.label, *node.ingredients)}
     return set(foods_of(real)) - made
 
 
 def made_up(number: int) -> str:
-    """Answer a word that no language has, another one for every number."""
+    """Return a word that no language has, another one for every number."""
     word = ""
     while number or not word:
         number, rest = divmod(number, 70)
@@ -72,7 +72,7 @@ def made_up(number: int) -> str:
 
 
 def foods_of(real: Sequence[Subgraph]) -> list[str]:
-    """Answer the foods by their singular names: of labels and of what is contained."""
+    """Return the foods by their singular names: of labels and of what is contained."""
     nodes = {p.node for s in real for a in s.annotations for p in (*a.unit.inputs, *a.unit.outputs)}
     names = {name for node in nodes for name in (node.label, node.container or node.label, *node.ingredients)}
     return sorted({singular(name) for name in names if not KITCHEN.is_utensil(name) and singular(name)})
@@ -104,7 +104,7 @@ def other_cuisine(subgraph: Subgraph, number: int, names: dict[str, str]) -> Sub
 
 
 def heaps_exponent(real: Sequence[Subgraph]) -> float:
-    """Answer b of labels ~ videos**b, from all of the real videos and from random halves of them."""
+    """Return b of labels ~ videos**b, from all of the real videos and from random halves of them."""
     rng = random.Random(1)
     halves = [len(foods_of(rng.sample(real, len(real) // 2))) for _ in range(5)]
     return math.log(len(foods_of(real)) / statistics.mean(halves)) / math.log(len(real) / (len(real) // 2))
@@ -162,7 +162,7 @@ def shape_of(snapshot: Snapshot, seed: int = 1) -> Shape:
 
 
 def depth_of(goal: ObjectNode, units) -> int:
-    """Answer how many units lie, one behind the other, between ``goal`` and the farthest node behind it."""
+    """Return how many units lie, one behind the other, between ``goal`` and the farthest node behind it."""
     makers: dict[ObjectNode, list[FunctionalUnit]] = {}
     for known in units:
         for node in known.unit.output_nodes:

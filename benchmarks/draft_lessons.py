@@ -23,7 +23,7 @@ from pathlib import Path
 from muhai_networks import Recipe as Told
 
 from foon_kg.language.collection import CollectionReader, labels_of
-from foon_kg.language.drafting.recipes import RecipeDrafter
+from foon_kg.language.recipe_drafts import RecipeDrafter
 from foon_kg.loaders import read_paths
 from foon_kg.loaders.lessons import lesson_of
 from foon_kg.loaders.muhai import read_muhai
@@ -36,7 +36,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.store.with_drafts import WithDrafts
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def outcome(view: object, known: KnownFoon, asked: Asked) -> tuple[bool, bool, s
         result = Planner(view, PlanSettings(), view.units).plan(asked.recipe)
     except FoonError as error:
         return False, False, f"{error.code}: {error.message}"[:150]
-    report = check(TaskTree.from_json(result.to_json()), known)
+    report = check(tree_from_json(result.to_json()), known)
     return report.accepted, any(map(is_draft, result.reference.videos)), result.goal.label
 
 

@@ -48,7 +48,7 @@ Judged = tuple[float, bool]
 
 
 def main_object(unit: FunctionalUnit):
-    """Answer the first food (else utensil) that is not the same after the unit, and what it becomes."""
+    """Return the first food (else utensil) that is not the same after the unit, and what it becomes."""
     outputs = {node.label: node for node in unit.output_nodes}
     changed = [node for node in unit.input_nodes if node not in unit.output_nodes]
     foods = [node for node in changed if KITCHEN.is_food(node)]
@@ -66,7 +66,7 @@ def with_states(unit: FunctionalUnit):
 
 
 def near_pairs(units, drafted):
-    """Answer how many pairs there are of a unit and a drafted one with its motion and one of the foods it changes."""
+    """Return how many pairs there are of a unit and a drafted one with its motion and one of the foods it changes."""
     pairs = nx.Graph()
     for place, unit in enumerate(units):
         motion = canonical(unit.motion)
@@ -78,7 +78,7 @@ def near_pairs(units, drafted):
 
 
 def as_rows(video):
-    """Answer verb and nouns of each unit, as a person would annotate them: no states, no tools."""
+    """Return verb and nouns of each unit, as a person would annotate them: no states, no tools."""
     actions = []
     for annotation in video.annotations:
         unit = annotation.unit
@@ -145,7 +145,7 @@ class Score:
 
 
 def reliability(pairs: Sequence[Judged]) -> Iterator[str]:
-    """Answer for each range of confidence: how many units, the mean confidence, and the share that was right."""
+    """Yield for each range of confidence: how many units, the mean confidence, and the share that was right."""
     for low, high in pairwise(BINS):
         here = [pair for pair in pairs if low <= pair[0] < high]
         if here:
@@ -156,7 +156,7 @@ def reliability(pairs: Sequence[Judged]) -> Iterator[str]:
 def cross_fitted(
     videos: Sequence[Sequence[Judged]], fit: Callable[[Sequence[Judged]], Callable[[float], float]]
 ) -> list[Judged]:
-    """Answer every judged unit with what is fitted on the videos of the other folds in place of its confidence."""
+    """Return every judged unit with what is fitted on the videos of the other folds in place of its confidence."""
     pairs: list[Judged] = []
     for fold in range(FOLDS):
         others = [pair for place, video in enumerate(videos) if place % FOLDS != fold for pair in video]
@@ -166,19 +166,19 @@ def cross_fitted(
 
 
 def share(pairs: Sequence[Judged]) -> Callable[[float], float]:
-    """Answer one figure for every confidence: the share of right units."""
+    """Return one figure for every confidence: the share of right units."""
     right = sum(right for _, right in pairs) / len(pairs)
     return lambda _: right
 
 
 def logistic(pairs: Sequence[Judged]) -> Callable[[float], float]:
-    """Answer the logistic curve over the log odds of a confidence that fits best."""
+    """Return the logistic curve over the log odds of a confidence that fits best."""
     slope, height = curve(pairs)
     return lambda sure: 1 / (1 + exp(-slope * odds(sure) - height))
 
 
 def curve(pairs: Sequence[Judged]) -> tuple[float, float]:
-    """Answer slope and height of greatest likelihood, by Newton's method."""
+    """Return slope and height of greatest likelihood, by Newton's method."""
     slope, height = 1.0, 0.0
     for _ in range(25):
         said = [(odds(sure), 1 / (1 + exp(-slope * odds(sure) - height)), right) for sure, right in pairs]
@@ -191,7 +191,7 @@ def curve(pairs: Sequence[Judged]) -> tuple[float, float]:
 
 
 def odds(sure: float) -> float:
-    """Answer the log odds of a confidence in hundredths."""
+    """Return the log odds of a confidence in hundredths."""
     sure = min(max(sure, 0.005), 0.995)
     return log(sure / (1 - sure))
 

@@ -54,13 +54,13 @@ class Command:
 DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
-    Command(("--help",), 46, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 29, 260, HEAVY | {"numpy"}),
-    Command(("stats",), 28, 260, HEAVY | {"numpy"}),
+    Command(("--help",), 47, 40, HEAVY),
+    Command(("cypher", "RETURN 1"), 30, 260, HEAVY | {"numpy"}),
+    Command(("stats",), 29, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
-    Command(("similar", "caper"), 54, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 188, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 193, 230, HEAVY | {"neo4j", "psutil"}),
+    Command(("similar", "caper"), 55, 355, HEAVY),
+    Command(("plan", "--dish", "salad", "chopped onion"), 191, 355, HEAVY),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 199, 230, HEAVY | {"neo4j", "psutil"}),
 )
 
 

@@ -90,11 +90,11 @@ class Kitchen:
         self._shares = list(accumulate(1 / rank for rank in range(1, len(self._foods) + 1)))
 
     def food(self) -> str:
-        """Answer one food; the first are the commonest."""
+        """Return one food; the first are the commonest."""
         return self._random.choices(self._foods, cum_weights=self._shares)[0]
 
     def line(self) -> tuple[str, str, bool]:
-        """Answer a line, the food that is detected in it, and whether that is valid."""
+        """Return a line, the food that is detected in it, and whether that is valid."""
         pick = self._random.choice
         if self._random.random() < 0.01:
             return pick(HEADINGS), "", False
@@ -103,7 +103,7 @@ class Kitchen:
         return " ".join(filter(None, words)) + pick(AFTER), food, self._random.random() < VALID
 
     def recipe(self) -> tuple[dict, dict, dict | None]:
-        """Answer a recipe of each of the three files; of the last one only some have one."""
+        """Return a recipe of each of the three files; of the last one only some have one."""
         lines = [self.line() for _ in range(max(2, round(self._random.gauss(MEAN_INGREDIENTS, 3))))]
         draw = self._random
         recipe_id = f"{draw.getrandbits(40):010x}"

@@ -26,7 +26,7 @@ KITCHEN = Kitchen.default()
 
 
 def pairs(data: Path) -> Iterator[tuple[str, Sequence[FunctionalUnit], ObjectNode, dict[str, Any], ProgressLine]]:
-    """Answer every printed line with its subgraph, and ours of the same ingredient to the same end product."""
+    """Yield every printed line with its subgraph, and ours of the same ingredient to the same end product."""
     read = read_paths([data / "foon-111" / "TXT"])
     subgraphs = {result.subgraph.name: result.subgraph for result in read if result.subgraph}
     for path in sorted((data / "progress-lines").glob("*.json")):
@@ -47,7 +47,7 @@ def is_or_holds(node: ObjectNode, food: str) -> bool:
 
 
 def reached(tree: Sequence[FunctionalUnit], food: str, motions: Sequence[str]) -> set[tuple[int, ObjectNode]]:
-    """Answer where a chain of units with these motions may end: a unit's place, and a node it puts out."""
+    """Return where a chain of units with these motions may end: a unit's place, and a node it puts out."""
     ends = {
         (place, node)
         for place, unit in enumerate(tree)

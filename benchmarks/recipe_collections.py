@@ -89,7 +89,7 @@ class Rates:
         )
 
     def _spent(self) -> tuple[float, float]:
-        """Answer the CPU seconds of this process with its children, and of the local server (0 for another one)."""
+        """Return the CPU seconds of this process with its children, and of the local server (0 for another one)."""
         own = sum(os.times()[:4])
         server = sum(self._server.cpu_times()[:2]) if self._server else 0.0
         return own, server

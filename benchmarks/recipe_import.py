@@ -111,7 +111,7 @@ def _stored(connection: Connection, understood: Sequence[UnderstoodRecipe]) -> C
 
 
 def _cost(recipes: int, work: Callable[[], None]) -> Cost:
-    """Answer what ``work`` took: of this process, of its children, and of the local server."""
+    """Return what ``work`` took: of this process, of its children, and of the local server."""
     began, spent = time.perf_counter(), _cpu()
     work()
     return Cost(recipes, time.perf_counter() - began, _cpu() - spent)

@@ -54,7 +54,7 @@ class WrittenRecipe:
 
 
 def written_recipes(path: Path) -> Iterator[WrittenRecipe]:
-    """Answer the recipes of a text file in their order."""
+    """Yield the recipes of a text file in their order."""
     title, number, lines = "", 0, []
     for place, text in enumerate([*path.read_text(encoding="utf-8").splitlines(), ""], start=1):
         line = text.strip()
@@ -72,7 +72,7 @@ def written_recipes(path: Path) -> Iterator[WrittenRecipe]:
 
 
 def ingredients_of(recipe: WrittenRecipe, path: Path) -> list[dict[str, str]]:
-    """Answer what the reader makes of the lines; those that it cannot use are told on stderr."""
+    """Return what the reader makes of the lines; those that it cannot use are told on stderr."""
     wanted = []
     read = read_recipe_lines(line for _, line in recipe.lines)
     for (place, line), answer in zip(recipe.lines, read, strict=True):
@@ -85,7 +85,7 @@ def ingredients_of(recipe: WrittenRecipe, path: Path) -> list[dict[str, str]]:
 
 
 def convert(path: Path, out: Path, halves: tuple[str, ...]) -> tuple[int, int, int]:
-    """Write the recipes of a text file; answer how many, how many lines they have, and how many were rejected."""
+    """Write the recipes of a text file; return how many, how many lines they have, and how many were rejected."""
     folder = out / path.stem
     folder.mkdir(parents=True, exist_ok=True)
     recipes = [recipe for recipe in written_recipes(path) if recipe.half in halves]

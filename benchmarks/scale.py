@@ -63,6 +63,9 @@ class TimedView:
         return self
 
     def __getattr__(self, name: str):
+        if not callable(getattr(self.view, name)):
+            return getattr(self.view, name)
+
         def timed(*asked, **named):
             started = time.perf_counter()
             answer = getattr(self.view, name)(*asked, **named)
@@ -73,7 +76,7 @@ class TimedView:
 
 
 def asked_once(graph: Neo4jGraph, recipe: Recipe) -> dict[str, float]:
-    """Plan one recipe and answer what it cost."""
+    """Plan one recipe and return what it cost."""
     answers: list[object] = []
     with graph.reading() as view:
         ask = view._ask  # noqa: SLF001 - to weigh the answers
@@ -121,7 +124,7 @@ def main() -> None:
 
 
 def words_of(view: GraphView, path: Path) -> IngredientWords:
-    """Answer the words in which a recipe file is read."""
+    """Return the words in which a recipe file is read."""
     return IngredientWords(view.words_for(foods_named(path)), Kitchen.default())
 
 

@@ -27,7 +27,7 @@ TENTHS = 10  # of a second: CP-SAT counts in whole numbers
 
 
 def bound(plan: PlanResult, done: Schedule) -> float:
-    """Answer what no schedule with these durations can beat, in seconds: mostly there is one of that length."""
+    """Return what no schedule with these durations can beat, in seconds: mostly there is one of that length."""
     model = cp_model.CpModel()
     seconds = {step.place: round((step.end - step.start) * TENTHS) for step in done.steps}
     horizon = sum(seconds.values())
@@ -36,7 +36,7 @@ def bound(plan: PlanResult, done: Schedule) -> float:
     for place, before in enumerate(earlier_steps(plan.units)):
         for earlier in before:
             model.add(starts[place] >= starts[earlier] + seconds[earlier])
-    handed = [intervals[i] for i, unit in enumerate(plan.units) if unit.motion_node not in WITHOUT_HANDS]
+    handed = [intervals[i] for i, unit in enumerate(plan.units) if unit.motion not in WITHOUT_HANDS]
     model.add_cumulative(handed, [1] * len(handed), done.hands)
     there = Counter(node.label for node in plan.kitchen)
     for label in {n.label for unit in plan.units for n in unit.input_nodes if KITCHEN.is_utensil(n.label)}:
@@ -49,7 +49,7 @@ def bound(plan: PlanResult, done: Schedule) -> float:
     solver.parameters.max_time_in_seconds = 5
     solver.parameters.num_workers = 1
     solver.solve(model)
-    work = sum(seconds[i] for i, unit in enumerate(plan.units) if unit.motion_node not in WITHOUT_HANDS)
+    work = sum(seconds[i] for i, unit in enumerate(plan.units) if unit.motion not in WITHOUT_HANDS)
     return max(solver.best_objective_bound, work / done.hands) / TENTHS
 
 

@@ -146,7 +146,7 @@ def count_solver(core: Core, tree, counts: Counter) -> float:
 
 
 def solve_in_two_parts(core: Core) -> tuple[int, int, int] | None:
-    """Answer the least penalty where gaps are needed, then the rest among the steps that can keep it.
+    """Return the least penalty where gaps are needed, then the rest among the steps that can keep it.
 
     In one piece, with a gap for every node, the solver proves nothing in 20 s.
     """

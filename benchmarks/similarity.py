@@ -53,7 +53,7 @@ class Judged:
     counts: np.ndarray
 
     def half(self, which: int) -> "Judged":
-        """Answer every other food, from the first (0) or the second (1)."""
+        """Return every other food, from the first (0) or the second (1)."""
         places = range(which, len(self.foods), 2)
         foods = [self.foods[place] for place in places]
         kept = (self.evidence[:, places], self.accepted[places], self.counts[places])
@@ -103,7 +103,7 @@ def judge(name: str, accepted: dict[str, set[str]], known: list[str], *, strange
 
 
 def fit(sets: list[Judged]) -> np.ndarray:
-    """Answer the weights of all kinds and the bias, by Newton's method with a small ridge on the weights."""
+    """Return the weights of all kinds and the bias, by Newton's method with a small ridge on the weights."""
     rows = np.concatenate([judged.evidence[:, judged.counts].T for judged in sets])
     truth = np.concatenate([judged.accepted[judged.counts] for judged in sets]).astype(float)
     rows = np.c_[rows, np.ones(len(rows))]
@@ -117,7 +117,7 @@ def fit(sets: list[Judged]) -> np.ndarray:
 
 
 def fit_told(sets: list[Judged]) -> np.ndarray:
-    """Answer weights by which of what is told (the first five of a food) at 0.4 four in ten are accepted.
+    """Return weights by which of what is told (the first five of a food) at 0.4 four in ten are accepted.
 
     All pairs of foods have told nobody anything: most of them are unlike at a glance. So the weights are fitted on all,
     and then stretched by what is told of foods that they were not fitted on.
@@ -136,7 +136,7 @@ def fit_told(sets: list[Judged]) -> np.ndarray:
 
 
 def _line(odds: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """Answer slope and bias by which odds become those that were seen (Platt, 1999)."""
+    """Return slope and bias by which odds become those that were seen (Platt, 1999)."""
     rows, line = np.c_[odds, np.ones(len(odds))], np.zeros(2)
     for _ in range(30):
         guess = 1 / (1 + np.exp(-rows @ line))
@@ -153,7 +153,7 @@ def in_slots() -> dict[str, dict[str, set[str]]]:
 
 
 def fit_slots(weights: np.ndarray, known: list[str]) -> tuple[float, float]:
-    """Answer how odds are stretched where one food stands for another by what it does in a dish, and print how well."""
+    """Return how odds are stretched where one food stands for another by what it does in a dish, and print how well."""
     evidence = Evidence(food_vectors(), food_taxonomy(), food_groups())
     odds, truth = [], []
     for role, foods in in_slots().items():
@@ -174,7 +174,7 @@ def fit_slots(weights: np.ndarray, known: list[str]) -> tuple[float, float]:
 
 
 def told(judged: Judged, answers: np.ndarray, least: float = LEAST) -> list[tuple[float, int, int]]:
-    """Answer the first :data:`TOLD` of each food: what is said, and where."""
+    """Return the first :data:`TOLD` of each food: what is said, and where."""
     rows = []
     for row in range(len(judged.foods)):
         order = sorted((-answers[row, place], place) for place in np.flatnonzero(judged.counts[row]))[:TOLD]
@@ -187,7 +187,7 @@ def answer(judged: Judged, weights: np.ndarray) -> np.ndarray:
 
 
 def top(judged: Judged, answers: np.ndarray, known: list[str]) -> tuple[float, float, list[str]]:
-    """Answer top 1 and top 3 in percent, and what was wrong."""
+    """Return top 1 and top 3 in percent, and what was wrong."""
     first = third = 0
     wrong = []
     for row, food in enumerate(judged.foods):

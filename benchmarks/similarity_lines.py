@@ -36,7 +36,7 @@ LINES, REPEATS = 600, 10
 
 
 def made_lines(wordings: list[tuple[str, str]], count: int) -> dict[str, tuple[str, str]]:
-    """Answer lines, each with the food and the state that it is made of."""
+    """Return lines, each with the food and the state that it is made of."""
     dice = random.Random(count)
     lines = {}
     for _ in range(count):

@@ -50,26 +50,26 @@ class NamedQuery:
 
 @cache
 def named_query(name: str) -> NamedQuery:
-    """Answer the query kept in ``<name>.cypher``. Raises ValueError where its header is not in order."""
+    """Return the query kept in ``<name>.cypher``. Raises ValueError where its header is not in order."""
     file = resources.files(__package__).joinpath(f"{name}.cypher")
     return read_query(name, file.read_text(encoding="utf-8"))
 
 
 @cache
 def catalogue() -> tuple[NamedQuery, ...]:
-    """Answer every named query, sorted by name; those that make the schema apart."""
+    """Return every named query, sorted by name; those that make the schema apart."""
     return tuple(named_query(name) for name in _names(resources.files(__package__)))
 
 
 @cache
 def schema_steps() -> tuple[NamedQuery, ...]:
-    """Answer the numbered files of ``schema/`` in their order; the number of files is the version of the schema."""
+    """Return the numbered files of ``schema/`` in their order; the number of files is the version of the schema."""
     return _folder("schema")
 
 
 @cache
 def explore_queries() -> tuple[NamedQuery, ...]:
-    """Answer the queries for people, sorted by name; ``foon cypher --list`` shows them and ``--name`` asks one."""
+    """Return the queries for people, sorted by name; ``foon cypher --list`` shows them and ``--name`` asks one."""
     return _folder("explore")
 
 

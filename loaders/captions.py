@@ -29,7 +29,7 @@ _PAIR = 2
 
 
 def is_captions(path: Path) -> bool:
-    """Answer whether ``path`` is JSON of one of the two forms, by its names alone: a truncated file may be one, too."""
+    """Return whether ``path`` is JSON of one of the two forms, by its names alone: a truncated file may be one, too."""
     seen: set[str] = set()
     tail = ""
     try:
@@ -53,7 +53,7 @@ class Captions(Iterable[Narration]):
     path: Path
 
     def __iter__(self) -> Iterator[Narration]:
-        """Answer one video after another. Raises ReadError where the file is not what it was any more."""
+        """Yield one video after another. Raises ReadError where the file is not what it was any more."""
         try:
             yield from _narrations(self.path, Journal(str(self.path)))
         except (UnreadableFile, OSError) as error:
@@ -61,7 +61,7 @@ class Captions(Iterable[Narration]):
 
 
 def read_captions(path: Path) -> NarratedFile:
-    """Answer the videos of a JSON file, the sentences of each sorted by their starts. Never raises.
+    """Return the videos of a JSON file, the sentences of each sorted by their starts. Never raises.
 
     A sentence that cannot be used is left out and told with its video; a time that cannot be is left out and told.
     """
@@ -117,7 +117,7 @@ def _sentences(line: int, video: str, value: object, journal: Journal) -> list[S
 
 
 def _told(value: object) -> list[tuple[object, object]] | None:
-    """Answer each sentence of one video with its time; one without has ``None``."""
+    """Return each sentence of one video with its time; one without has ``None``."""
     if not isinstance(value, Mapping):
         return None
     annotations, sentences, times = (value.get(name) for name in ("annotations", "sentences", "timestamps"))

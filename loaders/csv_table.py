@@ -23,7 +23,7 @@ class TableRow:
 
 
 def columns_of(text: str) -> tuple[str, ...]:
-    """Answer the names on the first line of a table, in small letters; none where that line is no row."""
+    """Return the names on the first line of a table, in small letters; none where that line is no row."""
     first = text.removeprefix("\ufeff").splitlines()[:1]
     try:
         return _names(next(csv.reader(first), []))
@@ -32,7 +32,7 @@ def columns_of(text: str) -> tuple[str, ...]:
 
 
 def table_rows(text: str) -> Iterator[TableRow]:
-    """Answer each row that is not empty; a byte order mark is passed over.
+    """Yield each row that is not empty; a byte order mark is passed over.
 
     Raises UnreadableFile with the line on which the row begins that is none: in which a quote never ends, say.
     """
@@ -45,7 +45,7 @@ def table_rows(text: str) -> Iterator[TableRow]:
 
 
 def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
-    """Answer the cells of each row with its line. The limit of the csv module would end the whole table."""
+    """Yield the cells of each row with its line. The limit of the csv module would end the whole table."""
     reader = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
     while True:
         begins = reader.line_num + 1

@@ -28,12 +28,12 @@ _WITH = "with|using"
 
 
 def is_epic_kitchens(text: str) -> bool:
-    """Answer whether the first line of ``text`` has the columns of EPIC-KITCHENS-100 annotations."""
+    """Return whether the first line of ``text`` has the columns of EPIC-KITCHENS-100 annotations."""
     return set(COLUMNS) <= set(columns_of(text))
 
 
 def read_epic_kitchens(text: str, file: str) -> NarratedFile:
-    """Answer a narration for every video of a table, in the order of their first rows, actions by their start.
+    """Return a narration for every video of a table, in the order of their first rows, actions by their start.
 
     A row that cannot be used is left out and told with its line. Never raises.
     """
@@ -85,7 +85,7 @@ def _problem(row: Mapping[str, str]) -> Problem | None:
 
 
 def _nouns(line: int, row: Mapping[str, str], journal: Journal) -> Sequence[str]:
-    """Answer the nouns as they are spoken, the main one first, each once."""
+    """Return the nouns as they are spoken, the main one first, each once."""
     nouns = [row["noun"]] if row["noun"] else []
     listed = row.get("all_nouns", "")
     if listed:
@@ -108,7 +108,7 @@ def _spoken(noun: str) -> str:
 
 
 def _role(noun: str, narration: str) -> tuple[str, str] | None:
-    """Answer whether the narration has ``noun`` as the place to, the place from or the instrument, and its word."""
+    """Return whether the narration has ``noun`` as the place to, the place from or the instrument, and its word."""
     ending = re.escape(noun.lower().split()[-1])
     for role, words in (("to", _TO), ("from", _FROM), ("with", _WITH)):
         match = re.search(_BEFORE_A_NOUN.format(words=words, noun=ending), narration)

@@ -25,7 +25,7 @@ class Document:
 
 
 def parse_document(text: str) -> Document:
-    """Answer the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``UnreadableFile`` for anything else."""
+    """Return the parts of ``[unit, …]`` or ``{"units": [unit, …], …}``. Raises ``UnreadableFile`` for anything else."""
     cursor = _Cursor(text)
     if cursor.peek() == "[":
         document = Document(tuple(cursor.items()), {})
@@ -54,7 +54,7 @@ def _object_document(cursor: _Cursor) -> Document:
 
 
 def stream_fields(blocks: Iterable[str], inside: str) -> Iterator[tuple[int, str, object]]:
-    """Answer the fields of the one JSON object that ``blocks`` make, as (line, name, value), one after another.
+    """Yield the fields of the one JSON object that ``blocks`` make, as (line, name, value), one after another.
 
     Of a field called ``inside`` that is an object its own fields are answered in its place. Raises ``UnreadableFile``,
     perhaps after some fields: only who went through all of them knows that the document is whole.
@@ -73,7 +73,7 @@ def stream_fields(blocks: Iterable[str], inside: str) -> Iterator[tuple[int, str
 
 
 def stream_items(blocks: Iterable[str]) -> Iterator[object]:
-    """Answer the items of the one JSON list that ``blocks`` make, one after another; of a field twice the last counts.
+    """Yield the items of the one JSON list that ``blocks`` make, one after another; of a field twice the last counts.
 
     Raises ``UnreadableFile``, perhaps after some items: only who went through all of them knows that it is whole.
     """
@@ -92,7 +92,7 @@ _LONGEST_VALUE = 1 << 26
 
 
 def ends_early(error: json.JSONDecodeError) -> bool:
-    """Answer whether the text is JSON as far as it goes."""
+    """Return whether the text is JSON as far as it goes."""
     return error.msg.startswith("Unterminated string") or not error.doc[error.pos :].strip()
 
 
@@ -128,7 +128,7 @@ class _Cursor:
         raise UnreadableFile(message, self.line)
 
     def peek(self) -> str:
-        """Go to the next character that is no white space and answer it; nothing at the end."""
+        """Go to the next character that is no white space and return it; nothing at the end."""
         while True:
             while self._text[self._at : self._at + 1] in _SPACE and self._at < len(self._text):
                 self._at += 1
@@ -161,7 +161,7 @@ class _Cursor:
         return error.msg.startswith("Unterminated string") or error.pos >= len(self._text) - _NEAR_THE_END
 
     def _read_on(self) -> bool:
-        """Read as much again as waits to be decoded, one block at least; answers whether there was anything."""
+        """Read as much again as waits to be decoded, one block at least; return whether there was anything."""
         wanted = max(1, len(self._text) - self._at)
         if wanted > _LONGEST_VALUE:
             self.fail(f"the value that begins here has more than {_LONGEST_VALUE:,} characters")
@@ -176,12 +176,12 @@ class _Cursor:
         return True
 
     def items(self) -> Iterator[tuple[int, object]]:
-        """Answer the items of the list that begins here, each with its line."""
+        """Yield the items of the list that begins here, each with its line."""
         for _ in self._between("[", "]"):
             yield self.line, self.value()
 
     def names(self) -> Iterator[str]:
-        """Answer the names of the object that begins here; after each the cursor is before its value."""
+        """Yield the names of the object that begins here; after each the cursor is before its value."""
         for _ in self._between("{", "}"):
             name = self.value()
             if not isinstance(name, str):

@@ -29,7 +29,7 @@ _UNPRINTABLE = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
 def read_json(text: str, name: str, file: str = "") -> ReadResult:
-    """Answer the subgraph ``name`` that a JSON ``text`` says; notices call it ``file``, or by its name.
+    """Return the subgraph ``name`` that a JSON ``text`` says; notices call it ``file``, or by its name.
 
     A unit that cannot be read is left out and reported; every other unit is kept, in its order. What is no JSON,
     or no list of units, is rejected as a whole. Never raises.
@@ -49,7 +49,7 @@ def read_json(text: str, name: str, file: str = "") -> ReadResult:
 
 
 def _bad_field(error: ReadError) -> Problem:
-    """Answer the problem, in words that can be printed whatever the file holds."""
+    """Return the problem, in words that can be printed whatever the file holds."""
     message = error.message.encode("utf-8", "backslashreplace").decode()
     return Problem(NoticeKind.BAD_FIELD, message)
 

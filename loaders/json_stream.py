@@ -12,7 +12,7 @@ from foon_kg.model.errors import ReadError
 
 
 def stream_list(path: Path) -> Iterator[tuple[int, object]]:
-    """Answer each element of the list in ``path`` with its number, from 1.
+    """Yield each element of the list in ``path`` with its number, from 1.
 
     Raises :class:`~foon_kg.model.errors.ReadError` with the line and the number of the element where the text ends too
     early, is no JSON or no UTF-8, or where the file holds no list.

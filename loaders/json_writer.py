@@ -12,7 +12,7 @@ from foon_kg.model.node_json import measures_to_json, node_to_json
 
 
 def write_json(subgraph: Subgraph) -> str:
-    """Answer ``subgraph`` as JSON, which ``read_json`` reads back to the same; its name is the file's to carry.
+    """Return ``subgraph`` as JSON, which ``read_json`` reads back to the same; its name is the file's to carry.
 
     Raises ``FormatError`` where it would be read back as something else: for a subgraph without units, for names that
     are empty or hold control characters or white space other than single blanks, for times that are none.
@@ -27,7 +27,7 @@ def write_json(subgraph: Subgraph) -> str:
 
 
 def annotation_to_json(annotation: Annotation) -> JsonObject:
-    """Answer one unit with its time."""
+    """Return one unit with its time."""
     unit, timing = annotation.unit, annotation.timing
     return {
         "input_nodes": [_participant_to_json(one) for one in unit.inputs],

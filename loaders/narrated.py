@@ -30,12 +30,12 @@ class NarratedFile:
 
 
 def is_video_name(name: str) -> bool:
-    """Answer whether ``name`` may name a video and the file of its draft: no path, no marks, not too long."""
+    """Return whether ``name`` may name a video and the file of its draft: no path, no marks, not too long."""
     return _NAME.fullmatch(name) is not None and name.strip() == name
 
 
 def ordered(told: Iterable[T]) -> tuple[T, ...]:
-    """Answer ``told`` by when it begins; what has no time stays behind what it was told after."""
+    """Return ``told`` by when it begins; what has no time stays behind what it was told after."""
     keyed: list[tuple[float, T]] = []
     latest = 0.0
     for one in told:

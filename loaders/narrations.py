@@ -18,7 +18,7 @@ _FORMS = "an EPIC-KITCHENS-100 table, ActivityNet Captions or YouCook2 JSON"
 
 
 def read_narrations(paths: Iterable[Path]) -> Iterator[NarratedFile]:
-    """Answer what each file narrates that ``paths`` name or, being folders, hold (``*.csv``, ``*.json``), by path.
+    """Yield what each file narrates that ``paths`` name or, being folders, hold (``*.csv``, ``*.json``), by path.
 
     A file that is none of the forms, or cannot be read, narrates nothing and says why. Raises ReadError for a path
     that does not exist, or a folder without such files.
@@ -28,7 +28,7 @@ def read_narrations(paths: Iterable[Path]) -> Iterator[NarratedFile]:
 
 
 def is_narrated(path: Path) -> bool:
-    """Answer whether the file in ``path`` narrates videos in one of the forms; no for what cannot be read."""
+    """Return whether the file in ``path`` narrates videos in one of the forms; no for what cannot be read."""
     if path.suffix.lower() not in _ENDINGS or not path.is_file():
         return False
     if path.suffix.lower() == ".json":

@@ -89,7 +89,7 @@ class Notice:
     severity: Severity = Severity.ASSUMED
 
     def to_json(self) -> dict[str, object]:
-        """Answer the notice as one object of a JSON Lines report."""
+        """Return the notice as one object of a JSON Lines report."""
         return {
             "file": self.file,
             "line": self.line,
@@ -164,12 +164,12 @@ class Journal:
         self._add_rejected(line, problem, "unit rejected")
 
     def reject_file(self, line: int | None, problem: Problem) -> ReadResult:
-        """Answer the result of a file that cannot be used at all."""
+        """Return the result of a file that cannot be used at all."""
         self._add_rejected(line, problem, "file rejected")
         return self._ended(None)
 
     def reject_unread(self, error: UnreadableFile | OSError) -> ReadResult:
-        """Answer the result of a file that cannot be opened, or whose content is not what it should be."""
+        """Return the result of a file that cannot be opened, or whose content is not what it should be."""
         if isinstance(error, UnreadableFile):
             return self.reject_file(error.line, error.problem)
         return self.reject_file(None, Problem(NoticeKind.UNREADABLE_FILE, f"cannot be opened: {error.strerror}"))
@@ -177,7 +177,7 @@ class Journal:
     def result(
         self, name: str, annotations: Sequence[Annotation], sources: Sequence[str], lines: Sequence[int] = ()
     ) -> ReadResult:
-        """Answer what was read. A file without any unit is rejected: it is hardly a FOON."""
+        """Return what was read. A file without any unit is rejected: it is hardly a FOON."""
         if annotations:
             return self._ended(Subgraph(name, tuple(annotations), tuple(sources)), lines)
         if any(notice.severity is Severity.REJECTED for notice in self._notices):
@@ -185,7 +185,7 @@ class Journal:
         return self.reject_file(None, Problem(NoticeKind.NO_UNITS, "no functional unit in it"))
 
     def notices(self) -> tuple[Notice, ...]:
-        """Answer everything noted so far, by line."""
+        """Return everything noted so far, by line."""
         return tuple(sorted(self._notices, key=lambda notice: notice.line or 0))
 
     def _ended(self, subgraph: Subgraph | None, lines: Sequence[int] = ()) -> ReadResult:

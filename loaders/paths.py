@@ -24,7 +24,7 @@ _LINE_END = re.compile(rb"\r\n|\r|\n")
 
 
 def read_path(path: Path) -> Iterator[ReadResult]:
-    """Answer one result for ``path``, or for every ``*.txt`` and ``*.json`` below it if it is a folder.
+    """Return one result for ``path``, or for every ``*.txt`` and ``*.json`` below it if it is a folder.
 
     See :func:`read_paths`.
     """
@@ -32,7 +32,7 @@ def read_path(path: Path) -> Iterator[ReadResult]:
 
 
 def read_paths(paths: Iterable[Path]) -> Iterator[ReadResult]:
-    """Answer one result for every FOON file that ``paths`` name or, being folders, hold at any depth.
+    """Return one result for every FOON file that ``paths`` name or, being folders, hold at any depth.
 
     Sorted by the name of the video, whatever the order of ``paths``. Where two files are of the same video, the
     text counts, then the first path; the other one gives no subgraph, and its file is rejected unless both say the
@@ -57,7 +57,7 @@ def _read_all(files: list[Path], with_copies: set[str]) -> Iterator[ReadResult]:
 
 
 def _copy(first: ReadResult, second: ReadResult) -> ReadResult:
-    """Answer ``second``, of the same video as ``first``, without its subgraph."""
+    """Return ``second``, of the same video as ``first``, without its subgraph."""
     if second.subgraph is None:
         return second
     if first.subgraph == second.subgraph:
@@ -109,7 +109,7 @@ def _printable(path: Path) -> str:
 
 
 def decode(data: bytes) -> str:
-    """Answer the text of a file. Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text."""
+    """Return the text of a file. Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text."""
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:

@@ -50,7 +50,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         self._keep("amounts", NUTRITION, _amounts, tell)
 
     def recipes(self, tell: Tell) -> Iterator[CollectedRecipe]:
-        """Answer the recipes in the order of ``layer1.json``; what is no recipe is told and left out."""
+        """Yield the recipes in the order of ``layer1.json``; what is no recipe is told and left out."""
         for number, value in stream_list(self._path):
             place = f"{self._path}: element {number}"
             problem = _problem(value)
@@ -113,7 +113,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
         self._disk.execute("COMMIT")
 
     def _beside(self, table: str, place: str, recipe_id: str, texts: Sequence[str], tell: Tell) -> Sequence[Any]:
-        """Answer what ``table`` says of each line; nothing where it has another number of lines, which is told.
+        """Return what ``table`` says of each line; nothing where it has another number of lines, which is told.
 
         Where a file says it twice, the last counts.
         """
@@ -127,7 +127,7 @@ class Recipe1M(AbstractContextManager["Recipe1M"]):
 
 
 def _problem(value: object) -> tuple[NoticeKind, str] | None:
-    """Answer why an element is no recipe, ``None`` where it is one."""
+    """Return why an element is no recipe, ``None`` where it is one."""
     if not isinstance(value, dict):
         return NoticeKind.BAD_FIELD, f"no object but {_kind(value)}"
     if not _is_id(value.get("id")):
@@ -141,7 +141,7 @@ def _problem(value: object) -> tuple[NoticeKind, str] | None:
 
 
 def count_problem(count: int) -> tuple[NoticeKind, str] | None:
-    """Answer why no recipe has so many ingredients, ``None`` where one may."""
+    """Return why no recipe has so many ingredients, ``None`` where one may."""
     if not count:
         return NoticeKind.NO_INGREDIENTS, "it has no ingredients"
     if count > MOST_INGREDIENTS:
@@ -158,7 +158,7 @@ def instructions_of(value: object) -> tuple[str, ...]:
 
 
 def _detected(value: Mapping[str, object]) -> Sequence[object] | None:
-    """Answer the food of each line, ``""`` where it is not valid."""
+    """Return the food of each line, ``""`` where it is not valid."""
     valid, found = value.get("valid"), value.get("ingredients")
     if not isinstance(valid, list) or not isinstance(found, list) or len(valid) != len(found):
         return None
@@ -168,7 +168,7 @@ def _detected(value: Mapping[str, object]) -> Sequence[object] | None:
 
 
 def _amounts(value: Mapping[str, object]) -> Sequence[object] | None:
-    """Answer quantity and unit of each line."""
+    """Return quantity and unit of each line."""
     lists = [value.get(name) for name in ("ingredients", "quantity", "unit")]
     if not all(isinstance(entries, list) and all(map(_is_text, entries)) for entries in lists):
         return None

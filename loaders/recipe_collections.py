@@ -30,7 +30,7 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
         self._recipe1m: dict[Path, Recipe1M] = {}
 
     def check(self, progress: Callable[[], None] = lambda: None) -> int:
-        """Read every file to its end, tell whatever is odd, and answer how many recipes can be used.
+        """Read every file to its end, tell whatever is odd, and return how many recipes can be used.
 
         Raises ReadError where a file ends too early or is not what its name says, before anything has been written.
         """
@@ -43,7 +43,7 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
         return count
 
     def __iter__(self) -> Iterator[CollectedRecipe]:
-        """Answer the recipes in the order of ``paths``."""
+        """Return the recipes in the order of ``paths``."""
         return self._recipes(lambda _: None)
 
     def _recipes(self, tell: Tell) -> Iterator[CollectedRecipe]:
@@ -70,7 +70,7 @@ class RecipeCollections(AbstractContextManager["RecipeCollections"]):
 
 
 def _problem(recipe: CollectedRecipe, seen: Collection[str]) -> tuple[NoticeKind, str] | None:
-    """Answer why a recipe cannot be loaded, ``None`` where it can."""
+    """Return why a recipe cannot be loaded, ``None`` where it can."""
     if len(recipe.id) > LONGEST_ID:
         return NoticeKind.ODD_NAME, f"its id has {len(recipe.id)} characters; {LONGEST_ID} are the most"
     if recipe.id in seen:
@@ -83,7 +83,7 @@ def _problem(recipe: CollectedRecipe, seen: Collection[str]) -> tuple[NoticeKind
 
 
 def _oddities(recipe: CollectedRecipe) -> Iterator[tuple[NoticeKind, str, str]]:
-    """Answer what is odd about a recipe that is loaded, each with what is done about it."""
+    """Yield what is odd about a recipe that is loaded, each with what is done about it."""
     if recipe.dish_type is not None and recipe.dish_type not in DISH_TYPES:
         message = f"“{recipe.dish_type[:40]}” is none of the dish types"
         yield NoticeKind.ODD_CLASS, message, "its title says what dish it is"

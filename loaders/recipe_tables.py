@@ -34,7 +34,7 @@ _OPEN_QUOTE = re.compile(r"EOF inside string starting at row (\d+)")
 
 
 def read_rows(path: Path, tell: Tell) -> Iterator[CollectedRecipe]:
-    """Answer the recipes of one file in their order; what is no recipe is told and left out.
+    """Yield the recipes of one file in their order; what is no recipe is told and left out.
 
     Raises ReadError where the file cannot be read as what its ending says, UsageError for an unknown ending or where
     the extra ``recipes`` is not installed.
@@ -77,7 +77,7 @@ def _recipe(path: Path, number: int, place: str, row: object, tell: Tell) -> Col
 
 
 def _lines(cell: object, place: str, tell: Tell) -> tuple[CollectedLine, ...] | None:
-    """Answer the ingredients that a cell lists, ``None`` where it lists something else; one without a name is told."""
+    """Return the ingredients that a cell lists, ``None`` where it lists something else; one without a name is told."""
     if isinstance(cell, str):
         if not cell.lstrip().startswith("["):
             return tuple(CollectedLine(part.strip()) for part in _BETWEEN.split(cell) if part.strip())
@@ -111,7 +111,7 @@ def _text(fields: Mapping[str, object], name: str) -> str | None:
 
 
 def _number(fields: Mapping[str, object], name: str) -> str | None:
-    """Answer a field that may be a number, as text."""
+    """Return a field that may be a number, as text."""
     value = fields.get(name)
     if isinstance(value, int | float) and not isinstance(value, bool) and value == value:  # noqa: PLR0124 - not NaN
         return str(value)
@@ -150,7 +150,7 @@ def _json_lines(path: Path) -> Iterator[tuple[int, object]]:
 
 
 def _value(path: Path, line: int, text: str) -> object:
-    """Answer the JSON that begins on ``line``. Raises ReadError with the line on which it is none."""
+    """Return the JSON that begins on ``line``. Raises ReadError with the line on which it is none."""
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:
@@ -189,7 +189,7 @@ def _csv(path: Path) -> Iterator[tuple[int, object]]:
 
 
 def _no_table(path: Path, number: int, error: Exception) -> ReadError:
-    """Answer the error of a table that pandas cannot read after recipe ``number``, with the line where it is known."""
+    """Return the error of a table that pandas cannot read after recipe ``number``, with the line where it is known."""
     said = str(error).strip()
     if cells := _TOO_MANY_CELLS.search(said):
         hint = "A cell with a comma needs quotes around it."

@@ -11,7 +11,7 @@ from foon_kg.loaders.notices import Notice, NoticeKind, Severity
 
 
 def write_report(notices: Iterable[Notice], stream: TextIO) -> int:
-    """Write one JSON object a notice and line (``foon load foon --report FILE``); answer how many."""
+    """Write one JSON object a notice and line (``foon load foon --report FILE``); return how many."""
     count = 0
     for notice in notices:
         stream.write(json.dumps(notice.to_json(), ensure_ascii=True) + "\n")
@@ -20,12 +20,12 @@ def write_report(notices: Iterable[Notice], stream: TextIO) -> int:
 
 
 def count_by_kind(notices: Iterable[Notice]) -> dict[tuple[Severity, NoticeKind], int]:
-    """Answer how many notices there are of each kind: what was rejected first, then the most frequent."""
+    """Return how many notices there are of each kind: what was rejected first, then the most frequent."""
     counts = Counter((notice.severity, notice.kind) for notice in notices)
     order = sorted(counts, key=lambda kind: (kind[0] is not Severity.REJECTED, -counts[kind], kind[1]))
     return {kind: counts[kind] for kind in order}
 
 
 def summary(notices: Iterable[Notice]) -> tuple[str, ...]:
-    """Answer a line a kind for people: ``rejected: 1 two-motions``, ``assumed: 33 name-twice``."""
+    """Return a line a kind for people: ``rejected: 1 two-motions``, ``assumed: 33 name-twice``."""
     return tuple(f"{severity}: {count} {kind}" for (severity, kind), count in count_by_kind(notices).items())

@@ -17,7 +17,7 @@ _BLOCK = 1 << 16
 
 
 def text_blocks(path: Path) -> Iterator[str]:
-    """Answer the text of ``path`` in blocks of 64 KB, without a byte order mark.
+    """Yield the text of ``path`` in blocks of 64 KB, without a byte order mark.
 
     Raises UnreadableFile with line and byte where it is no UTF-8, OSError where the file cannot be opened.
     """
@@ -42,7 +42,7 @@ def text_blocks(path: Path) -> Iterator[str]:
 
 
 def half_character(text: str) -> str | None:
-    """Answer the half of a character in ``text``, as in U+D83D; ``None`` where there is none.
+    """Return the half of a character in ``text``, as in U+D83D; ``None`` where there is none.
 
     JSON can say the first half of an emoji without the second, and no file or database can hold that.
     """
@@ -54,7 +54,7 @@ def half_character(text: str) -> str | None:
 
 
 def odd_character(text: str) -> str | None:
-    """Answer what in ``text`` no table can hold: half of a character, or a control character other than white space."""
+    """Return what in ``text`` no table can hold: half of a character, or a control character other than white space."""
     if half := half_character(text):
         return f"half of a character ({half})"
     control = CONTROL.search(text)

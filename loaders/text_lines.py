@@ -75,7 +75,7 @@ Line = ObjectLine | StateLine | MotionLine | SourceLine | Separator | Problem | 
 
 
 def fold(text: str) -> str:
-    """Answer ``text`` without white space at its ends and with single blanks inside."""
+    """Return ``text`` without white space at its ends and with single blanks inside."""
     return " ".join(text.split())
 
 

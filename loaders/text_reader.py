@@ -23,7 +23,7 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 def read_text(text: str, name: str, file: str = "") -> ReadResult:
-    """Answer the subgraph ``name`` that ``text`` says; notices call it ``file``, or by its name.
+    """Return the subgraph ``name`` that ``text`` says; notices call it ``file``, or by its name.
 
     A unit that cannot be read is left out and reported; every other unit is kept, in its order. Never raises.
     """
@@ -39,7 +39,7 @@ class TextReader:
         self._one_of_equals: dict[ObjectNode, ObjectNode] = {}
 
     def read(self, text: str, name: str, file: str = "") -> ReadResult:
-        """Answer what :func:`read_text` answers."""
+        """Return what :func:`read_text` answers."""
         journal = Journal(file or name)
         known = self._lines
         lines = [known[line] if line in known else self._line(line) for line in _LINE_END.split(text)]
@@ -56,7 +56,7 @@ class TextReader:
         return line
 
     def _annotation(self, draft: _UnitDraft, journal: Journal, *, hours: bool) -> Annotation | None:
-        """Answer the unit that a draft makes, ``None`` (and a word in the journal) where it makes none."""
+        """Return the unit that a draft makes, ``None`` (and a word in the journal) where it makes none."""
         for number, remark in draft.remarks:
             journal.remark(number, remark)
         problem = draft.problem or draft.missing()
@@ -137,7 +137,7 @@ class _UnitDraft:
             self.problem = (number, _why_spoiled(line))
 
     def missing(self) -> tuple[int, Problem] | None:
-        """Answer what the unit lacks, at the line where it ends."""
+        """Return what the unit lacks, at the line where it ends."""
         if not self.motion_at:
             return self.last_line, _NO_MOTION
         if not self.inputs:
@@ -151,14 +151,14 @@ def _class_on_input(dish_type: str) -> Remark:
 
 
 def _why_spoiled(line: Line) -> Problem:
-    """Answer why a line does not fit where it stands, or what is wrong with itself."""
+    """Return why a line does not fit where it stands, or what is wrong with itself."""
     if isinstance(line, Problem):
         return line
     return _STRAY_STATE if isinstance(line, StateLine) else _TWO_MOTIONS
 
 
 def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
-    """Answer the units of a file; what is odd about its separators goes into the journal."""
+    """Return the units of a file; what is odd about its separators goes into the journal."""
     drafts: list[_UnitDraft] = []
     draft: _UnitDraft | None = None
     after_separator = False
@@ -181,7 +181,7 @@ def _drafts(lines: list[Line], journal: Journal) -> list[_UnitDraft]:
 
 
 def _node(label: str, lines: list[StateLine]) -> tuple[ObjectNode, Remark | None]:
-    """Answer the object node that an object's lines make, and what is odd about its places.
+    """Return the object node that an object's lines make, and what is odd about its places.
 
     Of several different places the last counts, as in the JSON that the FOON's authors made of these files;
     the others are kept as states.
@@ -200,6 +200,6 @@ def _node(label: str, lines: list[StateLine]) -> tuple[ObjectNode, Remark | None
 
 
 def place_as_state(place: Place) -> str:
-    """Answer the state that keeps a place beside another one: ``with [rind]``."""
+    """Return the state that keeps a place beside another one: ``with [rind]``."""
     relation, container = place
     return f"{relation or ''} [{container or ''}]".lstrip()

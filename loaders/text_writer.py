@@ -25,7 +25,7 @@ _NUMBER_OF_CLASS = {dish_type: number for number, dish_type in enumerate(DISH_TY
 
 
 def write_text(subgraph: Subgraph) -> str:
-    """Answer ``subgraph`` as FOON text, which ``read_text`` reads back to the same but for measures: it has none.
+    """Return ``subgraph`` as FOON text, which ``read_text`` reads back to the same but for measures: it has none.
 
     Raises ``FormatError`` where it would be read back as something else, naming the first unit or source at fault.
     """
@@ -81,7 +81,7 @@ def _state_lines(node: ObjectNode) -> Iterator[str]:
 
 
 def _fault(subgraph: Subgraph) -> str:
-    """Answer what of ``subgraph`` does not come back, once it is known that something does not."""
+    """Return what of ``subgraph`` does not come back, once it is known that something does not."""
     if not subgraph.annotations:
         return "a subgraph without units"
     for place, annotation in enumerate(subgraph.annotations):

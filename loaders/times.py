@@ -24,14 +24,14 @@ _LATEST = 1e9  # seconds; what is later is no time of a video
 
 
 def counts_hours(columns: Iterable[str]) -> bool:
-    """Answer whether a file with these time columns writes h:mm:ss: more of its times have three parts than two."""
+    """Return whether a file with these time columns writes h:mm:ss: more of its times have three parts than two."""
     times: list[str] = _TIMES.findall("\n".join(columns))
     colons = [time.count(":") for time in times]
     return sum(count > 1 for count in colons) > sum(count == 1 for count in colons)
 
 
 def read_timing(columns: Sequence[str], *, hours: bool = False) -> tuple[Timing, tuple[Remark, ...]]:
-    """Answer the time that the last columns of a motion line say, and what is odd about how they say it.
+    """Return the time that the last columns of a motion line say, and what is odd about how they say it.
 
     ``hours``: the file counts hours (see :func:`counts_hours`). What cannot be read is left out and remarked on;
     an end before its start is kept as it was written.
@@ -95,7 +95,7 @@ class _Reading:
                 self._odd(f"'{start_text}-{end_text}' ends before it starts", "kept as written")
 
     def _seconds(self, text: str) -> float | None:
-        """Answer a clock time in seconds, ``None`` where it is none."""
+        """Return a clock time in seconds, ``None`` where it is none."""
         text = text.strip()
         match = _CLOCK.fullmatch(text)
         seconds = self._added_up(match) if match else None
@@ -120,19 +120,19 @@ class _Reading:
 
 
 def is_time(value: object) -> TypeGuard[float]:
-    """Answer whether ``value`` is a number of seconds that may stand in a video."""
+    """Return whether ``value`` is a number of seconds that may stand in a video."""
     return isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < _LATEST
 
 
 def write_timing(timing: Timing) -> str:
-    """Answer the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``, or nothing where nothing is known."""
+    """Return the canonical column: ``<Assumed>``, ``<1:10-1:11.5,2:00-2:04>``, or nothing where nothing is known."""
     parts = ["Assumed"] if timing.assumed else []
     parts += [f"{_clock(start)}-{_clock(end)}" for start, end in timing.spans]
     return f"<{','.join(parts)}>" if parts else ""
 
 
 def _clock(seconds: float) -> str:
-    """Answer m:ss, with as many decimals as it takes to be read back the same."""
+    """Return m:ss, with as many decimals as it takes to be read back the same."""
     if not is_time(seconds):
         return repr(seconds)  # no clock time; who writes it finds out by reading it back
     exact = Decimal(repr(float(seconds)))

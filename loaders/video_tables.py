@@ -41,7 +41,7 @@ _IN_BRACKETS = re.compile("[;,]")
 
 
 def read_videos(paths: Iterable[Path]) -> Iterator[ReadResult]:
-    """Answer a result for every video that ``paths`` name: plain tables (``.csv``), FOON text and JSON, and folders.
+    """Yield a result for every video that ``paths`` name: plain tables (``.csv``), FOON text and JSON, and folders.
 
     Raises ReadError for a path that does not exist or holds none of them.
     """
@@ -67,12 +67,12 @@ def _is_hidden(path: Path) -> bool:
 
 
 def is_video_table(text: str) -> bool:
-    """Answer whether the first line of ``text`` has the columns of a plain table of units."""
+    """Return whether the first line of ``text`` has the columns of a plain table of units."""
     return set(COLUMNS) <= set(columns_of(text))
 
 
 def read_video_table(path: Path) -> tuple[ReadResult, ...]:
-    """Answer one result a video of the table in ``path``, in the order of their first rows.
+    """Return one result a video of the table in ``path``, in the order of their first rows.
 
     A row that is no unit is left out and told with its line; a time that cannot be is left out and told as well. A file
     that is no such table is one result without a subgraph. Never raises.
@@ -84,7 +84,7 @@ def read_video_table(path: Path) -> tuple[ReadResult, ...]:
 
 
 def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, ...]:
-    """Answer what :func:`read_video_table` answers; a row without ``video`` belongs to the video ``name``."""
+    """Return what :func:`read_video_table` answers; a row without ``video`` belongs to the video ``name``."""
     file = file or name
     try:
         rows = list(table_rows(text))
@@ -101,7 +101,7 @@ def read_video_text(text: str, name: str, file: str = "") -> tuple[ReadResult, .
 
 
 def read_thing(text: str) -> Participant | None:
-    """Answer the participant that a part of a cell names, ``None`` where it names none.
+    """Return the participant that a part of a cell names, ``None`` where it names none.
 
     >>> str(read_thing("*onion (chopped, peeled) on cutting board").node)
     'onion (chopped, peeled; on cutting board)'
@@ -170,7 +170,7 @@ def _annotation(told: TableRow, journal: Journal, *, hours: bool) -> Annotation 
 
 
 def row_timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Remark, ...]]:
-    """Answer the time of a row; one that no video can have is left out and remarked on."""
+    """Return the time of a row; one that no video can have is left out and remarked on."""
     if early := [time for time in (start, end) if time.startswith("-")]:
         return Timing(), (
             Remark(NoticeKind.ODD_TIME, f"{early[0]} is before the video begins", "the time is left out"),
@@ -182,7 +182,7 @@ def row_timing(start: str, end: str, *, hours: bool) -> tuple[Timing, tuple[Rema
 
 
 def _things(cell: str) -> list[Participant | str]:
-    """Answer the things that a cell names; what cannot be read as one stays text."""
+    """Return the things that a cell names; what cannot be read as one stays text."""
     parts = (part.strip() for part in between_semicolons(cell))
     return [read_thing(part) or part for part in parts if part]
 

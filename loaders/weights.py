@@ -36,7 +36,7 @@ def read_weights(path: Path) -> MotionCosts:
 
 
 def write_weights(costs: MotionCosts) -> str:
-    """Answer ``costs`` as JSON, which :func:`read_weights` reads back to the same."""
+    """Return ``costs`` as JSON, which :func:`read_weights` reads back to the same."""
     return json.dumps(dict(sorted(costs.costs.items())), ensure_ascii=False, indent=2) + "\n"
 
 

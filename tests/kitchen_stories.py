@@ -43,12 +43,12 @@ def unit(text: str, goal: str | None = None) -> FunctionalUnit:
 
 
 def script(*lines: str, video: str = "story") -> tuple[KnownUnit, ...]:
-    """Answer the units of ``lines`` in order, each seen in ``video``."""
+    """Return the units of ``lines`` in order, each seen in ``video``."""
     return tuple(KnownUnit(unit(line), (Sighting(video, place),)) for place, line in enumerate(lines))
 
 
 def subgraph(name: str, dish_type: str, *lines: str) -> Subgraph:
-    """Answer a subgraph whose last unit makes the goal."""
+    """Return a subgraph whose last unit makes the goal."""
     units = [*(unit(line) for line in lines[:-1]), unit(lines[-1], dish_type)]
     return Subgraph(name, tuple(Annotation(u) for u in units))
 

@@ -47,11 +47,11 @@ class AnswerFile:
 
     @property
     def exit_code(self) -> int:
-        """Answer the exit code that the lines stand for: the highest of those of their errors."""
+        """Return the exit code that the lines stand for: the highest of those of their errors."""
         return max(map(exit_code_of, self.lines), default=0)
 
     def going_on(self) -> AbstractContextManager[Callable[[str], None]]:
-        """Open the file after its last whole block; answer what adds a line to it."""
+        """Open the file after its last whole block; return what adds a line to it."""
         return adding(self.path, self.size)
 
 

@@ -45,7 +45,7 @@ def answer_all(
     *,
     dask: str | None = None,
 ) -> int:
-    """Answer and write ``questions``, those that the output file answers already apart; return the exit code.
+    """Return and write ``questions``, those that the output file answers already apart; return the exit code.
 
     They are planned in ``jobs`` processes, or on the cluster of the scheduler at ``dask``.
     """
@@ -103,7 +103,7 @@ def _answered_before(path: Path, questions: Sequence[Question], foon: Foon, sett
 
 
 def _stdout_is_terminal() -> bool:
-    from foon_kg.cli.console import data
+    from foon_kg.cli.streams import data
 
     return data().is_terminal
 

@@ -89,7 +89,7 @@ def whole_blocks(path: Path) -> Iterator[tuple[bytes, int]]:
 
 @contextmanager
 def adding(path: Path, size: int) -> Iterator[Callable[[str], None]]:
-    """Open a file behind its first ``size`` bytes; answer what adds a line. A block is on disk when it is full.
+    """Open a file behind its first ``size`` bytes; return what adds a line. A block is on disk when it is full.
 
     The last one, too, where the block of ``with`` ends well; else it is left out. Raises UsageError for no file.
     """

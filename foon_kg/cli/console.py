@@ -9,7 +9,7 @@ import errno
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,11 +18,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from foon_kg.cli.help_pages import HelpedGroup
-from foon_kg.model.errors import FoonError
+from foon_kg.cli.streams import data, messages
+from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.written_files import NO_ROOM, no_room
 
 if TYPE_CHECKING:
-    from rich.console import Console, RenderableType
+    from rich.console import RenderableType
 
 _JSON_ASKED = "foon_kg.cli.json"
 
@@ -46,8 +47,25 @@ Say = Callable[[str], None]
 
 
 def examples(*lines: str) -> str:
-    """Answer the end of a command's help: its examples, each on a line of its own."""
+    """Return the end of a command's help: its examples, each on a line of its own."""
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
+
+
+_WRONG_USAGE: Any = typer.BadParameter.__base__
+"""What typer raises for a command line that cannot be read; it has no public name of its own there."""
+
+
+def _asks_json(words: Sequence[str]) -> bool:
+    return "--json" in words[: words.index("--") if "--" in words else len(words)]
+
+
+def _as_ours(error: Any) -> FoonError:  # noqa: ANN401 - see _WRONG_USAGE
+    """Return the error of a command line that cannot be read, with where its help is; help that was asked for stays."""
+    if type(error).__name__ == "NoArgsIsHelpError":
+        raise error
+    message = " ".join(error.format_message().split()).rstrip(".")
+    command = error.ctx.command_path if error.ctx is not None else "foon"
+    return UsageError(message[:1].lower() + message[1:], hint=f"{command} --help says what there is.")
 
 
 class ErrorsAtTheEdge(HelpedGroup):
@@ -56,19 +74,31 @@ class ErrorsAtTheEdge(HelpedGroup):
     Where JSON was asked for, stdout gets the error as one more JSON value: ``{"error": {"code", "message", "hint"}}``.
     """
 
+    def make_context(self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any) -> Any:  # noqa: ANN401 - as typer has it
+        """Read the options of the program itself."""
+        asked = _asks_json(args)
+        try:
+            context = super().make_context(info_name, args, parent, **extra)
+        except _WRONG_USAGE as error:
+            raise self._told(asked, _as_ours(error)) from error
+        context.meta[_JSON_ASKED] = asked  # a command that cannot be read remembers nothing
+        return context
+
     def invoke(self, ctx: typer.Context) -> Any:  # type: ignore[override]  # noqa: ANN401 - as typer has it
         """Run the command that was asked for."""
         try:
             return super().invoke(ctx)
+        except _WRONG_USAGE as error:
+            raise self._told(ctx.meta[_JSON_ASKED], _as_ours(error)) from error
         except FoonError as error:
-            raise self._told(ctx, error) from error
+            raise self._told(ctx.meta[_JSON_ASKED], error) from error
         except ModuleNotFoundError as error:
             from foon_kg.model.extras import missing
 
             lacks = missing(error)
             if lacks is None:
                 raise
-            raise self._told(ctx, lacks) from error
+            raise self._told(ctx.meta[_JSON_ASKED], lacks) from error
 
     def main(self, *arguments: Any, **options: Any) -> Any:  # noqa: ANN401 - as typer has it
         """Run the program; where a disk is full, or nobody reads stdout any more, end it in order."""
@@ -86,10 +116,10 @@ class ErrorsAtTheEdge(HelpedGroup):
             sys.exit(1)
 
     @staticmethod
-    def _told(ctx: typer.Context, error: FoonError) -> typer.Exit:
+    def _told(as_json: bool, error: FoonError) -> typer.Exit:
         """Tell an error, and return the end of the program that it asks for."""
         show_error(error)
-        if ctx.meta.get(_JSON_ASKED):
+        if as_json:
             from foon_kg.plans.result import error_to_json
 
             print_json({"error": error_to_json(error)})
@@ -107,20 +137,6 @@ def _give_up_stdout() -> None:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
         os.close(nowhere)
-
-
-def data() -> Console:
-    """Answer the console for data: stdout, coloured only on a terminal."""
-    from rich.console import Console
-
-    return Console(highlight=False)
-
-
-def messages(*, quiet: bool = False) -> Console:
-    """Answer the console for messages and progress: stderr, or nothing at all."""
-    from rich.console import Console
-
-    return Console(stderr=True, quiet=quiet, highlight=False, soft_wrap=True)
 
 
 @dataclass(frozen=True)
@@ -165,7 +181,7 @@ def print_json(value: object) -> None:
 
 
 def json_line(value: object) -> str:
-    """Answer a JSON value as one line."""
+    """Return a JSON value as one line."""
     return json.dumps(value, ensure_ascii=False)
 
 

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.cli.streams import data
 from foon_kg.model.json_text import json_value
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def _one_form(form: Form | None, *, as_json: bool, as_csv: bool) -> Form:
 
 
 def _question(query: str | None, name: str | None, given: dict[str, str]) -> tuple[str, dict[str, object]]:
-    """Answer the text to ask and its parameters: of a query of ours, or as the person typed them."""
+    """Return the text to ask and its parameters: of a query of ours, or as the person typed them."""
     from foon_kg.cli.explore import explore_query, values
 
     if name is not None:
@@ -174,7 +175,7 @@ def _is_number(value: object) -> bool:
 
 
 def _to_read(value: object) -> str:
-    """Answer a value for people: names of a list stand side by side."""
+    """Return a value for people: names of a list stand side by side."""
     if isinstance(value, list) and all(isinstance(item, str) for item in value):
         return ", ".join(value)
     return _in_a_cell(value)

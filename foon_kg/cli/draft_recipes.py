@@ -20,7 +20,7 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from foon_kg.language.drafting.recipes import RecipeDrafter
+    from foon_kg.language.recipe_drafts import RecipeDrafter
     from foon_kg.model.collected import CollectedRecipe
     from foon_kg.model.drafted import DraftedRecipe
 
@@ -64,7 +64,7 @@ def recipes(
     """
     from foon_kg.cli import data_frames
     from foon_kg.cli.knowledge import whole_foon
-    from foon_kg.language.drafting.recipes import RecipeDrafter
+    from foon_kg.language.recipe_drafts import RecipeDrafter
     from foon_kg.loaders.lessons import ENDINGS, is_drafts_file
     from foon_kg.loaders.recipe_collections import RecipeCollections
 

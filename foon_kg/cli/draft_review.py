@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.streams import data
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:

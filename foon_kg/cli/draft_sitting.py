@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from foon_kg.cli.console import data
 from foon_kg.cli.keys import Keys
+from foon_kg.cli.streams import data
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.written_files import write_file
 

@@ -73,14 +73,14 @@ class Run:
 
 
 def foon_key(snapshot: Snapshot) -> str:
-    """Answer a name for what a FOON knows: equal for equal units."""
+    """Return a name for what a FOON knows: equal for equal units."""
     from foon_kg.model import content_key
 
     return content_key([known.unit.key for known in snapshot.units])
 
 
 def compared(before: JsonObject, after: JsonObject, where: str, seed: int) -> Comparison:
-    """Answer what changed between two evaluations in JSON, of which the first was read from ``where``."""
+    """Return what changed between two evaluations in JSON, of which the first was read from ``where``."""
     from foon_kg.evaluation.comparison import compare, shares_of
 
     return compare(shares_of(before, where), shares_of(after, "this evaluation"), seed)

@@ -103,7 +103,7 @@ def recipes(  # noqa: PLR0917 - each parameter is an option of its own
 def _asked(
     paths: Sequence[Path], dishes: Sequence[str], sample: int | None, *, seed: int, snapshot: Snapshot, say: Say
 ) -> list[Recipe]:
-    """Answer the recipes to be planned, sorted by dish type and name: the order of files decides nothing."""
+    """Return the recipes to be planned, sorted by dish type and name: the order of files decides nothing."""
     from foon_kg.evaluation.sampling import sampled
     from foon_kg.planning.recipes import IngredientWords
     from foon_kg.plans.kitchen import Kitchen
@@ -140,7 +140,7 @@ def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recip
 
 
 def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: IngredientWords, say: Say) -> list[Recipe]:
-    """Answer recipes of the graph that surely are of these dish types."""
+    """Return recipes of the graph that surely are of these dish types."""
     from foon_kg.evaluation.sampling import drawn
     from foon_kg.planning.recipes import with_states
     from foon_kg.store.graph import Connection

@@ -128,7 +128,7 @@ def _evaluated(
 def _figures(
     asked: Sequence[LeftOutVideo], snapshot: Snapshot, methods: Sequence[str], run: options.Run
 ) -> tuple[VideoFigures, ...]:
-    """Answer the figures of all videos; those that the file of answers has already are not asked for again."""
+    """Return the figures of all videos; those that the file of answers has already are not asked for again."""
     from foon_kg.evaluation.leave_one_out import asking_without
     from foon_kg.evaluation.video_line import from_line, to_line
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def explore_query(name: str) -> NamedQuery:
-    """Answer the query of this name. Raises UsageError with the nearest names where there is none."""
+    """Return the query of this name. Raises UsageError with the nearest names where there is none."""
     from foon_kg.cypher import explore_queries
 
     known = {query.name: query for query in explore_queries()}
@@ -27,7 +27,7 @@ def explore_query(name: str) -> NamedQuery:
 
 
 def values(query: NamedQuery, given: Mapping[str, str]) -> dict[str, object]:
-    """Answer the parameters of ``query`` in their types: what was ``given`` as text, else the defaults.
+    """Return the parameters of ``query`` in their types: what was ``given`` as text, else the defaults.
 
     Raises UsageError where one is missing, unknown, or not of its type.
     """
@@ -40,7 +40,7 @@ def values(query: NamedQuery, given: Mapping[str, str]) -> dict[str, object]:
 
 
 def command(query: NamedQuery) -> str:
-    """Answer the command that asks ``query`` with its own example."""
+    """Return the command that asks ``query`` with its own example."""
     shown = (f"-P {name}={_quoted(value)}" for name, value in query.examples.items())
     return " ".join(["foon cypher --name", query.name, *shown])
 

@@ -202,7 +202,7 @@ def _write(files: Sequence[ExportFile], output: Path | None) -> None:
 
 
 def _distinct(files: Iterable[ExportFile]) -> Iterator[tuple[str, str]]:
-    """Answer names and texts; a name that comes again gets a number, in any writing of its letters."""
+    """Yield names and texts; a name that comes again gets a number, in any writing of its letters."""
     taken: set[str] = set()
     for file in files:
         stem, dot, ending = file.name.rpartition(".")

@@ -20,7 +20,7 @@ from foon_kg.plans.result import PlanResult
 
 
 def read_exported_trees(path: Path, say: Say) -> list[ExportedTree]:
-    """Answer the trees of a file, in their order; ``-`` is standard input.
+    """Return the trees of a file, in their order; ``-`` is standard input.
 
     Plan results that are no trees are passed over with a word. Raises :class:`~foon_kg.model.errors.NoTreeError` where
     that leaves none, :class:`~foon_kg.model.errors.ReadError` for what is neither a plan result nor a FOON.
@@ -60,7 +60,7 @@ def _of_plans(path: Path, values: list[tuple[int, object]], say: Say) -> Iterato
 
 
 def amounts_of(tree: ExportedTree, recipe: Path | None) -> dict[RequiredIngredient, str]:
-    """Answer how much of each ingredient a recipe file wants, where it says so in ``quantity`` and ``unit``.
+    """Return how much of each ingredient a recipe file wants, where it says so in ``quantity`` and ``unit``.
 
     An ingredient of the tree takes the amount of one of the same name, and of the same state if there is such.
     """
@@ -80,7 +80,7 @@ def amounts_of(tree: ExportedTree, recipe: Path | None) -> dict[RequiredIngredie
 
 
 def _amounts(recipe: Path) -> Iterator[tuple[str, str, str]]:
-    """Answer food, state and amount of each ingredient that has one."""
+    """Yield food, state and amount of each ingredient that has one."""
     text = text_of(recipe)
     try:
         fields = Fields(json_value(text), str(recipe))

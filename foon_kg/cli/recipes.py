@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
+from foon_kg.cli.streams import data
 
 if TYPE_CHECKING:
     from foon_kg.store.graph import Connection

@@ -11,7 +11,7 @@ from threading import Timer
 from time import monotonic
 from typing import TypeVar
 
-from foon_kg.cli.console import messages
+from foon_kg.cli.streams import messages
 
 T = TypeVar("T")
 

@@ -58,8 +58,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 ) -> None:
     """Serve a page to plan dishes, and the same as JSON.
 
-    The page also shows what the FOON has around an object, and /explore a picture to wander through; with --cypher it
-    takes questions in Cypher that only look at the graph. The JSON is under /api; /api/docs describes it.
+    /explore is a picture of the FOON to wander through; with --cypher it takes questions in Cypher that only look. The
+    JSON is under /api; /api/docs describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
@@ -106,14 +106,14 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
-    """Answer the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
-    from foon_kg.cli.knowledge import snapshot_of
+    """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
+    from foon_kg.cli.knowledge import lessons_in, snapshot_of
     from foon_kg.store.graph import Neo4jGraph
     from foon_kg.store.server import connection_settings
     from foon_kg.web.foon import FixedFoon, LiveFoon
 
     if files:
-        return FixedFoon(snapshot_of(files, say))
+        return FixedFoon(snapshot_of(files, say), lessons_in(files))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
     foon.edition()  # what is wrong is said now, and not to the first who asks
     return foon
@@ -125,7 +125,7 @@ def _address(host: str, listener: socket.socket) -> str:
 
 
 def _listening(host: str, port: int) -> socket.socket:
-    """Answer a socket that listens; raises UsageError where it cannot."""
+    """Return a socket that listens; raises UsageError where it cannot."""
     import socket
 
     family = socket.AF_INET6 if ":" in host else socket.AF_INET

@@ -35,6 +35,7 @@ class Shown:
         """Return what there is to see as JSON; a tree is its steps as sentences."""
         from foon_kg.formats.exports.sentences import sentence
         from foon_kg.model.node_json import node_to_json
+        from foon_kg.model.tree_json import unit_to_json
         from foon_kg.plans.kitchen import Kitchen
         from foon_kg.plans.shopping import shopping_list
 
@@ -50,7 +51,7 @@ class Shown:
             case "progress":
                 return told | {"progress_lines": [line.to_json() for line in self.tree.lines]}
             case "units":
-                return told | {"units": [unit.to_json() for unit in units]}
+                return told | {"units": [unit_to_json(unit) for unit in units]}
             case _:
                 return told | {"steps": [sentence(unit.as_unit(), kitchen) for unit in units]}
 
@@ -110,7 +111,7 @@ class Shown:
 
         foon = whole_foon(self.files, sayer(quiet=self.quiet))
         text = self.tree.units if self.tree.result is None else ()  # of a plan the FOON has all that was seen
-        durations = Durations.of_units(foon.units, [(u.motion_node, seen) for u in text for seen in u.seen_in])
+        durations = Durations.of_units(foon.units, [(u.motion, seen) for u in text for seen in u.sightings])
         return schedule(self.tree.units, self.tree.kitchen, durations, Kitchen.default(), self.hands)
 
     def difference(self) -> tuple[StepChange, ...]:

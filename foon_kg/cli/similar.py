@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.streams import data
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def _in_view(
 
 def _in_role(names: Sequence[str], role: str, limit: int, files: Sequence[Path] | None, say: Say) -> Nearest:
     from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.similarity.roles import in_role
+    from foon_kg.similarity.in_role import in_role
 
     with open_knowledge(files, say) as view:
         labels = view.vocabulary().labels

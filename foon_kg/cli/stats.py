@@ -7,8 +7,9 @@ from contextlib import nullcontext
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, sayer
 from foon_kg.cli.data_frames import driver_without_arrays
+from foon_kg.cli.streams import data
 
 EXAMPLES = examples("foon stats", "foon stats --json", "foon stats --files subgraphs/")
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, data, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.streams import data
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def diff(
 def found_differences(
     subgraphs: Sequence[Subgraph], files: Sequence[Path] | None, say: Say
 ) -> Sequence[VideoDifference]:
-    """Answer what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
+    """Return what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
     if files:
         from foon_kg.cli.knowledge import snapshot_of
         from foon_kg.plans.difference import differences as differences_in_memory
@@ -129,7 +130,7 @@ def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> No
 
 
 def _sum(found: Iterable[VideoDifference]) -> str:
-    """Answer how many distinct units come and go in all; two videos may bring the same one."""
+    """Return how many distinct units come and go in all; two videos may bring the same one."""
     come = {unit.key for one in found for unit in one.added}
     gone = {unit.key for one in found for unit in one.dropped}
     return f"in all {len(come)} units new, {len(gone)} gone"

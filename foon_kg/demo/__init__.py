@@ -9,12 +9,12 @@ from pathlib import Path
 
 
 def demo_folder() -> Path:
-    """Answer the folder of the demo's subgraphs, one ``.txt`` file each."""
+    """Return the folder of the demo's subgraphs, one ``.txt`` file each."""
     return _package() / "subgraphs"
 
 
 def demo_recipes() -> tuple[Path, ...]:
-    """Answer the demo's recipe files (JSON), by name: dishes that the demo's FOON does not hold as they are asked."""
+    """Return the demo's recipe files (JSON), by name: dishes that the demo's FOON does not hold as they are asked."""
     return tuple(sorted((_package() / "recipes").glob("*.json")))
 
 

@@ -26,14 +26,14 @@ class Agreement:
     table: tuple[tuple[int, ...], ...]
 
     def to_json(self) -> dict[str, object]:
-        """Answer the agreement as JSON."""
+        """Return the agreement as JSON."""
         kappa = None if self.kappa is None else round(self.kappa, 6)
         table = [list(row) for row in self.table]
         return {"lines": self.lines, "same": round(self.same, 6), "weighted_kappa": kappa, "table": table}
 
 
 def agreement(first: Sequence[int], second: Sequence[int]) -> Agreement:
-    """Answer how far two raters agree on the same lines, in one order.
+    """Return how far two raters agree on the same lines, in one order.
 
     Cohen (1968): 1 - sum(w * observed) / sum(w * expected), with w = |i - j|. Raises ValueError where the raters did
     not score equally many lines, or none.

@@ -36,7 +36,7 @@ class Change:
         return self.after - self.before
 
     def to_json(self) -> JsonObject:
-        """Answer the change as JSON."""
+        """Return the change as JSON."""
         return {"id": self.name, "dish_type": self.dish_type, "before": self.before, "after": self.after}
 
 
@@ -74,7 +74,7 @@ class Comparison:
         return "better, and more than chance" if self.difference.mean > 0 else "worse, and more than chance"
 
     def to_json(self) -> JsonObject:
-        """Answer the comparison as JSON."""
+        """Return the comparison as JSON."""
         return {
             "asked_by_both": len(self.changes),
             "difference": self.difference.to_json(),
@@ -95,7 +95,7 @@ def compare(before: Mapping[CaseKey, float], after: Mapping[CaseKey, float], see
 
 
 def shares_of(value: JsonObject, where: str) -> dict[CaseKey, float]:
-    """Answer the share of each question of an evaluation in JSON; raises ReadError for anything else."""
+    """Return the share of each question of an evaluation in JSON; raises ReadError for anything else."""
     fields = Fields(value, where)
     share = _SHARES[fields.one_of("evaluation", tuple(_SHARES))]
     shares: dict[CaseKey, float] = {}

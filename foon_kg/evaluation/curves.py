@@ -14,7 +14,7 @@ _EXACTLY = 1e-9
 
 
 def recipes_over(shares: Sequence[float], thresholds: Sequence[int] = THRESHOLDS) -> tuple[float, ...]:
-    """Answer for each threshold (per cent) the share of recipes that are at least so correct; 0 for no recipes.
+    """Return for each threshold (per cent) the share of recipes that are at least so correct; 0 for no recipes.
 
     ``shares`` are between 0 and 1; 17 of 20 is at least 85 per cent, whatever floating point makes of it.
     """
@@ -24,7 +24,7 @@ def recipes_over(shares: Sequence[float], thresholds: Sequence[int] = THRESHOLDS
 
 
 def histogram(confidences: Sequence[float]) -> tuple[int, ...]:
-    """Answer how many of ``confidences`` (0 to 1) are in each tenth; 1 is in the last, a border in the upper one."""
+    """Return how many of ``confidences`` (0 to 1) are in each tenth; 1 is in the last, a border in the upper one."""
     counts = [0] * BINS
     for confidence in confidences:
         counts[max(0, min(BINS - 1, int(confidence * BINS + _EXACTLY)))] += 1

@@ -54,7 +54,7 @@ class EditDistance:
 
 
 def unit_graph(units: Sequence[FunctionalUnit], names: Sequence[Hashable]) -> UnitGraph:
-    """Answer the graph of a tree whose units have ``names``; what a unit takes is of the last unit that made it."""
+    """Return the graph of a tree whose units have ``names``; what a unit takes is of the last unit that made it."""
     makers, ways = dict[ObjectNode, int](), set[Way]()
     for place, unit in enumerate(units):
         ways.update((makers[node], place) for node in unit.input_nodes if node in makers)
@@ -63,7 +63,7 @@ def unit_graph(units: Sequence[FunctionalUnit], names: Sequence[Hashable]) -> Un
 
 
 def edit_distance(one: UnitGraph, other: UnitGraph, *, most_steps: int = MOST_STEPS) -> EditDistance:
-    """Answer the edit distance of two graphs by branch and bound over the units that have one name.
+    """Return the edit distance of two graphs by branch and bound over the units that have one name.
 
     Of a search that is given up the least distance found so far is answered, as not ``proven``.
     """
@@ -100,7 +100,7 @@ class _Search:
                 stack += reversed(list(self._next(laid, kept)))
 
     def _next(self, laid: dict[int, int | None], kept: int) -> Iterator[_Laid]:
-        """Answer what the next unit may be laid onto, the most ways first; at last onto nothing."""
+        """Yield what the next unit may be laid onto, the most ways first; at last onto nothing."""
         place = self.order[len(laid)]
         free = [partner for partner in self.partners[place] if partner not in laid.values()]
         for ways, partner in sorted((-self._ways_kept(place, partner, laid), partner) for partner in free):
@@ -108,7 +108,7 @@ class _Search:
         yield laid | {place: None}, kept
 
     def _ways_kept(self, place: int, partner: int, laid: dict[int, int | None]) -> int:
-        """Answer how many ways between ``place`` and the units laid so far are there between their partners too."""
+        """Return how many ways between ``place`` and the units laid so far are there between their partners too."""
         known = [(other, there) for other, there in laid.items() if there is not None]
         forth = sum((place, other) in self.ways and (partner, there) in self.other.ways for other, there in known)
         return forth + sum(
@@ -116,7 +116,7 @@ class _Search:
         )
 
     def _at_most(self, laid: dict[int, int | None]) -> int:
-        """Answer how many units and ways may still be kept."""
+        """Return how many units and ways may still be kept."""
         gone = {place for place, partner in laid.items() if partner is None}
         ways = sum(gone.isdisjoint(way) and not (way[0] in laid and way[1] in laid) for way in self.ways)
         return len(self.order) - len(laid) + ways

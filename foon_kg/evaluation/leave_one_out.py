@@ -26,18 +26,18 @@ from foon_kg.store.snapshot import Snapshot
 def asking_without(
     subgraphs: Sequence[Subgraph], kitchen: Kitchen, methods: Sequence[str]
 ) -> Callable[[LeftOutVideo], VideoFigures]:
-    """Answer what asks ``methods`` for a video, each of a FOON of all ``subgraphs`` but that one."""
+    """Return what asks ``methods`` for a video, each of a FOON of all ``subgraphs`` but that one."""
     return partial(_asked_without, subgraphs, kitchen, methods)
 
 
 def planned_without(subgraphs: Sequence[Subgraph], kitchen: Kitchen, video: VideoFigures) -> PlanResult:
-    """Answer the tree that foon-kg makes for a video without it; raises NoTreeError where there is none."""
+    """Return the tree that foon-kg makes for a video without it; raises NoTreeError where there is none."""
     rest, recipe = _left(subgraphs, kitchen, video.recipe)
     return Planner(rest, PlanSettings()).plan(recipe)
 
 
 def _left(subgraphs: Sequence[Subgraph], kitchen: Kitchen, recipe: Recipe) -> tuple[Snapshot, Recipe]:
-    """Answer the FOON without the video of the recipe, and the question in the words of that."""
+    """Return the FOON without the video of the recipe, and the question in the words of that."""
     rest = Snapshot.of((other for other in subgraphs if other.name != recipe.id), kitchen)
     return rest, with_states(recipe, IngredientWords(rest.vocabulary(), rest.kitchen)).recipe
 

@@ -24,7 +24,7 @@ class LeftOutVideo:
 
 
 def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
-    """Answer the question that ``subgraph`` becomes; ``None`` for one that marks no dish, or one of no foods.
+    """Return the question that ``subgraph`` becomes; ``None`` for one that marks no dish, or one of no foods.
 
     Of several goals the one of most foods is asked, ties go to the first by content. What is asked is what a cook would
     buy for it (:func:`bought`): its foods, and the goal itself where it is a food that the video begins with (a
@@ -44,7 +44,7 @@ def left_out_video(subgraph: Subgraph, kitchen: Kitchen) -> LeftOutVideo | None:
 
 
 def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[str, ...]:
-    """Answer the foods of which the video makes the food ``name``; the food itself where it is there from the start.
+    """Return the foods of which the video makes the food ``name``; the food itself where it is there from the start.
 
     Nobody asks for a batter: it is asked as the flour, the milk and the egg of the unit in which the video first names
     it, and lemon juice as the lemon. Free foods (water) that go into it are not asked. What is made of one food of
@@ -63,7 +63,7 @@ def bought(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tupl
 
 
 def _maker(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tuple[int, list[str]] | None:
-    """Answer the place of the unit that makes the food, and of which foods; ``None`` where it is taken before that."""
+    """Return the place of the unit that makes the food, and of which foods; ``None`` where it is taken before that."""
     food = singular(name)
     for place, unit in enumerate(units):
         taken = _named(unit.input_nodes, kitchen)
@@ -75,14 +75,14 @@ def _maker(units: Sequence[FunctionalUnit], name: str, kitchen: Kitchen) -> tupl
 
 
 def _named(nodes: Sequence[ObjectNode], kitchen: Kitchen) -> dict[str, str]:
-    """Answer the foods that ``nodes`` are, and those in vessels, as they are written, by their names in singular."""
+    """Return the foods that ``nodes`` are, and those in vessels, as they are written, by their names in singular."""
     foods = [node.label for node in nodes if kitchen.is_food(node)]
     held = [name for node in nodes if not kitchen.is_food(node) for name in kitchen.foods_in(node)]
     return {singular(name): name for name in (*held, *foods)}
 
 
 def joining_state(units: Sequence[FunctionalUnit], name: str, goal: ObjectNode, kitchen: Kitchen) -> RequiredIngredient:
-    """Answer the food ``name`` as the video has it when it first joins others, under the video's own label.
+    """Return the food ``name`` as the video has it when it first joins others, under the video's own label.
 
     It joins at the first unit that takes the food itself and leaves the goal, or something new that holds it beside
     another food (any other food, where the goal is called after it); where none does, at the last that takes it. Of

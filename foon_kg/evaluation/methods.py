@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from foon_kg.integration.methods import TeachingView
 from foon_kg.model import FunctionalUnit, Goal, Recipe
 from foon_kg.model.errors import NoTreeError
-from foon_kg.model.knowledge import KnowledgeView, Neighbour
+from foon_kg.model.knowledge import Neighbour
 from foon_kg.model.names import canonical
 from foon_kg.planning.paper import plan_by_the_paper
 from foon_kg.planning.planner import Planner
@@ -17,7 +18,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.similarity import matching
 from foon_kg.similarity.answers import Confidences, best
 
-Method = Callable[[KnowledgeView, Recipe], Sequence[FunctionalUnit]]
+Method = Callable[[TeachingView, Recipe], Sequence[FunctionalUnit]]
 """Answers the units of a tree; raises NoTreeError where there is none."""
 
 
@@ -25,22 +26,22 @@ class SameName:
     """A similarity for which only the same food is like a food."""
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer 1 for equal canonical names, else 0."""
+        """Return 1 for equal canonical names, else 0."""
         columns = np.array([canonical(name) for name in known], dtype=object)
         rows = [columns == canonical(name) for name in wanted]
         return np.array(rows, dtype=float).reshape(len(wanted), len(known))
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the same food first, then the others by name."""
+        """Return the same food first, then the others by name."""
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer what makes two names alike."""
+        """Return what makes two names alike."""
         return ("the same food",) if canonical(name) == canonical(known) else ()
 
 
-def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
+def nearest_recipe(view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUnit]:
+    """Return the reference tree of the goal whose ingredients are most like those of ``recipe``, unchanged."""
     goals = view.goals(recipe.dish_type or None)
     if not goals:
         raise NoTreeError(f"this FOON has no {recipe.dish_type}", code="no-goal")
@@ -53,8 +54,8 @@ def nearest_recipe(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUn
     return [known.unit for known in Planner(view, PlanSettings()).reference_tree(recipe, nearest.node)]
 
 
-def by_the_paper(view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-    """Answer the tree that the four algorithms of the paper make, to the letter."""
+def by_the_paper(view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUnit]:
+    """Return the tree that the four algorithms of the paper make, to the letter."""
     return [unit.as_unit() for unit in plan_by_the_paper(view, recipe).units]
 
 
@@ -64,8 +65,8 @@ class Planning:
 
     settings: PlanSettings = field(default_factory=PlanSettings)
 
-    def __call__(self, view: KnowledgeView, recipe: Recipe) -> Sequence[FunctionalUnit]:
-        """Answer the units of the tree; raises NoTreeError where there is none."""
+    def __call__(self, view: TeachingView, recipe: Recipe) -> Sequence[FunctionalUnit]:
+        """Return the units of the tree; raises NoTreeError where there is none."""
         return [unit.as_unit() for unit in Planner(view, self.settings).plan(recipe).units]
 
 

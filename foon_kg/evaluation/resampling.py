@@ -40,12 +40,12 @@ class Interval:
         return self.low > 0 or self.high < 0
 
     def to_json(self) -> dict[str, float]:
-        """Answer the interval as JSON, to six decimals."""
+        """Return the interval as JSON, to six decimals."""
         return {"mean": _short(self.mean), "low": _short(self.low), "high": _short(self.high)}
 
 
 def bootstrap_mean(values: Sequence[float], seed: int, weights: Sequence[float] | None = None) -> Interval:
-    """Answer the mean of ``values`` with its interval; ``weights`` makes it the weighted mean.
+    """Return the mean of ``values`` with its interval; ``weights`` makes it the weighted mean.
 
     Recipes weigh what they have lines, so that their mean is the share of all lines. All 0 where there are no values
     (or no weight). The same values in the same order with one seed give the same interval.
@@ -60,7 +60,7 @@ def bootstrap_mean(values: Sequence[float], seed: int, weights: Sequence[float] 
 
 
 def paired_difference(ours: Sequence[float], theirs: Sequence[float], seed: int) -> Interval:
-    """Answer the mean of ``ours - theirs``, drawn in pairs: the same question answered by both.
+    """Return the mean of ``ours - theirs``, drawn in pairs: the same question answered by both.
 
     Raises ValueError where they are not equally many.
     """
@@ -82,7 +82,7 @@ def share(count: int, of: int) -> Interval:
 
 
 def _means(values: npt.NDArray[np.float64], weights: npt.NDArray[np.float64], seed: int) -> npt.NDArray[np.float64]:
-    """Answer the weighted mean of each sample; as many samples at a time as memory easily holds."""
+    """Return the weighted mean of each sample; as many samples at a time as memory easily holds."""
     draw, count = np.random.default_rng(seed), len(values)
     weighted, found = values * weights, []
     rows = max(1, min(ROUNDS, _AT_ONCE // count))

@@ -22,24 +22,24 @@ class LeftOut:
     asked: int
 
     def to_json(self) -> dict[str, object]:
-        """Answer it as JSON."""
+        """Return it as JSON."""
         return {"dish_type": self.dish_type, "goals": self.goals, "asked": self.asked}
 
 
 def known_enough(goals: Iterable[Goal]) -> dict[str, int]:
-    """Answer the dish types with at least three goals, with their counts, sorted by name."""
+    """Return the dish types with at least three goals, with their counts, sorted by name."""
     counts = Counter(goal.dish_type for goal in goals)
     return {name: counts[name] for name in sorted(counts) if counts[name] >= FEWEST_GOALS}
 
 
 def left_out(dish_types: Iterable[str], goals: Iterable[Goal]) -> tuple[LeftOut, ...]:
-    """Answer which of the ``dish_types`` (one for each question) the FOON knows too little of, sorted by name."""
+    """Return which of the ``dish_types`` (one for each question) the FOON knows too little of, sorted by name."""
     known, asked = Counter(goal.dish_type for goal in goals), Counter(dish_types)
     return tuple(LeftOut(name, known[name], asked[name]) for name in sorted(asked) if known[name] < FEWEST_GOALS)
 
 
 def drawn(names: Iterable[str], count: int, seed: int, dish_type: str) -> tuple[str, ...]:
-    """Answer ``count`` of ``names`` drawn at random, sorted; all where there are not more.
+    """Return ``count`` of ``names`` drawn at random, sorted; all where there are not more.
 
     Every dish type draws for itself, so that one more of them changes no other's sample.
     """
@@ -50,7 +50,7 @@ def drawn(names: Iterable[str], count: int, seed: int, dish_type: str) -> tuple[
 
 
 def sampled(recipes: Sequence[Recipe], count: int, seed: int) -> list[Recipe]:
-    """Answer at most ``count`` recipes of each dish type, drawn by their ids, in their order."""
+    """Return at most ``count`` recipes of each dish type, drawn by their ids, in their order."""
     kept: set[tuple[str, str]] = set()
     for dish_type in sorted({recipe.dish_type for recipe in recipes}):
         names = (recipe.id or "" for recipe in recipes if recipe.dish_type == dish_type)

@@ -72,7 +72,7 @@ class Rule:
         self.made_by = frozenset((canonical(row.state), row.motion) for row in vocabulary.motions)
 
     def scores(self, result: PlanResult) -> tuple[LineScore, ...]:
-        """Answer the score of each ingredient that the recipe of ``result`` names, each once, in its order."""
+        """Return the score of each ingredient that the recipe of ``result`` names, each once, in its order."""
         units = [unit.as_unit() for unit in result.units]
         asked = wanted(result.recipe.ingredients)
         kitchen = self.kitchen.with_foods(want.object for want in asked)
@@ -103,22 +103,22 @@ class Rule:
 
 
 def without_tree(ingredients: Iterable[RequiredIngredient]) -> tuple[LineScore, ...]:
-    """Answer the scores of a recipe that got no tree."""
+    """Return the scores of a recipe that got no tree."""
     return tuple(LineScore(want, Reason.NO_TREE) for want in wanted(ingredients))
 
 
 def share_correct(scores: Sequence[int]) -> float:
-    """Answer the sum of ``scores`` by the greatest that it could be; 0 for a recipe that names no ingredient."""
+    """Return the sum of ``scores`` by the greatest that it could be; 0 for a recipe that names no ingredient."""
     return sum(scores) / (MOST * len(scores)) if scores else 0.0
 
 
 def wanted(ingredients: Iterable[RequiredIngredient]) -> tuple[RequiredIngredient, ...]:
-    """Answer each required food in each of its states once, as the planner does."""
+    """Return each required food in each of its states once, as the planner does."""
     return tuple(dict.fromkeys(want for want in ingredients if want.object))
 
 
 def _first_in_state(line: ProgressLine, food: str, state: str) -> int | None:
-    """Answer the place of the first step at which ``food`` itself is in ``state``."""
+    """Return the place of the first step at which ``food`` itself is in ``state``."""
     asked = canonical(state)
     for place, step in enumerate(line.steps):
         if singular(step.object) == food and asked in map(canonical, step.states):
@@ -127,7 +127,7 @@ def _first_in_state(line: ProgressLine, food: str, state: str) -> int | None:
 
 
 def _leaves(units: Sequence[FunctionalUnit]) -> list[ObjectNode]:
-    """Answer the inputs that no earlier unit outputs."""
+    """Return the inputs that no earlier unit outputs."""
     made: set[ObjectNode] = set()
     leaves: dict[ObjectNode, None] = {}
     for unit in units:

@@ -35,7 +35,7 @@ class FilledSheet:
 
 
 def write_sheet(recipes: Iterable[RecipeFigures]) -> str:
-    """Answer the text of a sheet with every line of every tree, its score left open."""
+    """Return the text of a sheet with every line of every tree, its score left open."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(COLUMNS)
@@ -72,7 +72,7 @@ def read_sheet(path: Path) -> FilledSheet:
 
 
 def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: Path) -> tuple[list[int], list[int]]:
-    """Answer the rule's and the people's scores of the lines on ``sheet``, in the order of ``recipes``.
+    """Return the rule's and the people's scores of the lines on ``sheet``, in the order of ``recipes``.
 
     Raises :class:`~foon_kg.model.errors.ReadError` where the sheet scores a line that this evaluation does not have.
     """
@@ -92,12 +92,12 @@ def scored_by_both(recipes: Sequence[RecipeFigures], sheet: FilledSheet, path: P
 
 
 def line_key(recipe: RecipeFigures, food: str, state: str) -> LineKey:
-    """Answer what names a line on the sheet."""
+    """Return what names a line on the sheet."""
     return recipe.name, recipe.recipe.dish_type, food, state
 
 
 def told(line: ProgressLine) -> str:
-    """Answer a progress line as a person reads it; an empty one does not get to the dish."""
+    """Return a progress line as a person reads it; an empty one does not get to the dish."""
     if not line.steps:
         return "(does not get to the dish)"
     steps = (f"{_stage(step)} → {step.motion}" for step in line.steps)
@@ -111,7 +111,7 @@ def _stage(step: ProgressStep) -> str:
 
 
 def _rows(path: Path) -> Iterable[tuple[int, dict[str, str]]]:
-    """Answer each line of the sheet with its number in the file."""
+    """Return each line of the sheet with its number in the file."""
     try:
         text = read_text(path)
     except UnicodeDecodeError as error:

@@ -32,7 +32,7 @@ class Overlap:
     proven: bool = True
 
     def to_json(self) -> JsonObject:
-        """Answer the figures as JSON, to six decimals."""
+        """Return the figures as JSON, to six decimals."""
         return {measure: round(getattr(self, measure), 6) for measure in MEASURES} | {"graph_proven": self.proven}
 
 
@@ -41,7 +41,7 @@ NOTHING = Overlap(0.0, 0.0, 0.0, 0.0)
 
 
 def overlap(ours: Sequence[FunctionalUnit], truth: Sequence[FunctionalUnit], kitchen: Kitchen) -> Overlap:
-    """Answer what the units ``ours`` and ``truth`` have in common; but for ``graph`` their order says nothing."""
+    """Return what the units ``ours`` and ``truth`` have in common; but for ``graph`` their order says nothing."""
     one, other = ([(unit.motion, main_object(unit, kitchen)) for unit in units] for units in (ours, truth))
     names, true_names = list(map(_without_states, one)), list(map(_without_states, other))
     edits = edit_distance(unit_graph(ours, names), unit_graph(truth, true_names))
@@ -55,7 +55,7 @@ def overlap(ours: Sequence[FunctionalUnit], truth: Sequence[FunctionalUnit], kit
 
 
 def main_object(unit: FunctionalUnit, kitchen: Kitchen) -> ObjectNode | None:
-    """Answer what a unit is about: the first food that it takes, else the first vessel with food, else its first input.
+    """Return what a unit is about: the first food that it takes, else the first vessel with food, else its first input.
 
     Of these one that moves comes before one that does not: what is poured before what it is poured onto.
     """
@@ -70,7 +70,7 @@ def main_object(unit: FunctionalUnit, kitchen: Kitchen) -> ObjectNode | None:
 
 
 def in_common(one: Counter[Hashable], other: Counter[Hashable]) -> float:
-    """Answer intersection over union of two bags; two empty ones have nothing in common."""
+    """Return intersection over union of two bags; two empty ones have nothing in common."""
     together = (one | other).total()
     return (one & other).total() / together if together else 0.0
 

@@ -25,7 +25,7 @@ class VideoFigures:
     failed: dict[str, str] = field(default_factory=dict)
 
     def to_json(self) -> JsonObject:
-        """Answer the video's entry; its own figures are those of foon-kg."""
+        """Return the video's entry; its own figures are those of foon-kg."""
         return {
             "id": self.recipe.id,
             "dish_type": self.recipe.dish_type,
@@ -46,15 +46,15 @@ class VideosTogether:
     seed: int
 
     def mean(self, method: str, measure: str) -> Interval:
-        """Answer the mean of a measure over the videos, with its interval."""
+        """Return the mean of a measure over the videos, with its interval."""
         return bootstrap_mean(self._values(method, measure), self.seed)
 
     def ahead(self, other: str, measure: str) -> Interval:
-        """Answer by how much foon-kg is ahead of another method, the videos drawn in pairs."""
+        """Return by how much foon-kg is ahead of another method, the videos drawn in pairs."""
         return paired_difference(self._values(OURS, measure), self._values(other, measure), self.seed)
 
     def failed(self, method: str) -> int:
-        """Answer for how many videos a method found no tree."""
+        """Return for how many videos a method found no tree."""
         return sum(method in video.failed for video in self.videos)
 
     @property
@@ -63,7 +63,7 @@ class VideosTogether:
         return sum(not found.proven for video in self.videos for found in video.overlaps.values())
 
     def to_json(self) -> JsonObject:
-        """Answer the entry under ``dish_types``."""
+        """Return the entry under ``dish_types``."""
         others = [method for method in self.methods if method != OURS]
         return {
             "dish_type": self.name,
@@ -107,7 +107,7 @@ class LeaveOneOut:
         return VideosTogether(ALL, self.videos, self.methods, self.seed)
 
     def to_json(self) -> JsonObject:
-        """Answer the evaluation as ``--json`` prints it and ``--compare`` reads it."""
+        """Return the evaluation as ``--json`` prints it and ``--compare`` reads it."""
         return {
             "evaluation": "leave-one-out",
             "foon": self.foon,

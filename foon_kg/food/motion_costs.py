@@ -25,11 +25,11 @@ class MotionCosts:
         return bool(self.costs)
 
     def success(self, motion: str) -> Fraction:
-        """Answer the success rate of ``motion``, from 0 to 1; one that has no cost has that of :data:`UNKNOWN_COST`."""
+        """Return the success rate of ``motion``, from 0 to 1; one that has no cost has that of :data:`UNKNOWN_COST`."""
         return 1 - Fraction(repr(self.costs.get(motion, UNKNOWN_COST)))
 
     def unknown(self, motions: Iterable[str]) -> tuple[str, ...]:
-        """Answer which of ``motions`` have no cost, sorted."""
+        """Return which of ``motions`` have no cost, sorted."""
         return tuple(sorted(set(motions) - self.costs.keys()))
 
 

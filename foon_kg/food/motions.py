@@ -36,6 +36,12 @@ def transfers(motion: str) -> bool:
 
 
 @cache
+def switches_off(motion: str) -> bool:
+    """Return whether the motion turns an appliance off."""
+    return "switch off" in _done_by(motion)
+
+
+@cache
 def opens(motion: str) -> bool:
     """Return whether the motion opens a whole food: cracks, peels or cuts it."""
     does = _done_by(motion)

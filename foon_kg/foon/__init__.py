@@ -182,9 +182,16 @@ class Foon:
         from foon_kg.store.with_drafts import WithDrafts
 
         if self._snapshot is not None:
-            return WithDrafts.of(self._snapshot, self._lessons)
+            return self._with_drafts
         with self._graph.reading() as view:
             return WithDrafts.of(self._graph.snapshot(), view.lessons())
+
+    @cached_property
+    def _with_drafts(self) -> WithDrafts:
+        """What :meth:`with_drafts` returns of files: it never changes."""
+        from foon_kg.store.with_drafts import WithDrafts
+
+        return WithDrafts.of(self.snapshot(), self._lessons)
 
     @cached_property
     def known(self) -> KnownFoon:
@@ -304,8 +311,9 @@ class Foon:
         if not questions:
             yield ()
             return
-        with self._viewed(settings, whole=len(questions) >= MANY) as view:
-            units = getattr(view, "units", None) if len(questions) > 1 else None  # a graph is asked for parts
+        whole = dask is not None or len(questions) >= MANY
+        with self._viewed(settings, whole=whole) as view:
+            units = getattr(view, "units", None) if whole or len(questions) > 1 else None  # a graph is asked for parts
             if dask is not None and units is not None:
                 with answering_on(dask, questions, view, settings, units) as answers:
                     yield answers
@@ -354,7 +362,7 @@ class Foon:
         'black olive'
         """
         if role is not None:
-            from foon_kg.similarity.roles import in_role
+            from foon_kg.similarity.in_role import in_role
 
             with self.reading() as view:
                 return in_role(food, view.vocabulary().labels, role, limit)

@@ -11,13 +11,15 @@ from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.tree import TreeUnit
 from foon_kg.planning.batch import Answer, Question
 from foon_kg.planning.explanation import Explanation
 from foon_kg.planning.settings import PlanSettings
-from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, Substitution
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.plans.result import PlanResult
+from foon_kg.validation import KnownFoon, Report, check
 
 if TYPE_CHECKING:  # what only some callers have installed
     import networkx as nx
@@ -41,7 +43,8 @@ class Step:
     """One step of a plan: ``text`` is a sentence for a cook, ``motion`` the FOON's own word for what is done.
 
     ``inputs`` and ``outputs`` are the objects before and after it. ``seen_in`` are the places in videos that attest it,
-    ``origin`` says how near they are (``exact``, ``food``, ``like``, ``kind``, ``motion``).
+    ``origin`` is ``foon`` where they show this food, ``adapted`` where they show a like one, one of its kind or the
+    motion alone.
     """
 
     number: int
@@ -78,9 +81,9 @@ class Plan:
         """
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
-    def _step(self, number: int, unit: PlannedUnit) -> Step:
-        text = sentence(unit.as_unit(), self._settings.kitchen, unit.measures)
-        return Step(number, text, unit.motion_node, unit.input_nodes, unit.output_nodes, unit.origin, unit.seen_in)
+    def _step(self, number: int, unit: TreeUnit) -> Step:
+        text = sentence(unit, self._settings.kitchen, unit.measures)
+        return Step(number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings)
 
     @property
     def goal(self) -> ObjectNode:
@@ -109,8 +112,7 @@ class Plan:
         >>> plan.check().accepted
         True
         """
-        tree = TaskTree.from_json(self.result.to_json())
-        return check(tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
+        return check(self.result.tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
 
     def explain(self) -> tuple[Explanation, ...]:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.
@@ -137,7 +139,9 @@ class Plan:
         >>> plan.to_frame()["motion"][2]
         'peel'
         """
-        return self.result.to_frame()
+        from foon_kg.formats.views.notebook import steps_frame  # noqa: PLC0415 - notebooks alone ask this
+
+        return steps_frame(self.to_json())
 
     def to_networkx(self) -> nx.DiGraph[str]:
         """Return the tree as a graph of networkx: objects and motions are nodes, what goes in and comes out edges.
@@ -205,4 +209,6 @@ class Plan:
         return f"<Plan of {recipe.title or recipe.dish_type or self.goal.label}: {len(self)} steps>"
 
     def _repr_html_(self) -> str:
-        return self.result._repr_html_()
+        from foon_kg.formats.views.notebook import plan_html  # noqa: PLC0415 - notebooks alone ask this
+
+        return plan_html(self.to_json())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from functools import lru_cache
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
@@ -30,8 +30,11 @@ def is_baked(dish_type: str, title: str, known: Tables) -> bool:
     return any("dry" in row.does for word in told for row in made_of_verb(word, known))
 
 
-def made_of_verb(word: str, known: Tables) -> Iterator[Motion]:
-    """Yield the motions of whose verb a word is made: baked of bake, fried of fry."""
-    for verb, row in known.motion_words.items():
-        if word.startswith((verb, verb.removesuffix("e"), verb.removesuffix("y") + "i")):
-            yield row
+@lru_cache(maxsize=1 << 12)
+def made_of_verb(word: str, known: Tables) -> tuple[Motion, ...]:
+    """Return the motions of whose verb a word is made: baked of bake, fried of fry."""
+    return tuple(
+        row
+        for verb, row in known.motion_words.items()
+        if word.startswith((verb, verb.removesuffix("e"), verb.removesuffix("y") + "i"))
+    )

@@ -4,35 +4,107 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
-from foon_kg.food import Tables
+from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
-from foon_kg.integration.formed import formed, is_formed
+from foon_kg.integration.crowned import wedges_last
+from foon_kg.integration.folded import folded, is_folded
+from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
 from foon_kg.integration.layered import layered
-from foon_kg.integration.lined import lined, rolled
+from foon_kg.integration.lined import lined, rolled, topped
 from foon_kg.integration.mashed import mashed_only
+from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.places import Join
 from foon_kg.integration.portions import in_portions, roasted, stirred_in_pieces
-from foon_kg.integration.pots import is_never_heated, unheated
+from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
+from foon_kg.integration.pureed import blended_at_once, blended_when_done, is_stewed, stewed
 from foon_kg.integration.rubbed import rubbed
 from foon_kg.integration.smeared import smeared_and_baked
+from foon_kg.integration.techniques import carried_out
+from foon_kg.integration.thickened import sauce_apart
+from foon_kg.integration.warmed import garnished, is_heated, stirred, warmed
 
 
 @dataclass(frozen=True)
 class Called:
     """What a dish is called: the ``dishes`` of that name, the words of its type and title, its recorded ``goal``.
 
-    ``baked``: the words say that it comes out of an oven.
+    ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
+    are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
+    made whatever its video does.
     """
 
     dishes: Sequence[Dish]
-    told: Collection[str]
+    told: frozenset[str]
     goal: str
+    title: str
+    dish_type: str
+    tin: str
     baked: bool
+    folded: Collection[str]
+    warms: bool
+    technique: Technique | None = None
+
+    @property
+    def drunk(self) -> bool:
+        """Whether it is a drink."""
+        return self.dish_type in word_list("is drunk")
+
+
+class Arranged(NamedTuple):
+    """How a dish is made: its line, where the foods join, and whether what is boiled in it is eaten with the rest."""
+
+    line: Line
+    joins: tuple[Join, ...]
+    one_pot: bool
+
+
+def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
+    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it."""
+    if called.technique is not None:
+        line, found = carried_out(called.technique, joins, words(called.title), known)
+        return Arranged(line, found, "one pot" in called.technique.plan)
+    line, joins = with_parts(line, joins, parts, called.tin)
+    line, joins = baked_at_last(line, joins, called.title)
+    title = words(called.title)
+    made, found = topped(line, joins, title)
+    line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
+    if is_folded(joins, called.folded):
+        line, joins = folded(joins)
+    line, joins = _drunk(line, joins, called) if called.drunk else wedges_last(line, joins)
+    return _in_the_pot(line, joins, called, known)
+
+
+def _drunk(line: Line, joins: Sequence[Join], called: Called) -> tuple[Line, tuple[Join, ...]]:
+    if not is_heated(line) and called.warms:
+        line, joins = warmed(line, joins, called.told)
+    return garnished(*stirred(*blended_at_once(line, joins, called.told)), called.told)
+
+
+def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
+    """Return how what is heated in one vessel is made: fried in turn, thickened, stewed or blended."""
+    told = called.told
+    line, joins = unmixed(line, joins)
+    joins = fat_in_the_heat(joins)
+    if not called.tin and word_list("is called battered").isdisjoint(told):
+        line, joins = sauce_apart(line, joins)
+    boiled = not word_list("boils in the dish").isdisjoint(told)
+    one_pot = boiled or is_stewed(called.title, called.dishes, joins, known)
+    if boiled:
+        cold = is_never_heated(called.dishes, joins, known)
+        line, joins = blended_when_done(line, joins, told, cold=cold)
+    elif one_pot:
+        line, joins = stewed(joins)
+    if is_formed(called.dishes, joins):
+        line, joins = formed_within(line, joins, known)
+    return Arranged(line, tuple(joins), one_pot)
 
 
 def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from functools import lru_cache
 
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
@@ -152,8 +153,10 @@ class Carrier:
         return not holds and not cooked and any(form_of(self.known, food, ()) == "powder" for food in stuff.foods)
 
     def _is_portioned(self, stuffs: Sequence[Stuff], target: Vessel) -> bool:
-        """Whether batter comes onto a tray: it is set on it spoon by spoon."""
+        """Whether batter comes onto a tray, or a filling onto what it fills: it is set on it spoon by spoon."""
         row = self.known.utensil(target.label)
+        if is_flat(target.label) and target.contents and stuffs[-1].label in word_list("is spooned onto what it fills"):
+            return True
         raw = not any(self.known.state(state).needs_heat for stuff in stuffs for state in stuff.states)
         flour = any(binds(stuff.foods, self.known) for stuff in stuffs)
         kneaded = not word_list("keeps its shape").isdisjoint(stuffs[-1].states)
@@ -217,8 +220,7 @@ class Carrier:
         return any(food.is_a("liquid", "creamy", "water", "egg") for food in foods)
 
     def _pure(self, way: Way) -> bool:
-        does = self.known.motion(way[0]).does
-        return bool(does) and does <= _MOVES and way[0] not in {"throw away", "remove", "measure", "scoop"}
+        return _only_brings(self.known, way[0])
 
     def tin_for(self, label: str, vessel: Vessel, tin: str, *, in_oven: bool) -> str:
         """Return in what is baked what comes out of ``vessel``: in the dish's ``tin``, and nothing wet on a tray.
@@ -293,7 +295,10 @@ class Carrier:
 
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
         """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
-        if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
+        bath = word_list("goes into the water")
+        foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
+        boiled = any(food.is_a("water") for food in foods) and all(food.is_a(*bath) for food in foods)
+        if ready.whole_shell and not boiled:
             self.open_into(ready, vessel)
             return
         stuff = ready.stuff
@@ -314,15 +319,13 @@ class Carrier:
         stuff, want = ready.stuff, ready.want
         source = stuff.at
         role = "" if source is None else ("storage" if source.storage else "vessel")
-        usual = self.bench.operators.brings(form_of(self.known, want.label, stuff.states), role)
+        form = form_of(self.known, want.label, stuff.states)
+        usual = self.bench.operators.brings(form, role)
         groups: list[list[Way]] = [self._as_shown(slot, want, stuff), self._by_store(usual, stuff, source)]
         if slot is not None and (slot.motion, slot.tools) in usual:
             groups.append([(slot.motion, slot.tools)])
-        for name in (*want.names, f"kind:{want.facts.kind}"):
-            counts: Mapping[Way, int] = self.bench.operators.bringing.get((name, role), {})
-            ways = sorted((way for way in counts if way in usual and counts[way] > 1), key=lambda w: (-counts[w], w))
-            groups.append([way for way in ways if self._pure(way)])
-        groups.append([way for way in usual if self._pure(way)])
+        such = [self.bench.operators.brings_such(name, form, role) for name in (*want.names, f"kind:{want.facts.kind}")]
+        groups += [[way for way in ways if self._pure(way)] for ways in (*such, usual)]
         attested: Attested | None = None
         if slot is not None and set(stuff.states) == set(slot.states):  # as recorded, whatever others do
             attested = self.bench.attest(self._fitting(groups[0], stuff, source, vessel, strict=False), stuff.foods)
@@ -358,8 +361,8 @@ class Carrier:
 
         Where it is ``strict``, small pieces are not picked up either, nor slices poured onto a plate.
         """
-        poured = not self._is_laid(stuff, target if strict else None)
-        picked = not (self._is_poured(stuff) if strict else self._is_liquid(stuff))
+        poured = not _is_laid(self.known, stuff.label, stuff.states, flat=strict and is_flat(target.label))
+        picked = not (_is_poured(self.known, stuff.label, stuff.states) if strict else self._is_liquid(stuff))
         sprayed = source is not None and source.label in word_list("sprays")
         return [
             way
@@ -368,25 +371,6 @@ class Carrier:
             and (sprayed or way[0] not in word_list("is sprayed by"))
             and (picked or way[0] not in word_list("picks up"))
         ]
-
-    def _is_laid(self, stuff: Stuff, target: Vessel | None) -> bool:
-        """Whether a food comes into ``target`` piece by piece: what lies in one piece does, and slices onto a plate."""
-        facts = self.known.foods.food(stuff.label, stuff.states)
-        if facts.is_a(*word_list("carries what is stacked")):
-            return True
-        if not word_list("lies in one piece").isdisjoint(stuff.states):
-            return True
-        onto = target is not None and is_flat(target.label)
-        solid = form_of(self.known, stuff.label, stuff.states) in {"pieces", "whole"}
-        return onto and solid and not self._is_poured(stuff)
-
-    def _is_poured(self, stuff: Stuff) -> bool:
-        """Whether nobody picks up a food piece by piece: it runs, or it is in small pieces."""
-        facts = self.known.foods.food(stuff.label, stuff.states)
-        finest = max((self.known.state(state).fine or 0 for state in stuff.states), default=0)
-        form = form_of(self.known, stuff.label, stuff.states)
-        loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(stuff.states)
-        return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form in {"pieces", "whole"})
 
     def _by_store(self, usual: Sequence[Way], stuff: Stuff, source: Vessel | None) -> list[Way]:
         """Return the usual ways that what a food comes out of asks for: a mill strews, a tub is scooped out."""
@@ -399,3 +383,31 @@ class Carrier:
         elif not word_list("is scooped").isdisjoint(stuff.states):
             motions = word_list("is scooped by")
         return [way for way in usual if way[0] in motions]
+
+
+@lru_cache(maxsize=1 << 12)
+def _only_brings(known: Tables, motion: str) -> bool:
+    """Whether a motion brings a food somewhere and does nothing else to it."""
+    does = known.motion(motion).does
+    return bool(does) and does <= _MOVES and motion not in {"throw away", "remove", "measure", "scoop"}
+
+
+@lru_cache(maxsize=1 << 14)
+def _is_laid(known: Tables, label: str, states: tuple[str, ...], *, flat: bool) -> bool:
+    """Whether a food comes somewhere piece by piece: what lies in one piece does, and slices onto what is ``flat``."""
+    if known.foods.food(label, states).is_a(*word_list("carries what is stacked")):
+        return True
+    if not word_list("lies in one piece").isdisjoint(states):
+        return True
+    solid = form_of(known, label, states) in {"pieces", "whole"}
+    return flat and solid and not _is_poured(known, label, states)
+
+
+@lru_cache(maxsize=1 << 14)
+def _is_poured(known: Tables, label: str, states: tuple[str, ...]) -> bool:
+    """Whether nobody picks up a food piece by piece: it runs, or it is in small pieces."""
+    facts = known.foods.food(label, states)
+    finest = max((known.state(state).fine or 0 for state in states), default=0)
+    form = form_of(known, label, states)
+    loose = facts.is_a(*word_list("lies loose")) and word_list("lies in one piece").isdisjoint(states)
+    return form in {"liquid", "powder"} or finest >= _SMALL or (loose and form in {"pieces", "whole"})

@@ -19,7 +19,7 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
-from foon_kg.integration.frames import Line, Phase, Stage
+from foon_kg.integration.frames import BATH, Line, Phase, Stage
 from foon_kg.integration.layouts import only_carries
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
@@ -165,7 +165,10 @@ class Cooking:
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._boil_now(stage, vessel, subs, later)
-            vessel = self._stage(stage, vessel, subs, later, main=main)
+            if vessel is not None and stage.motion in word_list("strains"):
+                vessel = self.work.strained(vessel)
+            else:
+                vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel
@@ -245,21 +248,22 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
-        self._take_out(stage, vessel, later, main=main)
-        return vessel
+        return self._take_out(stage, vessel, later, main=main)
 
-    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> None:
-        """Take out of a pot what only gave its taste, before the dish is served or blended."""
-        if not (main or self.plan.drunk):
-            return
+    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> Vessel:
+        """Take out of a pot what only gave its taste, before the dish is served or blended; return what it is in."""
+        if not (main or self.plan.drunk or self.plan.one_pot):
+            return vessel
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
-            return
-        if any(self.work.is_taken_out(join.want) for join in self.plan.joins):
+            return vessel
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        if any(self.work.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
                 self.work.name(vessel, self.plan.label)
-            self.work.take_out(vessel)
+            return self.work.take_out(vessel)
+        return vessel
 
     def _put_on(self, vessel: Vessel, device: str, stage: Stage) -> None:
         """Put a vessel on an appliance, unless it is there; an empty one is filled at the tap before."""
@@ -336,8 +340,7 @@ class Cooking:
         under = ("fat", *word_list("lies under dough")) if self.plan.laid else ("fat",)
         grease = [join for join in joins if bakes and join.want.facts.is_a(*under)]
         device, relation = self.utensils.device_for(stage)
-        if device and relation == "on":
-            self.bench.place(fresh, device, relation)
+        self._stand(fresh, stage, device if relation == "on" else "")
         if not grease:
             self._grease(fresh, vessel)
         for join in grease:
@@ -350,6 +353,15 @@ class Cooking:
             self.work.heat_fat(fresh)
         self.carry.transfer(vessel, fresh, stage, whole=self._lies_baked(vessel) or stage.does == {"cut"})
         return fresh
+
+    def _stand(self, fresh: Vessel, stage: Stage, device: str) -> None:
+        """Put a vessel on an appliance, if any, with the water in which something is boiled at once."""
+        if BATH in stage.adds:
+            self.carry.add_water(fresh)
+        if device:
+            self.bench.place(fresh, device, "on")
+        if BATH in stage.adds:
+            self.carry.boil_water(fresh)
 
     def _grease(self, fresh: Vessel, vessel: Vessel) -> None:
         """Grease a tin for batter or dough, with some of the fat that was asked for."""
@@ -387,21 +399,27 @@ class Cooking:
             if on_stove and hot_first and not fat:
                 self._heat_on(vessel)  # what fries comes into a hot pan
                 self.work.heat_fat(vessel)
-            if isinstance(one, Vessel):
-                self.bench.heat_off(one)
-                if not vessel.contents and "shape" not in stage.does:
-                    self._grease(vessel, one)
-                self.carry.transfer(one, vessel, stage)
-            else:
-                if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
-                    self.carry.boil_water(vessel)
-                self.carry.bring(self.ready[one.want.number], vessel, one.slot)
+            self._add(stage, vessel, one, on_stove=on_stove)
             on_top = isinstance(one, Join) and one.on_top
             if merge and self.work.lies_unmixed(vessel) and not on_top and not self._lays(stage, joins):
                 attested = self.work.stirring(foods_of(vessel))
                 self.bench.work(vessel, attested, self.plan.label, self.work.kept_states(vessel), with_device=False)
             elif merge and (main or len(vessel.contents) > 1):
                 self.work.name(vessel, self.plan.label if main else self.work.label(stage, vessel))
+
+    def _add(self, stage: Stage, vessel: Vessel, one: Join | Vessel, *, on_stove: bool) -> None:
+        """Bring a food, or what is in another vessel, into a vessel."""
+        if isinstance(one, Vessel):
+            self.bench.heat_off(one)
+            if on_stove and BATH in stage.adds:
+                self.carry.boil_water(vessel)
+            if not vessel.contents and "shape" not in stage.does:
+                self._grease(vessel, one)
+            self.carry.transfer(one, vessel, stage)
+            return
+        if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
+            self.carry.boil_water(vessel)
+        self.carry.bring(self.ready[one.want.number], vessel, one.slot)
 
     def _lays(self, stage: Stage, joins: Sequence[Join]) -> bool:
         """Whether the recorded dish lays just such foods on each other and never mixes them: layers."""
@@ -448,10 +466,11 @@ class Cooking:
     def _water(self, stage: Stage) -> bool:
         """Whether free water joins here: the frame has it, nobody asked for it, and no other liquid takes its place."""
         taken = [join.slot for join in self.plan.joins if join.slot is not None]
-        free = (slot for slot in stage.slots if not any(slot is one for one in taken))
+        free = [slot for slot in stage.slots if not any(slot is one for one in taken)]
         if not any(slot.food == "water" for slot in free) or stage.does.isdisjoint(WORKS):
             return False
-        if any(join.want.facts.is_a("water") for join in self.plan.joins):
+        bath = any(slot == BATH for slot in free)
+        if not bath and any(join.want.facts.is_a("water") for join in self.plan.joins):
             return False
         if isinstance(stage, Phase):
             return True
@@ -538,7 +557,7 @@ class Cooking:
         if following is not None and self._goes_on(stage, following):
             return True
         foods = [self.known.foods.food(food) for food in foods_of(vessel)]
-        if later and heats and all(self._is_only_made_hot(food) for food in foods):
+        if later and heats and all(self._is_only_made_hot(food) for food in foods) and not self._is_awaited(later[0]):
             return True
         flat = stage.motion in word_list("rises") and not any(f.is_a(*word_list("makes dough rise")) for f in foods)
         done = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)  # it lies on a plate
@@ -552,6 +571,13 @@ class Cooking:
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
         return not mixes and not heats and "wait" not in stage.does and single and not rolled and not opened
+
+    def _is_awaited(self, following: Stage) -> bool:
+        """Whether something comes next that has to come into a liquid that is hot: what was shaped."""
+        lines = (add for add in following.adds if isinstance(add, Line))
+        return (
+            isinstance(following, Phase) and following.bath and any("shape" in s.does for a in lines for s in a.stages)
+        )
 
     def _next(self, later: Sequence[Stage], vessel: Vessel) -> Stage | None:
         """Return the next stage, past one that only turns food over and that nobody does here."""

@@ -12,7 +12,8 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.operators import Nearness
 from foon_kg.integration.preparation import Want
 from foon_kg.model import ObjectNode
-from foon_kg.plans.result import Alternative, Assumption, Grounding, Phase, PlannedUnit, Substitution
+from foon_kg.model.claims import Alternative, Assumption, Substitution
+from foon_kg.model.tree import Phase, TreeUnit, leaves_of
 
 MOST_ALTERNATIVES = 3
 _COOKED = "cooked"
@@ -28,7 +29,7 @@ class FinalTree:
     """A tree with all that a plan result says of it."""
 
     goal: ObjectNode
-    units: tuple[PlannedUnit, ...]
+    units: tuple[TreeUnit, ...]
     kitchen: tuple[ObjectNode, ...]
     substitutions: tuple[Substitution, ...]
     assumptions: tuple[Assumption, ...]
@@ -44,37 +45,20 @@ def final_tree(bench: Bench, cooking: Cooking, dish: Stuff, wants: Sequence[Want
     return FinalTree(
         bench.mention(dish).node,
         units,
-        tuple(_leaves(units)),
+        leaves_of(units),
         (*_objects(bench, others), *_motions(bench), *_states(bench, cooking, wants)),
         tuple(_assumptions(bench, cooking)),
     )
 
 
-def _unit(done: Done) -> PlannedUnit:
-    step = done.step
-    inputs = dict.fromkeys(step.inputs)
-    return PlannedUnit(
-        tuple(mention.node for mention in inputs),
-        step.motion,
-        tuple(mention.node for mention in step.outputs),
+def _unit(done: Done) -> TreeUnit:
+    return TreeUnit(
+        done.step,
         "foon" if done.attested.nearness is Nearness.FOOD else "adapted",
         done.attested.seen_in,
-        phase=cast("Phase", done.phase),
-        grounding=cast("Grounding", done.attested.nearness.word),
-        input_things=tuple((mention.thing, mention.container_thing) for mention in inputs),
-        output_things=tuple((mention.thing, mention.container_thing) for mention in step.outputs),
+        done.attested.nearness.word,
+        cast("Phase", done.phase),
     )
-
-
-def _leaves(units: Sequence[PlannedUnit]) -> Iterator[ObjectNode]:
-    """Yield, once each, the inputs that no earlier unit outputs."""
-    there: set[ObjectNode] = set()
-    for unit in units:
-        for node in unit.input_nodes:
-            if node not in there:
-                there.add(node)
-                yield node
-        there.update(unit.output_nodes)
 
 
 def _objects(bench: Bench, others: Others) -> Iterator[Substitution]:
@@ -117,6 +101,8 @@ def _state_now(bench: Bench, stuff: Stuff, want: Want) -> str:
         return _COOKED
     last: tuple[str, ...] = ()
     for done in bench.done:
+        if all(mention.thing != stuff.number for mention in done.step.inputs):
+            continue
         foods = [m for m in done.step.inputs if bench.known.utensil(singular(m.node.label)) is None]
         if not any(mention.thing == stuff.number for mention in foods):
             continue

@@ -26,6 +26,10 @@ class Slot:
     source: str = ""
 
 
+BATH = Slot("water", "water", ("boiling",))
+"""Water in which something is boiled that is taken out of it, whatever else water is asked for."""
+
+
 @dataclass(frozen=True)
 class Stage:
     """What joins, and what is then done to the whole.

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 from foon_kg.food import Tables, tables
 from foon_kg.integration.derivation import frames_of
@@ -15,6 +16,7 @@ from foon_kg.integration.operators import Operators
 from foon_kg.integration.outlines import Outline, Outlines
 from foon_kg.integration.places import Posts
 from foon_kg.model import FunctionalUnit, Goal, KnownUnit, ObjectNode
+from foon_kg.model.knowledge import KnowledgeView
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,3 +91,15 @@ def frames_from(units: Iterable[KnownUnit], goals: Iterable[Goal], known: Tables
         pairs = [(goal.node, dish_type) for dish_type, goal in wanted[video]]
         frames += frames_of(sequence, pairs, video, known)
     return tuple(sorted(frames, key=lambda frame: (frame.video, frame.goal.sort_key, frame.dish_type)))
+
+
+class TeachingView(KnowledgeView, Protocol):
+    """What a planner asks of a FOON: all that it knows, and what it teaches of making dishes."""
+
+    def methods(self) -> Methods:
+        """Return what the FOON teaches of making dishes: its operators and frames."""
+        ...
+
+    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
+        """Return what of that matters to a dish of ``foods``; it may be more, up to all of it."""
+        ...

@@ -10,7 +10,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from foon_kg.food import Tables, tables
 from foon_kg.food.lists import word_list
@@ -112,6 +112,7 @@ class Operators:
         self._fine: dict[Way, float] = {}
         self._making: Recent[str, tuple[Way, ...]] = Recent(MOST_KEPT)
         self._brings: dict[tuple[str, str], tuple[Way, ...]] = {}
+        self._brings_such: dict[tuple[str, str, str], tuple[Way, ...]] = {}
         for known_unit in sorted(units, key=lambda known_unit: known_unit.unit.key):
             self._add(known_unit)
         for evidence in (*self.evidence.values(), *self.acts.values()):
@@ -284,6 +285,17 @@ class Operators:
             found = self._brings[form, role] = tuple(way for way in ways if counts[way] >= least)
         return found
 
+    def brings_such(self, name: str, form: str, role: str) -> tuple[Way, ...]:
+        """Return those of :meth:`brings` that more than one unit brings a food by; ``name`` is its own or ``kind:``."""
+        counts = self.bringing.get((name, role))
+        if counts is None:
+            return ()
+        found = self._brings_such.get((name, form, role))
+        if found is None:
+            ways = (way for way in self.brings(form, role) if counts.get(way, 0) > 1)
+            found = self._brings_such[name, form, role] = tuple(sorted(ways, key=lambda way: (-counts[way], way)))
+        return found
+
     @cached_property
     def _able(self) -> Mapping[str, tuple[Way, ...]]:
         found: defaultdict[str, list[Way]] = defaultdict(list)
@@ -297,9 +309,9 @@ _MASH = 5
 _HANDS = word_list("bare hands")
 
 
-def form_of(known: Tables, label: str, states: Iterable[str]) -> str:
+@lru_cache(maxsize=1 << 14)
+def form_of(known: Tables, label: str, states: tuple[str, ...]) -> str:
     """Return how a food is handled: ``liquid``, ``powder``, ``soft``, ``pieces`` or ``whole``."""
-    states = tuple(states)
     facts = known.foods.food(label, states)
     rows = [known.state(state) for state in states]
     if facts.is_a("liquid", "water", *word_list("runs out of its can")) or not word_list("runs").isdisjoint(states):

@@ -83,6 +83,7 @@ class Posts:
         self.beside: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self.cooked: defaultdict[str, Counter[str]] = defaultdict(Counter)
         self._kept: dict[tuple[str, frozenset[str], Post, str], float] = {}
+        self._factors: dict[tuple[str, frozenset[str], int, object, str], float] = {}
         self._totals: dict[tuple[str, str, int], int] = {}
         self._together: dict[tuple[str, tuple[str, ...]], float] = {}
         for frame in frames:
@@ -114,7 +115,10 @@ class Posts:
         if found is None:
             found = 1.0
             for factor in range(_FACTORS):
-                found *= self._factor(want, factor, post[factor], dish_type)
+                own = (want.facts.kind, want.facts.traits, factor, post[factor], dish_type)
+                if own not in self._factors:
+                    self._factors[own] = self._factor(want, factor, post[factor], dish_type)
+                found *= self._factors[own]
             found = self._kept[key] = found ** (1 / _FACTORS)
         return found
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from foon_kg.food import Food, Level, Tables, singular, words
 from foon_kg.food.lists import word_list
@@ -297,6 +298,14 @@ def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
     return {name for name, how in want.facts.owes.items() if how in levels} - earned
 
 
+@lru_cache(maxsize=1 << 12)
+def _divides(known: Tables, motion: str) -> bool:
+    """Whether a motion divides a food, and does it by hand."""
+    does = known.motion(motion).does
+    others = _NOT_BY_HAND - {"mix"} if "mash" in does else _NOT_BY_HAND
+    return not does.isdisjoint(_CUTS) and does.isdisjoint(others)
+
+
 class Preparer:
     """Prepares foods on a bench."""
 
@@ -304,6 +313,7 @@ class Preparer:
         self.bench = bench
         self.known = bench.known
         self.operators = bench.operators
+        self._cuts: dict[tuple[str, Food, str], Attested | None] = {}
 
     def prepare(self, want: Want, form: Sequence[str] = (), *, divided: bool = True, alone: bool = True) -> Ready:
         """Return the food as it can join: opened, peeled and cut as it is asked, as ``form`` says and as it needs.
@@ -540,9 +550,7 @@ class Preparer:
 
     def is_cut(self, way: Way) -> bool:
         """Whether a way divides a food by hand."""
-        does = self.known.motion(way[0]).does
-        others = _NOT_BY_HAND - {"mix"} if "mash" in does else _NOT_BY_HAND
-        return not does.isdisjoint(_CUTS) and does.isdisjoint(others) and len(way[1]) <= 1
+        return len(way[1]) <= 1 and _divides(self.known, way[0])
 
     def _with_tool(self, attested: Attested) -> Attested:
         """Return a way of cutting with the tool that the motion most often has, where a video forgot to name it."""
@@ -650,6 +658,12 @@ class Preparer:
 
     def _way_to_cut(self, want: Want, state: str) -> Attested | None:
         """Return how a food is brought into pieces of that state; ``None`` where nobody does so with a like food."""
+        key = (want.label, want.facts, state)  # it is asked first whether there is a way, and then which
+        if key not in self._cuts:
+            self._cuts[key] = self._way_to_cut_so(want, state)
+        return self._cuts[key]
+
+    def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
         if state in word_list("is pulled apart by hand"):

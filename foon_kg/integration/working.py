@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -14,6 +14,9 @@ from foon_kg.integration.frames import Stage
 from foon_kg.integration.operators import Attested, Nearness, Way
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
+
+_POWDER = 5
+"""So fine that nothing of it stays in a strainer."""
 
 _LEAST = 2
 """Of as many foods is something of which one can be taken out."""
@@ -55,7 +58,9 @@ class Worker:
         mixed = [stuff for stuff in mixed if stuff.label == self.plan.label] or mixed  # the dish, beside its frosting
         states = mixed[0].states if len(mixed) == 1 else ()
         beside = [self.known.foods.food(stuff.label) for stuff in vessel.contents if stuff not in mixed]
-        stacked = self.plan.stacked and any(not facts.is_a("topping", "herb") for facts in beside)
+        stacked = (self.plan.stacked or is_flat(vessel.label)) and any(
+            not facts.is_a("topping", "herb") for facts in beside
+        )
         dropped = {"blended", "mixed"} if stacked else set()  # what is laid on each other is no mixture
         return tuple(s for s in states if not self.known.state(s).half and s not in dropped)
 
@@ -71,6 +76,7 @@ class Worker:
         cooked = any(self.known.state(state).needs_heat for stuff in mixed for state in stuff.states)
         beside = [stuff for stuff in vessel.contents if stuff not in mixed]
         tops = all(self.known.foods.food(stuff.label).is_a("topping") for stuff in beside)
+        tops = tops or any("baked" in stuff.states for stuff in beside)
         return bool(mixed) and not tops and not cooked and not is_flat(vessel.label)
 
     def work_each(self, vessel: Vessel, attested: Attested, states: tuple[str, ...], *, with_device: bool) -> None:
@@ -85,9 +91,12 @@ class Worker:
                 if not stuff.mixed and (facts.is_a("water") or (facts.is_a("fat") and facts.is_a("liquid"))):
                     continue  # however long it boils, and whatever is fried in it
                 kept = [s for s in stuff.states if not self.alone.says_raw(s)]
-                melts = facts.is_a("fat") and not facts.is_a("liquid") and not stuff.mixed
+                melts = (
+                    facts.is_a("fat", *word_list("melts in the heat")) and not facts.is_a("liquid") and not stuff.mixed
+                )
                 stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
-            vessel.hot = vessel.hot or (device is not None and heats)
+            cools = attested.way[0] in word_list("cools")
+            vessel.hot = not cools and (vessel.hot or (device is not None and heats))
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
 
@@ -153,23 +162,64 @@ class Worker:
         if attested is not None:
             self.bench.work(vessel, attested, mixed[0].label, ("partly cooked",))
 
-    def take_out(self, vessel: Vessel) -> None:
-        """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how."""
-        inside = {number for stuff in vessel.contents for number in stuff.wants}
-        for want in (join.want for join in self.plan.joins if join.want.number in inside):
+    def take_out(self, vessel: Vessel) -> Vessel:
+        """Take out of what was cooked in a liquid what only gave it its taste, where the FOON shows how.
+
+        Return what the rest is in then: what is drunk is poured through a strainer.
+        """
+        wants = self._inside(vessel, self.is_taken_out)
+        if self.plan.drunk and wants and len(vessel.contents) == 1:
+            return self._strain(vessel, wants)
+        for want in wants:
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
             in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
-            if in_pieces or not self.is_taken_out(want) or len(whole.wants) < _LEAST:
+            if in_pieces or len(whole.wants) < _LEAST:
                 continue
             ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
             ways = [way for way in ways if any(self._lifts(tool) for tool in way[1])]
             attested = self.bench.attest(ways, want.names) or self.bench.far(ways, want.names)
             if attested is not None:
                 self._take_out(vessel, whole, want, attested)
+        return vessel
+
+    def strained(self, vessel: Vessel) -> Vessel:
+        """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
+        wants = self._inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
+        return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
+
+    def _inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
+        """Return the asked foods of a kind that are in a vessel."""
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        return [join.want for join in self.plan.joins if join.want.number in inside and is_such(join.want)]
+
+    def _strain(self, vessel: Vessel, wants: Sequence[Want]) -> Vessel:
+        """Pour what is drunk through a strainer, in which stays what gave its taste; return what the rest is in."""
+        through = [way for motion in sorted(word_list("strains")) for way in self.bench.operators.ways_of(motion)]
+        attested = self.bench.attest(through, foods_of(vessel)) or self.bench.far(through, foods_of(vessel))
+        if attested is None:
+            return vessel
+        strainer, jug = self.bench.vessel("strainer"), self.bench.vessel("pitcher")
+        (whole,) = vessel.contents
+        whole_states = tuple(state for state in whole.states if state in {"blended", "cooked"})
+        left = [
+            Stuff(want.label, self.bench.number(), whole_states, (want.label,), frozenset(), strainer) for want in wants
+        ]
+
+        def change() -> None:
+            whole.foods = tuple(food for food in whole.foods if food not in {want.label for want in wants})
+            whole.wants -= {want.number for want in wants}
+            strainer.contents += left
+            vessel.contents.clear()
+            jug.contents.append(whole)
+            whole.at = jug
+
+        self.bench.emit(attested, [vessel, whole, strainer, jug], change, [jug, whole, strainer, *left, vessel])
+        return jug
 
     def is_taken_out(self, want: Want) -> bool:
         """Whether a food only gives its taste, and nobody eats or drinks it."""
         strained = self.plan.drunk and want.facts.is_a(*word_list("is taken out of what is drunk"))
+        strained = strained and not (want.make and (self.known.state(want.make).fine or 0) >= _POWDER)
         return strained or want.facts.is_a(*word_list("is taken out of the dish"))
 
     def _lifts(self, tool: str) -> bool:
@@ -190,7 +240,9 @@ class Worker:
     def let_rise_again(self, vessel: Vessel) -> None:
         """Let dough with yeast that rested and was shaped then rise where it is to be baked."""
         dough = next((stuff for stuff in vessel.contents if {"rested", "shaped"} <= set(stuff.states)), None)
-        if dough is None or not self.rises(dough.foods) or not _RISEN.isdisjoint(dough.states):
+        if dough is None or any(self.known.state(state).half for state in dough.states):
+            return
+        if not self.rises(dough.foods) or not _RISEN.isdisjoint(dough.states):
             return
         ways = [way for motion in sorted(word_list("rises")) for way in self.bench.operators.ways_of(motion)]
         attested = self.bench.attest(ways, dough.foods) or self.bench.far(ways, dough.foods)
@@ -241,6 +293,10 @@ class Worker:
             return own
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
+        if stage.does == {"shape"}:  # to roll and to pinch are no less alike for other foods than what else shapes
+            own = self.bench.far([(stage.motion, stage.tools)], foods)
+            if own is not None:
+                return own
         found = self.bench.attest(ways, foods)
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
@@ -295,11 +351,22 @@ class Worker:
             return {"cooked" if finished else "partly cooked"}
         return {"heated"} if "warm" in motion.does and "heat" not in motion.does else set()
 
-    def _stays_so(self, stage: Stage, stuff: Stuff) -> set[str]:
-        """Return the states that a mixture keeps whatever is done to it: mixed, and what is blended stays cooked."""
+    def _stays_so(self, stage: Stage, vessel: Vessel) -> set[str]:
+        """Return the states that a mixture keeps whatever is done to it: mixed, and what is blended stays cooked.
+
+        What is fried or boiled in one piece keeps its shape, too; fat is no part of it.
+        """
+        foods = self.known.foods.food
+        solids = [stuff for stuff in vessel.contents if stuff.mixed or not foods(stuff.label).is_a("fat")]
+        if len(solids) != 1 or not solids[0].mixed:
+            return set()
+        (stuff,), heats = solids, not stage.does.isdisjoint(HEATS)
+        kept = set(stuff.states) & (word_list("keeps its shape") - {"kneaded"}) if heats else set()
+        if len(vessel.contents) > 1:
+            return kept
         blends = "blend" in stage.does
         done = {s for s in stuff.states if s in {"mixed", "blended"} or (blends and self.known.state(s).needs_heat)}
-        return done if stuff.mixed else set()
+        return kept | done
 
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
         """Return in which states the foods of a vessel are after a stage; ``finished``: it is not heated any more."""
@@ -307,8 +374,8 @@ class Worker:
         states: set[str] = set()
         if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
-        if product and len(vessel.contents) == 1 and "dry" not in does:
-            states |= self._stays_so(stage, vessel.contents[0])
+        if product and "dry" not in does:
+            states |= self._stays_so(stage, vessel)
         if ("blend" in does and "mix" not in stage.does) or way[0] == "blend":
             states.add("blended")
         elif not does.isdisjoint({"mix", "whip"}) and stage.does != {"shape"}:

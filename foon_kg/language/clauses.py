@@ -67,7 +67,7 @@ class Told:
         return replace(self, text=text)
 
     def for_parser(self) -> tuple[str, dict[int, str]]:
-        """Answer the sentence with plain nouns in place of names, and the names by where these nouns begin."""
+        """Return the sentence with plain nouns in place of names, and the names by where these nouns begin."""
         parts: list[str] = []
         names: dict[int, str] = {}
         length = end = 0
@@ -89,7 +89,7 @@ class Clauses:
     names: tuple[str, ...] = ()
 
     def of(self, text: str) -> list[Told]:
-        """Answer the clauses of ``text`` that have words, in their order."""
+        """Return the clauses of ``text`` that have words, in their order."""
         clauses = (part.strip(" ;") for part in _CLAUSES.split(text))
         return [self._told(clause) for clause in clauses if any(map(str.isalpha, clause))]
 

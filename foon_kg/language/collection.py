@@ -51,7 +51,7 @@ class CollectionReader:
         return f"{READING}-{'full' if self.full else 'quick'}"
 
     def understand(self, recipes: Sequence[CollectedRecipe]) -> tuple[UnderstoodRecipe, ...]:
-        """Answer what each of ``recipes`` asks for, in their order."""
+        """Return what each of ``recipes`` asks for, in their order."""
         self._read(dict.fromkeys(line for recipe in recipes for line in recipe.lines))
         return tuple(map(self._understood, recipes))
 
@@ -85,7 +85,7 @@ class CollectionReader:
             self._known[line] = CalledFor(food, line.state or read.state, line.text, *amount) if food else None
 
     def _as_told(self, line: CollectedLine) -> CalledFor | None:
-        """Answer the food that the collection names with what the line says of it; ``None`` where it names none."""
+        """Return the food that the collection names with what the line says of it; ``None`` where it names none."""
         food = (line.detected or "").strip()
         if not food:
             return None
@@ -100,7 +100,7 @@ class CollectionReader:
         return CalledFor(self._label(food), state, line.text, *amount)
 
     def _label(self, food: str) -> str:
-        """Answer what the FOON calls a food; cloves of garlic are garlic, where it has no name for cloves."""
+        """Return what the FOON calls a food; cloves of garlic are garlic, where it has no name for cloves."""
         name = canonical(food)
         whole, _, last = name.rpartition(" ")
         if name not in self.labels and whole in self.labels and is_measure(last):
@@ -109,7 +109,7 @@ class CollectionReader:
 
 
 def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
-    """Answer the label of each food of a FOON by its canonical name; of several the first in their order."""
+    """Return the label of each food of a FOON by its canonical name; of several the first in their order."""
     labels: dict[str, str] = {}
     for row in vocabulary.foods:
         labels.setdefault(canonical(row.label), row.label)
@@ -117,7 +117,7 @@ def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
 
 
 def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
-    """Answer the dish classes of a recipe: the one that its collection gives is sure; else those of its title."""
+    """Return the dish classes of a recipe: the one that its collection gives is sure; else those of its title."""
     named = dish_classes(recipe.title)
     if recipe.dish_type not in DISH_TYPES:
         return named
@@ -126,7 +126,7 @@ def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:
 
 
 def is_heading(text: str) -> bool:
-    """Answer whether a line names a part of the dish and no food: what ends in a colon, "For the sauce", "TOPPING".
+    """Return whether a line names a part of the dish and no food: what ends in a colon, "For the sauce", "TOPPING".
 
     >>> is_heading("For the cake batter:"), is_heading("1 cup sauce"), is_heading("tomato sauce")
     (True, False, False)
@@ -141,7 +141,7 @@ def is_heading(text: str) -> bool:
 
 
 def state_beside(food: str, text: str) -> str | None:
-    """Answer the last state that ``text`` says around ``food``, ``""`` for none; ``None`` where the food is not in it.
+    """Return the last state that ``text`` says around ``food``, ``""`` for none; ``None`` where the food is not in it.
 
     >>> state_beside("onion", "2 cups finely chopped onions, sauteed")
     'sauteed'
@@ -158,5 +158,5 @@ def state_beside(food: str, text: str) -> str | None:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _as_words(food: str) -> re.Pattern[str]:
-    """Answer what finds ``food`` in the singular or plural, and no longer word that begins with it (eggplant)."""
+    """Return what finds ``food`` in the singular or plural, and no longer word that begins with it (eggplant)."""
     return re.compile(rf"(?<!\w){re.escape(food)}(?:e?s)?(?!\w)")

@@ -48,7 +48,7 @@ Token = Any  # spaCy says nothing of its types
 
 
 def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) -> Narration:
-    """Answer ``narration`` with the actions of its sentences, in their order; each has the time of its sentence.
+    """Return ``narration`` with the actions of its sentences, in their order; each has the time of its sentence.
 
     ``names`` are those of a FOON; one of several words is one thing (macaroni and cheese). Raises
     :class:`~foon_kg.model.errors.UsageError` where the extra ``text`` is not installed.
@@ -64,7 +64,7 @@ def with_actions(narration: Narration, verbs: Verbs, names: Iterable[str] = ()) 
 
 
 def _read(told: Told, verbs: Verbs) -> list[NarratedAction]:
-    """Answer the actions of a clause."""
+    """Return the actions of a clause."""
     found = list(_actions(_parsed(told), verbs))
     if found:
         found[:0] = [replace(found[0], verb=verb, results=(), product=None) for verb in told.besides]
@@ -108,7 +108,7 @@ def _pipeline() -> Any:  # noqa: ANN401 - the same
 
 
 def _joined(actions: list[NarratedAction], clause: str, verbs: Verbs) -> list[NarratedAction]:
-    """Answer ``actions``; two that are one motion of the FOON (scoop and pour) as one, with what both have."""
+    """Return ``actions``; two that are one motion of the FOON (scoop and pour) as one, with what both have."""
     done: list[NarratedAction] = []
     for action in actions:
         both = f"{done[-1].verb} and {action.verb}" if done else ""
@@ -146,7 +146,7 @@ def _leaves_alone(action: NarratedAction, verbs: Verbs) -> bool:
 
 
 def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, bool]:
-    """Answer the action of a verb, and whether it may share the object of the verb that is joined to it.
+    """Return the action of a verb, and whether it may share the object of the verb that is joined to it.
 
     ``called`` is the verb by which the action goes: of two alternatives the first.
     """
@@ -257,7 +257,7 @@ def _is_particle(word: Token, verb: Token, verbs: Verbs) -> bool:
 
 
 def _product(verb: Token) -> str | None:
-    """Answer what the objects are made into: mix them to make the batter, make the batter by mixing them."""
+    """Return what the objects are made into: mix them to make the batter, make the batter by mixing them."""
     if verb.dep_ == "pcomp" and verb.head.head.lemma_ in MAKES | {"prepare"}:
         named = [name for child in verb.head.head.children if child.dep_ in OBJECTS for name in names_in(child)]
         return named[0].name if named else None
@@ -271,7 +271,7 @@ def _product(verb: Token) -> str | None:
 
 
 def _results(verb: Token) -> Iterator[str]:
-    """Answer the states that come after "until": until soft, until the onions are golden."""
+    """Yield the states that come after "until": until soft, until the onions are golden."""
     for child in verb.children:
         until = child.lower_ in UNTIL
         clause = child.dep_ == "advcl" and any(mark.lower_ in UNTIL for mark in child.children)

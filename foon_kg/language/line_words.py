@@ -80,7 +80,7 @@ def as_bought(line: RecipeLine) -> RecipeLine:
 
 
 def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Answer the states that a preparation speaks of ("peeled and diced"), and its phrases that speak of none."""
+    """Return the states that a preparation speaks of ("peeled and diced"), and its phrases that speak of none."""
     phrases = [phrase.strip() for phrase in _PHRASE.split(preparation) if phrase.strip()]
     read = [(phrase, () if phrase.lower() in _REMARKS else _states_in(phrase)) for phrase in phrases]
     states = tuple(state for _, found in read for state in found)
@@ -88,7 +88,7 @@ def states_of(preparation: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def _states_in(phrase: str) -> tuple[str, ...]:
-    """Answer the states of one phrase: all of "chopped peeled seeded", of which the first was done last; else one."""
+    """Return the states of one phrase: all of "chopped peeled seeded", of which the first was done last; else one."""
     places = state_classes().class_of
     words = phrase.lower().split()
     if len(words) > 1 and all(canonical(word) in places for word in words):

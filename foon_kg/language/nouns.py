@@ -23,13 +23,13 @@ Token = Any  # spaCy says nothing of its types
 
 
 def spoken(token: Token) -> str:
-    """Answer the word of a token, or the name for which it stands in."""
+    """Return the word of a token, or the name for which it stands in."""
     names: Mapping[int, str] = token.doc.user_data["names"]
     return names.get(token.idx, str(token.text))
 
 
 def names_in(token: Token) -> Iterator[Mention]:
-    """Answer the thing that a noun names, and those joined to it; a measure names what it is of."""
+    """Yield the thing that a noun names, and those joined to it; a measure names what it is of."""
     of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
     if of and token.lemma_.lower() in _MEASURES:
         for thing in of:
@@ -54,7 +54,7 @@ def _name(token: Token) -> Mention:
 
 
 def _apart(token: Token) -> list[Token]:
-    """Answer the nouns before ``token`` that are things of their own: the garlic of "garlic and vegetable oil"."""
+    """Return the nouns before ``token`` that are things of their own: the garlic of "garlic and vegetable oil"."""
     parts = [child for child in token.lefts if child.dep_ in {"compound", "nmod"} and child.pos_ in {"NOUN", "PROPN"}]
     return [part for part in parts if part.conjuncts and any(child.dep_ == "cc" for child in part.children)]
 

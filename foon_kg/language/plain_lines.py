@@ -67,7 +67,7 @@ _FRACTION = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 
 
 def amount_in_front(line: str) -> tuple[str, str]:
-    """Answer quantity and unit with which a line begins, ``""`` for what is not there; written as the parser does.
+    """Return quantity and unit with which a line begins, ``""`` for what is not there; written as the parser does.
 
     >>> amount_in_front("2-3 cups of very good stock")
     ('2-3', 'cups')
@@ -83,7 +83,7 @@ def amount_in_front(line: str) -> tuple[str, str]:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _quantity(least: str, most: str) -> str:
-    """Answer a quantity, or a range of them; of "1-1/2" the second is the rest of the first."""
+    """Return a quantity, or a range of them; of "1-1/2" the second is the rest of the first."""
     low, high = (sum(map(Fraction, number.split()), Fraction(0)) for number in (least, most))
     if low < high:
         return f"{low}-{high}"
@@ -91,12 +91,12 @@ def _quantity(least: str, most: str) -> str:
 
 
 def is_measure(word: str) -> bool:
-    """Answer whether a word counts pieces or measures: clove, stalk, sprig, slice, cup."""
+    """Return whether a word counts pieces or measures: clove, stalk, sprig, slice, cup."""
     return word in _ONE
 
 
 def read_quickly(line: str) -> RecipeLine | None:
-    """Answer what ``line`` asks for, or ``None`` where a word of it leaves any doubt."""
+    """Return what ``line`` asks for, or ``None`` where a word of it leaves any doubt."""
     match = _LINE.fullmatch(" ".join(line.split()))
     if match is None:
         return None
@@ -138,7 +138,7 @@ def _measures(words: str, quantity: Fraction) -> tuple[str, str, str]:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _food(words: str) -> tuple[tuple[str, ...], str] | None:
-    """Answer the states before a food, in the order in which they are told, and the food; ``None`` where in doubt."""
+    """Return the states before a food, in the order in which they are told, and the food; ``None`` where in doubt."""
     adverb, _, rest = words.partition(" ")
     if adverb.lower() in _ADVERBS:
         state, _, name = rest.partition(" ")
@@ -173,7 +173,7 @@ def _is_listed(name: str) -> bool:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _done(text: str) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
-    """Answer the states and the remarks of a text that has nothing else in it; ``None`` where it says more."""
+    """Return the states and the remarks of a text that has nothing else in it; ``None`` where it says more."""
     states: list[str] = []
     remarks: list[str] = []
     for phrase in re.split(r", and |, | and ", text) if text else ():

@@ -34,7 +34,7 @@ _NAAN = re.compile(r"\bnan\b", re.IGNORECASE)
 
 
 def read_recipe_lines(lines: Iterable[str]) -> tuple[RecipeLine, ...]:
-    """Answer what each of ``lines`` asks for, in their order; a line that comes again costs nothing.
+    """Return what each of ``lines`` asks for, in their order; a line that comes again costs nothing.
 
     No line is lost: one that cannot be read is answered with ``object=None`` and all of it in ``left_over``. Raises
     ``UsageError`` where a line is not plain and the extra ``recipes`` is not installed.
@@ -54,7 +54,7 @@ class LineReader:
         self._known: dict[str, RecipeLine] = {}
 
     def read(self, lines: Sequence[str]) -> tuple[RecipeLine, ...]:
-        """Answer what each of ``lines`` asks for, in their order.
+        """Return what each of ``lines`` asks for, in their order.
 
         Raises ``UsageError`` where the extra ``recipes`` is missing, ``FoonError`` where a process was ended.
         """
@@ -98,7 +98,7 @@ def _read(line: str) -> RecipeLine:
 
 
 def read_fully(line: str) -> RecipeLine:
-    """Answer what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
+    """Return what the parser reads in a line. One that differs only in its number from an earlier one costs little."""
     text = _NAAN.sub("naan", " ".join(line.split()))
     number = _NUMBER.match(text)
     if number is None:

@@ -44,7 +44,7 @@ class DishClass:
 
 
 def dish_classes(title: str) -> tuple[DishClass, ...]:
-    """Answer the classes that ``title`` names: the sure one first, the others in their order in the title.
+    """Return the classes that ``title`` names: the sure one first, the others in their order in the title.
 
     A title without any word of a class has none; one that names classes only beside the dish has no sure one.
     """
@@ -59,7 +59,7 @@ def dish_classes(title: str) -> tuple[DishClass, ...]:
 
 
 def _named(text: str) -> Iterator[tuple[str, ...]]:
-    """Answer the classes of each of the longest known phrases in ``text``, from left to right."""
+    """Yield the classes of each of the longest known phrases in ``text``, from left to right."""
     phrases, longest = _phrases()
     words = [_singular(word) for word in _WORD.findall(text.replace("-", " "))]
     place = 0
@@ -73,7 +73,7 @@ def _named(text: str) -> Iterator[tuple[str, ...]]:
 
 @cache
 def _phrases() -> tuple[dict[str, tuple[str, ...]], int]:
-    """Answer the classes of each phrase, in the order of the file, and the number of words of the longest."""
+    """Return the classes of each phrase, in the order of the file, and the number of words of the longest."""
     phrases: dict[str, tuple[str, ...]] = {}
     for line in files("foon_kg.data").joinpath("dish-classes.txt").read_text(encoding="utf-8").splitlines():
         if not line.strip() or line.startswith("#"):
@@ -95,7 +95,7 @@ def _entry(line: str) -> tuple[str, str]:
 
 @cache
 def _singular(word: str) -> str:
-    """Answer one form for the singular and the plural of ``word``; it need not be English (brownies → browny)."""
+    """Return one form for the singular and the plural of ``word``; it need not be English (brownies → browny)."""
     for ending, short, shortest in _ENDINGS:
         if len(word) >= shortest and word.endswith(ending):
             return word.removesuffix(ending) + short

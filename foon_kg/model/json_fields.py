@@ -37,56 +37,56 @@ class Fields:
         return tuple(sorted(self._values))
 
     def text(self, name: str) -> str:
-        """Answer the text of a field."""
+        """Return the text of a field."""
         return self._as_text(name, self._value(name))
 
     def optional_text(self, name: str) -> str | None:
-        """Answer the text of a field, ``None`` where it is null or left out."""
+        """Return the text of a field, ``None`` where it is null or left out."""
         return None if self._values.get(name) is None else self.text(name)
 
     def whole_number(self, name: str) -> int:
-        """Answer the whole number of a field."""
+        """Return the whole number of a field."""
         value = self._value(name)
         if not isinstance(value, int) or isinstance(value, bool):
             self._refuse(name, "a whole number", value)
         return value
 
     def number(self, name: str) -> float:
-        """Answer the number of a field."""
+        """Return the number of a field."""
         value = self._value(name)
         if not isinstance(value, int | float) or isinstance(value, bool):
             self._refuse(name, "a number", value)
         return float(value)
 
     def optional_number(self, name: str) -> float | None:
-        """Answer the number of a field, ``None`` where it is null or left out."""
+        """Return the number of a field, ``None`` where it is null or left out."""
         return None if self._values.get(name) is None else self.number(name)
 
     def truth(self, name: str) -> bool:
-        """Answer the true or false of a field."""
+        """Return the true or false of a field."""
         value = self._value(name)
         if not isinstance(value, bool):
             self._refuse(name, "true or false", value)
         return value
 
     def texts(self, name: str) -> tuple[str, ...]:
-        """Answer the texts of a list."""
+        """Return the texts of a list."""
         return tuple(self._as_text(f"{name}[{place}]", value) for place, value in enumerate(self._list(name)))
 
     def nested(self, name: str) -> Fields:
-        """Answer a field that is an object itself."""
+        """Return a field that is an object itself."""
         return Fields(self._value(name), f"{self.where}: {name}")
 
     def nested_list(self, name: str) -> list[Fields]:
-        """Answer the objects of a list, in order."""
+        """Return the objects of a list, in order."""
         return [Fields(value, f"{self.where}: {name}[{place}]") for place, value in enumerate(self._list(name))]
 
     def items(self, name: str) -> list[object]:
-        """Answer the items of a list, of whatever type they are."""
+        """Return the items of a list, of whatever type they are."""
         return list(self._list(name))
 
     def one_of(self, name: str, allowed: tuple[str, ...]) -> str:
-        """Answer the text of a field that must be one of ``allowed``."""
+        """Return the text of a field that must be one of ``allowed``."""
         value = self.text(name)
         if value not in allowed:
             self._refuse(name, "one of " + ", ".join(allowed), value)

@@ -1,4 +1,6 @@
-"""What the planner asks of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+"""What is asked of a FOON, whoever answers: Neo4j through Cypher, or a snapshot in memory.
+
+What it teaches of making dishes is :class:`foon_kg.integration.methods.TeachingView`.
 
 One suite of contract tests (``tests/contract``) runs against every implementation.
 """
@@ -9,12 +11,9 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 from foon_kg.model import Goal, KnownUnit, ObjectNode
-
-if TYPE_CHECKING:
-    from foon_kg.integration.methods import Methods
 
 
 class SeenAs(NamedTuple):
@@ -66,19 +65,19 @@ class Vocabulary:
 
     @property
     def labels(self) -> list[str]:
-        """Answer the known foods by name, sorted."""
+        """Return the known foods by name, sorted."""
         return sorted(self.rows_of)
 
     @cached_property
     def rows_of(self) -> Mapping[str, tuple[SeenAs, ...]]:
-        """Answer the rows about each known food, in their order."""
+        """Return the rows about each known food, in their order."""
         rows: dict[str, list[SeenAs]] = {}
         for row in self.foods:
             rows.setdefault(row.label, []).append(row)
         return {label: tuple(found) for label, found in rows.items()}
 
     def gathers(self, motion: str) -> float:
-        """Answer how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet."""
+        """Return how likely the next unit with ``motion`` takes several foods (0..1): half where none was seen yet."""
         row = self._gathering_of.get(motion)
         return 0.5 if row is None else (row.several + 1) / (row.units + 2)  # the rule of succession
 
@@ -127,7 +126,7 @@ class TreeMemory(Protocol):
     """Where reference trees are kept once they were retrieved."""
 
     def remembered(self, question: str) -> RetrievedTree | None:
-        """Answer the tree that is kept for ``question``, whatever its grounds are."""
+        """Return the tree that is kept for ``question``, whatever its grounds are."""
         ...
 
     def remember(self, tree: RetrievedTree) -> None:
@@ -156,11 +155,11 @@ class KnowledgeView(Protocol):
         ...
 
     def vocabulary(self) -> Vocabulary:
-        """Answer the words that the FOON knows."""
+        """Return the words that the FOON knows."""
         ...
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Answer what of the vocabulary matters to a recipe that asks for ``foods``; it may be more, up to all of it.
+        """Return what of the vocabulary matters to a recipe that asks for ``foods``; it may be more, up to all of it.
 
         States, motions and dish types are all there. Of the foods there are, with all that is known of them, those
         that have an equal canonical name (``foon_kg.model.names``) with one of ``foods`` or of ``called``, those named
@@ -170,38 +169,30 @@ class KnowledgeView(Protocol):
         ...
 
     def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
-        """Answer ``words``, which :meth:`words_for` answered, with all that is known of the foods in ``units``.
+        """Return ``words``, which :meth:`words_for` answered, with all that is known of the foods in ``units``.
 
         ``units`` were answered by :meth:`behind`.
         """
         ...
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
-        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
+        """Return the goals of ``dish_type`` (of every type for ``None``), sorted by node."""
         ...
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``, in no order.
+        """Return the ``count`` goals, or some more, that may score highest for a recipe of ``foods``, in no order.
 
         The score is that of the default similarity. All of the goals are answered where they are few.
         """
         ...
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
-        """Answer every unit that may take part in making any of ``nodes``, or any node of one of ``foods``.
+        """Return every unit that may take part in making any of ``nodes``, or any node of one of ``foods``.
 
         A food is (label, state): every node with that label which has that state. Answered are the units that
         output such a node, the units that output any of *their* inputs, and so on; a node that is at hand
         in the default kitchen (``foon_kg.plans.kitchen``) is never expanded, the asked ones apart. Sorted by unit key.
         """
-        ...
-
-    def methods(self) -> Methods:
-        """Answer what the FOON teaches of making dishes: its operators and frames."""
-        ...
-
-    def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Answer what of that matters to a dish of ``foods``; it may be more, up to all of it."""
         ...
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:

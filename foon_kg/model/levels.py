@@ -24,7 +24,7 @@ class Level(IntEnum):
 
 
 def node_at(node: ObjectNode, level: Level) -> ObjectNode:
-    """Answer what is left of ``node`` at ``level``."""
+    """Return what is left of ``node`` at ``level``."""
     if level is Level.INGREDIENTS:
         return node
     return ObjectNode(node.label) if level is Level.OBJECTS else replace(node, ingredients=())
@@ -39,14 +39,14 @@ class Leveller:
     _distinct: dict[ObjectNode, ObjectNode] = field(default_factory=dict)
 
     def node(self, node: ObjectNode) -> ObjectNode:
-        """Answer what is left of ``node``."""
+        """Return what is left of ``node``."""
         if node not in self._nodes:
             found = node_at(node, self.level)
             self._nodes[node] = self._distinct.setdefault(found, found)
         return self._nodes[node]
 
     def unit(self, unit: FunctionalUnit) -> FunctionalUnit:
-        """Answer what is left of ``unit``: the same motion; object nodes that have become one count once."""
+        """Return what is left of ``unit``: the same motion; object nodes that have become one count once."""
         if self.level is Level.INGREDIENTS:
             return unit
         return replace(unit, inputs=self._side(unit.inputs), outputs=self._side(unit.outputs))
@@ -63,7 +63,7 @@ class Leveller:
 
 
 def units_at(units: Iterable[KnownUnit], level: Level) -> tuple[KnownUnit, ...]:
-    """Answer the distinct units at ``level``, sorted by key, each as its first sighting has it."""
+    """Return the distinct units at ``level``, sorted by key, each as its first sighting has it."""
     if level is Level.INGREDIENTS:
         return tuple(sorted(units, key=lambda known: known.unit.key))
     groups: defaultdict[str, list[KnownUnit]] = defaultdict(list)

@@ -38,7 +38,7 @@ class AliasTable:
 
 
 def canonical(name: str) -> str:
-    """Answer the name by which ``name`` is compared; names of one thing have equal answers.
+    """Return the name by which ``name`` is compared; names of one thing have equal answers.
 
     Lower case, single spaces, no accents, singular, with synonyms and typing errors of the alias table resolved.
     Idempotent: ``canonical(canonical(x)) == canonical(x)``. Raises ``ReadError`` for a broken alias file.
@@ -47,7 +47,7 @@ def canonical(name: str) -> str:
 
 
 def canonical_all(names: tuple[str, ...]) -> tuple[str, ...]:
-    """Answer :func:`canonical` of each of ``names``; of few lists, as of the words of a FOON, it is kept."""
+    """Return :func:`canonical` of each of ``names``; of few lists, as of the words of a FOON, it is kept."""
     return _canonical_all(names, os.environ.get(ALIASES_VARIABLE, ""))
 
 
@@ -96,7 +96,7 @@ def _singular(word: str, kept: frozenset[str]) -> str:
 
 @lru_cache(maxsize=8)
 def alias_table(own_file: str = "") -> AliasTable:
-    """Answer foon-kg's own aliases, overruled by those of ``own_file`` (``""`` for none)."""
+    """Return foon-kg's own aliases, overruled by those of ``own_file`` (``""`` for none)."""
     shipped = files("foon_kg.data").joinpath("aliases.txt").read_text(encoding="utf-8")
     table = _read(shipped.splitlines(), "aliases.txt", AliasTable({}, {}, frozenset()))
     if not own_file:

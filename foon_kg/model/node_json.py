@@ -7,7 +7,7 @@ from foon_kg.model.json_fields import Fields, JsonObject
 
 
 def node_to_json(node: ObjectNode) -> JsonObject:
-    """Answer the five fields of an object node."""
+    """Return the five fields of an object node."""
     return {
         "label": node.label,
         "states": list(node.states),
@@ -29,7 +29,7 @@ def node_from_json(fields: Fields) -> ObjectNode:
 
 
 def recipe_to_json(recipe: Recipe) -> JsonObject:
-    """Answer the ``recipe`` field of a plan result."""
+    """Return the ``recipe`` field of a plan result."""
     ingredients = [{"object": wanted.object, "state": wanted.state} for wanted in recipe.ingredients]
     return {"id": recipe.id, "title": recipe.title, "dish_type": recipe.dish_type, "ingredients": ingredients}
 
@@ -43,7 +43,7 @@ def recipe_from_json(fields: Fields) -> Recipe:
 
 
 def measures_to_json(measures: Measures) -> JsonObject:
-    """Answer how much, how long and how hot: what nobody says is left out."""
+    """Return how much, how long and how hot: what nobody says is left out."""
     told: JsonObject = {"amounts": list(measures.amounts)} if measures.amounts else {}
     if measures.seconds is not None:
         told["seconds"] = measures.seconds
@@ -65,7 +65,7 @@ def measures_from_json(fields: Fields) -> Measures:
 
 
 def sighting_to_json(sighting: Sighting) -> JsonObject:
-    """Answer where a unit was seen; the place in the video is called ``unit``."""
+    """Return where a unit was seen; the place in the video is called ``unit``."""
     return {
         "video": sighting.video,
         "unit": sighting.position,

@@ -23,7 +23,7 @@ NodeSortKey = tuple[str, tuple[str, ...], tuple[str, ...], str, str]
 
 
 def content_key(*parts: object) -> str:
-    """Answer a 32-digit hexadecimal name for ``parts`` (JSON values), the same on every machine and run."""
+    """Return a 32-digit hexadecimal name for ``parts`` (JSON values), the same on every machine and run."""
     text = json.dumps(parts, ensure_ascii=False, separators=(",", ":"))
     return hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
 

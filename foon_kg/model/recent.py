@@ -23,7 +23,7 @@ class Recent(MutableMapping[K, V]):
         return value
 
     def find(self, key: K) -> V | None:
-        """Answer the entry of ``key`` or ``None``: :meth:`get`, quickly."""
+        """Return the entry of ``key`` or ``None``: :meth:`get`, quickly."""
         value = self._entries.get(key)
         if value is not None:
             self._entries.move_to_end(key)

@@ -20,12 +20,12 @@ from foon_kg.similarity.taxonomy import food_taxonomy
 
 
 def why_avoided(food: str, avoided: Sequence[str]) -> str | None:
-    """Answer why ``food`` is one of the ``avoided`` foods or kinds of food; ``None`` where it is not."""
+    """Return why ``food`` is one of the ``avoided`` foods or kinds of food; ``None`` where it is not."""
     return next((reason for name in avoided if (reason := _why(food, name)) is not None), None)
 
 
 def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tuple[str, ...]]:
-    """Answer ``recipe`` without the avoided foods, and a note for each of these.
+    """Return ``recipe`` without the avoided foods, and a note for each of these.
 
     Raises :class:`~foon_kg.model.errors.UsageError` where nothing is left of it.
     """
@@ -42,7 +42,7 @@ def without_avoided(recipe: Recipe, avoided: Sequence[str]) -> tuple[Recipe, tup
 
 
 def kitchen_without(kitchen: Kitchen, avoided: Sequence[str]) -> Kitchen:
-    """Answer ``kitchen`` in which no avoided food is free to use."""
+    """Return ``kitchen`` in which no avoided food is free to use."""
     free = frozenset(food for food in kitchen.free_foods if why_avoided(food, avoided) is None)
     return kitchen if free == kitchen.free_foods else replace(kitchen, free_foods=free)
 
@@ -65,7 +65,7 @@ def _why(food: str, avoided: str) -> str | None:
 
 
 def _parts(name: str) -> Iterator[str]:
-    """Answer ``name`` and all parts of it that are whole words, the longest first."""
+    """Yield ``name`` and all parts of it that are whole words, the longest first."""
     spoken = name.split()
     for length in range(len(spoken), 0, -1):
         for start in range(len(spoken) - length + 1):
@@ -73,7 +73,7 @@ def _parts(name: str) -> Iterator[str]:
 
 
 def _kinds(name: str) -> tuple[str, ...]:
-    """Answer the kinds of food that a canonical name belongs to, its groups first."""
+    """Return the kinds of food that a canonical name belongs to, its groups first."""
     return (*food_groups().of(name), *food_taxonomy().kinds(name))
 
 

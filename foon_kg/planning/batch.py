@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
 
+from foon_kg.integration.methods import TeachingView
 from foon_kg.model import KnownUnit, Recipe
 from foon_kg.model.errors import FoonError, GraphError, NoTreeError, ReadError, UsageError
-from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.names import canonical
 from foon_kg.planning.avoidance import without_avoided
 from foon_kg.planning.considered import Considered
@@ -47,7 +47,7 @@ class Question:
     given: Recipe | None = None
 
     def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
-        """Answer the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
+        """Return the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
         if self.given is not None:
             read = with_states(self.given, words)
         else:
@@ -56,7 +56,7 @@ class Question:
         return ReadRecipe(recipe, (*read.notes, *notes))
 
     def names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Answer the foods that the question names, or, where it asks in words, all that may be names of foods."""
+        """Return the foods that the question names, or, where it asks in words, all that may be names of foods."""
         if self.given is not None:
             return tuple(wanted.object for wanted in self.given.ingredients), ()
         if self.path is not None:
@@ -64,7 +64,7 @@ class Question:
         return (), names_in(self.texts)
 
     def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:
-        """Answer the recipe that an answer to this question names."""
+        """Return the recipe that an answer to this question names."""
         try:
             return self.read(words, avoided).recipe
         except (ReadError, UsageError):
@@ -72,7 +72,7 @@ class Question:
 
     @property
     def stand_in(self) -> Recipe:
-        """Answer what is known of the recipe before it is read, or where it cannot be."""
+        """Return what is known of the recipe before it is read, or where it cannot be."""
         if self.given is not None:
             return self.given
         return Recipe(self.dish_type, (), id=None if self.path is None else self.path.stem)
@@ -95,7 +95,7 @@ class Answer:
 class Cook:
     """Answers questions from one view, one after the other; ``units`` are all of the FOON, where there are many."""
 
-    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
+    def __init__(self, view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
         self.units = units
@@ -103,7 +103,7 @@ class Cook:
         self.planner = Planner(view, settings, units)
 
     def answer(self, question: Question, *, explain: bool = False) -> Answer:
-        """Answer one question, and why where that, or the settings, ask it.
+        """Return one question, and why where that, or the settings, ask it.
 
         Where somebody writes to the FOON meanwhile it is answered anew, from what is there then. What is raised is not
         about this recipe, and ends the batch.
@@ -136,7 +136,7 @@ class Cook:
             return Answer(PlanFailure.of(read.recipe, error), read.notes, error=error)
 
     def words_for(self, question: Question) -> IngredientWords:
-        """Answer the words in which ``question`` is read."""
+        """Return the words in which ``question`` is read."""
         if not self.asks_for_parts:
             return self._all_words
         foods, called = question.names()
@@ -148,14 +148,14 @@ class Cook:
 
 
 def _chosen_dish(read: ReadRecipe, result: PlanResult) -> tuple[str, ...]:
-    """Answer a note where no dish type was asked."""
+    """Return a note where no dish type was asked."""
     if read.recipe.dish_type:
         return ()
     return (f"no dish type was asked: {result.recipe.dish_type} is most like these (suggest names others)",)
 
 
 def _after_a_draft(result: PlanResult) -> tuple[str, ...]:
-    """Answer a note where a tree is made after a draft."""
+    """Return a note where a tree is made after a draft."""
     sure = result.reference.draft_confidence
     if sure is None:
         return ()
@@ -163,7 +163,7 @@ def _after_a_draft(result: PlanResult) -> tuple[str, ...]:
 
 
 def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> Iterator[str]:
-    """Answer a note for each choice of an equivalent of which the tree shows nothing, though its food was asked for."""
+    """Yield a note for each choice of an equivalent of which the tree shows nothing, though its food was asked for."""
     asked = {canonical(wanted.object) for wanted in result.recipe.ingredients}
     shown = {(canonical(s.required), canonical(s.equivalent)) for s in result.substitutions if s.kind == "object"}
     for chosen in substitutes:
@@ -173,7 +173,7 @@ def _without_effect(substitutes: Sequence[Substitute], result: PlanResult) -> It
 
 
 def answering(
-    questions: Iterable[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
+    questions: Iterable[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit], jobs: int
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open ``jobs`` processes that answer ``questions``, in their order; how many they are changes no answer.
 
@@ -186,7 +186,7 @@ def answering(
 
 
 def answering_on(
-    address: str, questions: Sequence[Question], view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
+    address: str, questions: Iterable[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
     from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it
@@ -194,12 +194,10 @@ def answering_on(
     return spread_over(partial(_answers_of, view, settings, units), questions, address)
 
 
-def _answers_of(
-    view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit]
-) -> Callable[[Question], Answer]:
+def _answers_of(view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]) -> Callable[[Question], Answer]:
     return Cook(view, settings, units).answer
 
 
 def cores() -> int:
-    """Answer how many cores this program may use."""
+    """Return how many cores this program may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from foon_kg.food import singular
 from foon_kg.integration.places import Join
 from foon_kg.model import RequiredIngredient
-from foon_kg.plans.result import PlannedUnit
-
-if TYPE_CHECKING:
-    from foon_kg.planning.likes import RecipeLikes
-    from foon_kg.planning.planner import Attempt
+from foon_kg.model.tree import TreeUnit
+from foon_kg.planning.attempt import Attempt
+from foon_kg.planning.likes import RecipeLikes
 
 MOST_OTHERS = 3
 """How many known foods that were passed over are named."""
@@ -94,7 +92,7 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
     others = tuple(
         PassedOver(name, "", round(confidence, 4), "you chose another" if chosen else "less sure")
-        for name, confidence in likes.others(want.label, like)
+        for name, confidence in (likes.others(want.label, like) if like else ())
     )
     return Explanation(
         asked, how, like or want.label, sure, chosen, renamed,
@@ -109,22 +107,18 @@ def _handled_like(attempt: Attempt, label: str) -> tuple[str, float]:
     return "", 1.0
 
 
-def _has(unit: PlannedUnit, number: int) -> bool:
-    return any(thing == number for thing, _ in (*unit.input_things, *unit.output_things))
+def _has(unit: TreeUnit, number: int) -> bool:
+    return any(one.thing == number for one in (*unit.taken, *unit.made))
 
 
-def _joining(own: Sequence[tuple[int, PlannedUnit]], number: int) -> tuple[int | None, str]:
+def _joining(own: Sequence[tuple[int, TreeUnit]], number: int) -> tuple[int | None, str]:
     """Return the first step after which a food shares its vessel with others."""
     for place, unit in own:
-        for node, (thing, container) in zip(unit.output_nodes, unit.output_things, strict=True):
-            if thing != number or container is None:
-                continue
-            vessels = (n for n, (t, _) in zip(unit.output_nodes, unit.output_things, strict=True) if t == container)
-            if any(len(vessel.ingredients) > 1 for vessel in vessels):
-                return place, unit.motion_node
-            del node
-    return (own[-1][0], own[-1][1].motion_node) if own else (None, "")
+        inside = {one.container_thing for one in unit.made if one.thing == number} - {None}
+        if any(one.thing in inside and len(one.node.ingredients) > 1 for one in unit.made):
+            return place, unit.motion
+    return (own[-1][0], own[-1][1].motion) if own else (None, "")
 
 
-def _videos(units: Iterator[PlannedUnit]) -> Iterator[str]:
+def _videos(units: Iterator[TreeUnit]) -> Iterator[str]:
     yield from dict.fromkeys(unit.seen_in[0].video for unit in units if unit.seen_in)

@@ -68,7 +68,7 @@ def read_kitchen(path: Path, words: IngredientWords) -> ReadKitchen:
 
 
 def kitchen_with(entries: Sequence[Entry], words: IngredientWords) -> ReadKitchen:
-    """Answer the kitchen in which just ``entries`` are at hand; ``words`` as for :func:`read_kitchen`."""
+    """Return the kitchen in which just ``entries`` are at hand; ``words`` as for :func:`read_kitchen`."""
     reader = ThingReader(words)
     read = [reader.read(entry) for entry in entries]
     said: dict[str, set[str]] = {kind: set() for kind in (*_FIELDS, "")}
@@ -94,7 +94,7 @@ class ThingReader:
     words: IngredientWords
 
     def read(self, entry: Entry) -> tuple[ObjectNode, tuple[str, ...]]:
-        """Answer the thing that an entry names, and notes on what was decided or is not known."""
+        """Return the thing that an entry names, and notes on what was decided or is not known."""
         if isinstance(entry.value, ObjectNode):
             thing, notes = self._known(entry.value), list[str]()
         else:
@@ -124,7 +124,7 @@ class ThingReader:
         return ObjectNode(food, (*states, said)), [f"this FOON knows no state “{said}”{near}; it is kept as it stands"]
 
     def _utensil_in_words(self, text: str) -> ObjectNode | None:
-        """Answer ``oven, preheated`` and ``preheated oven``; other words before a utensil make it another thing."""
+        """Return ``oven, preheated`` and ``preheated oven``; other words before a utensil make it another thing."""
         name, comma, after = (part.strip() for part in text.partition(","))
         if (utensil := self._utensil(name)) is not None:
             states = tuple(" ".join(state.lower().split()) for state in after.split(",") if state.strip())
@@ -136,11 +136,11 @@ class ThingReader:
         return None
 
     def _known(self, node: ObjectNode) -> ObjectNode:
-        """Answer ``node`` under the name that the FOON has for it."""
+        """Return ``node`` under the name that the FOON has for it."""
         return replace(node, label=self._utensil(node.label) or self.words.label(node.label))
 
     def _utensil(self, name: str) -> str | None:
-        """Answer the utensil that is called ``name``, be it in the plural."""
+        """Return the utensil that is called ``name``, be it in the plural."""
         folded = " ".join(name.lower().split())
         row = tables().utensil(name)
         if not self.words.kitchen.is_utensil(folded):

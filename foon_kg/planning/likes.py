@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from array import array
 from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.food import singular
@@ -14,7 +15,6 @@ from foon_kg.model.recent import Recent
 from foon_kg.planning.settings import Substitute
 from foon_kg.similarity import Similarity
 from foon_kg.similarity.food import FoodSimilarity
-from foon_kg.similarity.roles import roles_of
 
 FAIR = 0.5
 """From this confidence on a cook would rather accept a food for another one than not."""
@@ -33,46 +33,63 @@ class FoodLikes:
     def __init__(self, similarity: Similarity, foods: Iterable[str], substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
         self.foods = tuple(sorted(foods))
-        self._rows: Recent[str, Mapping[str, float]] = Recent(MOST_KEPT)
+        self.place: Mapping[str, int] = {food: place for place, food in enumerate(self.foods)}
+        self._rows: Recent[str, array[float]] = Recent(MOST_KEPT)
+        self._slots: Recent[str, array[float]] = Recent(MOST_KEPT)
         self._likes: Recent[str, tuple[tuple[str, float], ...]] = Recent(MOST_KEPT)
         self.chosen: dict[str, str] = {}
         for substitute in substitutes:
             self._choose(substitute)
 
+    def knows(self, food: str) -> bool:
+        """Whether a food is one of those that can stand for others."""
+        return food in self.place
+
     def learn(self, foods: Iterable[str]) -> None:
         """Work out at once how well every known food stands for each of ``foods``."""
         fresh = [food for food in dict.fromkeys(foods) if food not in self._rows]
-        if fresh and self.foods:
-            for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods).tolist(), strict=True):
-                self._rows[food] = dict(zip(self.foods, row, strict=True))
+        if fresh:
+            for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods), strict=True):
+                self._rows[food] = array("d", row)
 
-    def alike(self, food: str, known: str) -> float:
-        """Return how sure a cook is (0 to 1) to accept a known food for another one."""
+    def row(self, food: str) -> array[float]:
+        """Return how sure a cook is (0 to 1) to accept each known food for another one, by their :attr:`place`."""
         row = self._rows.find(food)
         if row is None:
             self.learn([food])
-            row = self._rows.find(food)
-        return row.get(known, 0.0) if row is not None else 0.0
+            row = self._rows[food]
+        return row
+
+    def slots(self, food: str) -> array[float]:
+        """Return the same for what the food does in the slot of a dish, by their :attr:`place`.
+
+        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
+        """
+        row = self._slots.find(food)
+        if row is None:
+            row = array("d", [0.0] * len(self.foods))
+            if isinstance(self.similarity, FoodSimilarity):
+                row = array("d", self.similarity.in_slots([food], self.foods)[0])
+            self._slots[food] = row
+        return row
 
     def likes(self, food: str) -> tuple[tuple[str, float], ...]:
         """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
         found = self._likes.find(food)
         if found is None:
-            self.learn([food])
-            row = self._rows.find(food) or {}
-            fair = [(name, sure) for name, sure in row.items() if sure >= FAIR and name != food]
+            row = self.row(food)
+            fair = [(name, sure) for name, sure in zip(self.foods, row, strict=True) if sure >= FAIR and name != food]
             found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
             like = self.chosen.get(canonical(food))
             if like is not None:
-                found = ((like, row.get(like, 0.0)), *(pair for pair in found if pair[0] != like))
+                found = ((like, row[self.place[like]]), *(pair for pair in found if pair[0] != like))
             self._likes[food] = found
         return found
 
     def others(self, food: str) -> list[tuple[str, float]]:
         """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
-        self.learn([food])
-        row = self._rows.find(food) or {}
-        found = [(name, sure) for name, sure in row.items() if sure >= LIKE_AT_ALL and name != food]
+        pairs = zip(self.foods, self.row(food), strict=True)
+        found = [(name, sure) for name, sure in pairs if sure >= LIKE_AT_ALL and name != food]
         return sorted(found, key=lambda pair: (-pair[1], pair[0]))
 
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
@@ -98,12 +115,13 @@ class RecipeLikes:
     def __init__(self, likes: FoodLikes, wants: Sequence[Want]) -> None:
         self._likes = likes
         self._read: dict[str, tuple[str, ...]] = {}
-        known = set(likes.foods)
         for want in wants:
             name, meant = singular(want.label), want.facts.taken_for
-            if meant and meant != name and meant in known:
+            if meant and meant != name and likes.knows(meant):
                 self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
         likes.learn(singular(want.label) for want in wants)
+        self._rows: dict[str, array[float]] = {}
+        self._slots: dict[str, array[float]] = {}
         names = (singular(want.label) for want in wants)
         self.instead = frozenset(name for name in names if canonical(name) in likes.chosen)
 
@@ -123,15 +141,14 @@ class RecipeLikes:
         return [pair for pair in found if pair[0] != chosen]
 
     def in_slot(self, food: str, known: str) -> float:
-        """Return how sure a cook is (0 to 1) to accept a known food for what another one does in the slot of a dish.
-
-        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
-        """
-        plain, name, similarity = self.alike(food, known), singular(food), self._likes.similarity
-        shared = roles_of(canonical(name)) & roles_of(canonical(known))
-        if not shared or not isinstance(similarity, FoodSimilarity):
-            return plain
-        return max(plain, *(float(similarity.in_slot(name, [known], role)[0]) for role in shared))
+        """Return how sure a cook is (0 to 1) to accept a known food for another one: in its slot, or anywhere."""
+        place, name = self._likes.place.get(known), singular(food)
+        if place is None:
+            return self.alike(food, known)
+        slots = self._slots.get(name)
+        if slots is None:
+            slots = self._slots[name] = self._likes.slots(name)
+        return max(self.alike(food, known), slots[place])
 
     def stands_for(self, food: str, other: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""
@@ -140,8 +157,14 @@ class RecipeLikes:
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
         name = singular(food)
-        if name in self._read and known in self._read[name]:
+        if self._read and known in self._read.get(name, ()):
             return _READ
         if self._likes.chosen and self._likes.chosen.get(canonical(food)) == known:
             return 1.0
-        return self._likes.alike(name, known)
+        place = self._likes.place.get(known)
+        if place is None:
+            return 0.0
+        row = self._rows.get(name)
+        if row is None:
+            row = self._rows[name] = self._likes.row(name)
+        return row[place]

@@ -11,35 +11,29 @@ from __future__ import annotations
 import difflib
 from collections import Counter
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
-from foon_kg.food import Tables, singular, tables
+from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, is_truly, refusals, shortlisted
 from foon_kg.goals.score import missing_core, unexplained
 from foon_kg.integration.bench import Bench, RefusedError
-from foon_kg.integration.called import Called, as_it_is_called
+from foon_kg.integration.called import Called, arranged
 from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
-from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.final_tree import FinalTree, final_tree
-from foon_kg.integration.folded import folded, is_folded
-from foon_kg.integration.formed import formed_within, is_formed
-from foon_kg.integration.lined import topped
-from foon_kg.integration.methods import Methods
-from foon_kg.integration.parts import baked_at_last, parts_of, with_parts
+from foon_kg.integration.methods import Methods, TeachingView
+from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Join, Joiners, Matcher
-from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unmixed
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.pureed import blended_at_once, blended_when_done, is_stewed, stewed
-from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import can_be_warmed, garnished, is_heated, stirred, warmed
+from foon_kg.integration.techniques import technique_for
+from foon_kg.integration.warmed import can_be_warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
-from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, nearer_goals, other_goals
 from foon_kg.planning.explanation import Explanation, explanations
@@ -49,18 +43,16 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import with_measures
 from foon_kg.plans.progress import lines_of_things
-from foon_kg.plans.result import PassedOver, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Finding, Report, TaskTree, check
-from foon_kg.validation.tree import Assumed, Substituted, TreeUnit
-from foon_kg.world import Mention, Step
+from foon_kg.validation import Finding, check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
 
 
-def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
+def plan(view: TeachingView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
     """Return the task tree that makes ``recipe``.
 
     A recipe without a dish type (``""``) may become a dish of any; the answer says which. Raises :class:`UsageError`
@@ -68,18 +60,6 @@ def plan(view: KnowledgeView, recipe: Recipe, settings: PlanSettings | None = No
     make it; the code is ``no-goal``, ``no-way``, ``avoided`` or ``missing``.
     """
     return Planner(view, settings or PlanSettings()).plan(recipe)
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """A tree that was built after one frame, with what the judge says of it and what its kitchen lacks."""
-
-    fit: Fit
-    tree: FinalTree
-    result: PlanResult
-    report: Report
-    missing: tuple[ObjectNode, ...]
-    cooking: Cooking
 
 
 class Reasons(NamedTuple):
@@ -106,7 +86,7 @@ class Planner:
     the view for what matters to it.
     """
 
-    def __init__(self, view: KnowledgeView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
+    def __init__(self, view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit] | None = None) -> None:
         self.view = view
         self.settings = settings
         self.known: Tables = tables()
@@ -199,6 +179,8 @@ class _Question:
         self.kitchen = planner.kitchen_for(foods)
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in self.wants)
         times = Counter(singular(one.object) for one in asked)
+        recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
+        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants, recorded)
         self.baked, self.parts = parts_of(
             self.wants,
             recipe.dish_type,
@@ -206,6 +188,8 @@ class _Question:
             {name for name, count in times.items() if count > 1},
             self.known,
         )
+        if self.technique is not None:  # it says itself what is put on what
+            self.baked, self.parts = self.wants, ()
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
         self.matcher = Matcher(self.methods.posts, self.likes.in_slot, self.wants, self.teaching.joiners)
 
@@ -222,7 +206,7 @@ class _Question:
                 continue
             faults = [one for one in attempt.report.findings if not one.minor and not self._is_at_hand_so(one)]
             if faults:
-                troubles.append(f"{fit.frame.goal.label}: {faults[0]}")
+                troubles.append(f"{fit.frame.goal.label}: {faults[0].reason} ({faults[0].rule})")
             elif attempt.missing:
                 attempts.append(attempt)
             else:
@@ -238,28 +222,36 @@ class _Question:
         outlines = self.methods.outlines
         title = self.recipe.title or ""
         dish_type = _made_as(self.recipe.dish_type, title, self.known)
-        if not outlines.are_of(dish_type):
+        if not outlines.are_of(dish_type) and self.technique is None:
             there = ", ".join(sorted(outlines.dish_types)) or "none"
             raise NoTreeError(
                 f"this FOON has no {dish_type or 'dish'}",
                 code="no-goal",
                 hint=f"It has goals of these dish types: {there}.",
             )
+        asked = Asked(self.baked, dish_type, title, self.known)
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
-            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        avoided = self.settings.avoided
-        asked = Asked(self.baked, dish_type, title, self.known)
-        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
-        keys = shortlisted(outlines, asked, self.likes, allowed)
+            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(asked))
         after = self.settings.after
-        if after:
-            keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
-        return fits(self.methods.layouts_of(keys), asked, self.matcher)
+        return self._fits(asked, [one.key for one in outlines.all if one.label == after] if after else [])
 
-    def _nearest(self, lacks: Sequence[str]) -> str:
-        del lacks
-        return "Add what is missing, or ask for another dish type."
+    def _fits(self, asked: Asked, first: Sequence[str] = ()) -> list[Fit]:
+        """Return how well the dishes suit that are worth a closer look, those with the keys ``first`` among them."""
+        avoided = self.settings.avoided
+        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
+        keys = shortlisted(self.methods.outlines, asked, self.likes, allowed)
+        return fits(self.methods.layouts_of(list(dict.fromkeys((*first, *keys)))), asked, self.matcher)
+
+    def _nearest(self, asked: Asked) -> str:
+        """Return what to do where the asked dish cannot be: the recorded dishes that come nearest to it are named."""
+        found = sorted(self._fits(asked), key=lambda fit: fit.frame.dish_type != asked.dish_type)
+        hint = f"Add what is missing; the nearest is {_recorded(found[0])}." if found else "Add what is missing."
+        for fit in self._fits(Asked(self.baked, "", "", self.known)):
+            frame = fit.frame
+            if not fit.vetoes and not refusals(self.wants, frame.dish_type, frame.goal.label, self.known):
+                return f"{hint} Asked for as {frame.dish_type}, they suit {_recorded(fit)}."
+        return hint
 
     def _attempt(self, fit: Fit) -> Attempt:
         frame = fit.frame
@@ -273,56 +265,47 @@ class _Question:
         tin = tins[-1] if tins else ""
         own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
         own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
+        if self.technique is not None:  # it makes what the title says, and not what the video makes
+            own = own and frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
         label = frame.goal.label if own else dish_type
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
         told = frozenset((*asked.type_words, *asked.told))
-        line, joins = with_parts(frame.line, fit.joins, self.parts, tin)
-        line, joins = baked_at_last(line, joins, asked.title)
-        made, found = topped(line, joins, asked.told)
-        called = Called(named, told, frame.goal.label, baked=asked.baked)
-        line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, self.known)
-        if is_folded(joins, asked.told if asked.title else fit.dish.words):
-            line, joins = folded(joins)
-        if dish_type in word_list("is drunk") and not is_heated(line) and can_be_warmed(self.methods.operators):
-            line, joins = warmed(line, joins, told)
-        if dish_type in word_list("is drunk"):
-            line, joins = garnished(*stirred(*blended_at_once(line, joins, told)), told)
-        if dish_type not in word_list("is drunk"):
-            line, joins = wedges_last(line, joins)
-        line, joins = unmixed(line, joins)
-        joins = fat_in_the_heat(joins)
-        if not tin and word_list("is called battered").isdisjoint(told):
-            line, joins = sauce_apart(line, joins)
-        boiled = not word_list("boils in the dish").isdisjoint(told)
-        one_pot = boiled or is_stewed(asked.title, named, joins, self.known)
-        if boiled:
-            line, joins = blended_when_done(line, joins, told, cold=is_never_heated(named, joins, self.known))
-        elif one_pot:
-            line, joins = stewed(joins)
-        stacked = asked.stacked
-        if is_formed(named, joins):
-            line, joins = formed_within(line, joins, self.known)
-        plan = Plan(
-            label, frame.goal.label, joins, self.methods.cooked_by, eased, tin,
-            stacked=stacked,
-            one_pot=one_pot,
-            cold=not word_list("is served cold").isdisjoint(told),
-            flat=not word_list("is rolled out").isdisjoint(told),
-            grilled=stacked and asked.grilled,
-            in_pieces=asked.dressed,
-            laid=asked.laid,
-            spooned=boiled,
-            drunk=dish_type in word_list("is drunk"),
-            closed_by=_closing(told, joins),
-            portioned=not word_list("is portioned").isdisjoint(told),
+        called = Called(
+            named, told, frame.goal.label, asked.title, dish_type, tin,
+            baked=asked.baked,
+            folded=asked.told if asked.title else fit.dish.words,
+            warms=can_be_warmed(self.methods.operators),
+            technique=self.technique,
         )  # fmt: skip
+        line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
+        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, one_pot=one_pot)
+        plan = replace(plan, drunk=dish_type in word_list("is drunk"))
+        if self.technique is None:
+            plan = self._as_told(plan, asked, tin)
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
-        report = check(_as_tree(result), free=self.kitchen.free_foods)
+        report = check(result.tree, free=self.kitchen.free_foods)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
+
+    def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:
+        """Return a plan with what the words of type and title say of the whole dish."""
+        told = frozenset((*asked.type_words, *asked.told))
+        return replace(
+            plan,
+            tin=tin,
+            stacked=asked.stacked,
+            cold=not word_list("is served cold").isdisjoint(told),
+            flat=not word_list("is rolled out").isdisjoint(told),
+            grilled=asked.stacked and asked.grilled,
+            in_pieces=asked.dressed,
+            laid=asked.laid,
+            spooned=not word_list("boils in the dish").isdisjoint(told),
+            closed_by=_closing(told, plan.joins),
+            portioned=not word_list("is portioned").isdisjoint(told),
+        )
 
     def _result(self, fit: Fit, tree: FinalTree, dish_type: str) -> PlanResult:
         frame = fit.frame
@@ -391,6 +374,10 @@ class _Question:
         )
 
 
+def _recorded(fit: Fit) -> str:
+    return f"“{fit.frame.goal.label}” of the video {fit.frame.video}"
+
+
 def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
     """Return those of a dish or a video called ``after`` (``""``: any); raises :class:`NoTreeError` where none is."""
     chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
@@ -414,28 +401,3 @@ def _made_as(dish_type: str, title: str, known: Tables) -> str:
     """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
-
-
-def _as_tree(result: PlanResult) -> TaskTree:
-    """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
-    return TaskTree(
-        result.recipe.id or result.goal.label,
-        tuple(TreeUnit(_step(unit), unit.origin, unit.grounding, unit.seen_in) for unit in result.units),
-        result.goal,
-        result.recipe,
-        result.kitchen,
-        tuple(
-            Substituted(
-                one.kind, one.object, one.required, one.equivalent, one.confidence,
-                tuple((other.name, other.confidence) for other in one.alternatives),
-            )
-            for one in result.substitutions
-        ),
-        tuple(Assumed(one.node, one.why) for one in result.assumptions),
-    )  # fmt: skip
-
-
-def _step(unit: PlannedUnit) -> Step:
-    inputs = (Mention(node, *things) for node, things in zip(unit.input_nodes, unit.input_things, strict=True))
-    outputs = (Mention(node, *things) for node, things in zip(unit.output_nodes, unit.output_things, strict=True))
-    return Step(tuple(inputs), unit.motion_node, tuple(outputs))

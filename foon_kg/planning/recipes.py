@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
 
@@ -49,7 +49,7 @@ class IngredientWords:
     kitchen: Kitchen
 
     def read(self, text: str) -> tuple[RequiredIngredient, tuple[str, ...]]:
-        """Answer what ``text`` asks for, with notes.
+        """Return what ``text`` asks for, with notes.
 
         Written as ``state food`` (chopped onion) or ``food, state`` (onion, chopped). The food is the longest known
         one at the end that a known state stands before, else all that follows the last known state, else the longest
@@ -59,7 +59,7 @@ class IngredientWords:
         return self._chosen(text, *self.parts(text))
 
     def parts(self, text: str) -> tuple[str, list[str], list[str]]:
-        """Answer the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
+        """Return the food that ``text`` names, its known states, and the words that are neither; see :meth:`read`."""
         if not text.strip(" ,"):
             raise UsageError("an ingredient is empty", hint="Write its state and its name, as in “chopped onion”.")
         food, comma, state = (part.strip() for part in text.partition(","))
@@ -79,7 +79,7 @@ class IngredientWords:
         return 0 if amount == len(words) or canonical(" ".join(words)) in self._labels else amount
 
     def with_state(self, wanted: RequiredIngredient) -> tuple[RequiredIngredient, tuple[str, ...]]:
-        """Answer ``wanted`` with a state: its own, else the one in which the food is most often taken.
+        """Return ``wanted`` with a state: its own, else the one in which the food is most often taken.
 
         Where nobody took it, or that would be another kind of food (a sprig of what is sold dried), it is the one in
         which it is sold.
@@ -90,7 +90,8 @@ class IngredientWords:
         state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
         if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:
             state = plain.sold_as
-        return RequiredIngredient(wanted.object, state), (f"“{wanted.object}” names no state: taken as {state}",)
+        usual = RequiredIngredient(wanted.object, state)
+        return usual, (_as_usual(usual),)
 
     def _chosen(
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
@@ -133,7 +134,7 @@ class IngredientWords:
         return " ".join(filter(None, found)) if all(found) else None
 
     def _food_begins(self, words: Sequence[str]) -> int:
-        """Answer the place of the first word of the food."""
+        """Return the place of the first word of the food."""
         known = [place for place in range(len(words)) if canonical(" ".join(words[place:])) in self._labels]
         after_state = [place for place in range(1, len(words)) if self._ends_with_state(words[:place])]
         both = [place for place in known if place == 0 or place in after_state]
@@ -143,7 +144,7 @@ class IngredientWords:
         return any(" ".join(words[place:]).lower() in self.states for place in range(len(words)))
 
     def _states_in(self, words: Sequence[str]) -> tuple[list[str], list[str]]:
-        """Answer the known states among ``words``, the longest first tried, and the words that belong to none."""
+        """Return the known states among ``words``, the longest first tried, and the words that belong to none."""
         states, rest, place = [], [], 0
         while place < len(words):
             ends = range(len(words), place, -1)
@@ -156,7 +157,7 @@ class IngredientWords:
         return states, rest
 
     def label(self, food: str) -> str:
-        """Answer the name by which the FOON has ``food``; its own where it has it under none."""
+        """Return the name by which the FOON has ``food``; its own where it has it under none."""
         return self._labels.get(canonical(food), food)
 
     @cached_property
@@ -192,23 +193,26 @@ def _counting(words: Sequence[str]) -> int:
 
 
 @cache
-def _spelling() -> tuple[str, ...]:
-    """Return every word of the tables of foods and of states, in their order."""
+def _spelling() -> Mapping[str, str]:
+    """Return every word of the tables of foods and of states, in their order, with its letters in theirs."""
     known = tables()
-    return tuple(sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()}))
+    found = sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()})
+    return {word: "".join(sorted(word)) for word in found}
 
 
+@lru_cache(maxsize=1 << 12)
 def _spelled(word: str) -> str | None:
     """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
     known = _spelling()
     if word in known or singular(word) in known:
         return word
-    swapped = next((one for one in known if sorted(one) == sorted(word)), None)
+    letters = "".join(sorted(word))
+    swapped = next((one for one, own in known.items() if own == letters), None)
     return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
 
 
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:
-    """Answer all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
+    """Return all that :meth:`IngredientWords.read` may take for the name of a food in ``texts``."""
     names: dict[str, None] = {}
     for text in texts:
         words = text.replace(",", " ").split()
@@ -217,28 +221,44 @@ def names_in(texts: Iterable[str]) -> tuple[str, ...]:
 
 
 def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
-    """Answer the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
+    """Return the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
 
     Raises :class:`~foon_kg.model.errors.UsageError` where no food of it is known.
     """
     read = [words.read(text) for text in texts]
     if read and not any(words.knows(wanted.object) for wanted, _ in read):
-        notes = "; ".join(note for _, notes in read for note in notes if note.startswith("no food"))
-        raise UsageError(f"nothing is known of what is asked: {notes}", hint="Check the spelling.", code="unknown-food")
-    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), tuple(n for _, ns in read for n in ns))
+        notes = [note for _, said in read for note in said if note.startswith(NO_FOOD)]
+        told = " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in notes)
+        raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
+    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), _gathered(read))
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:
-    """Answer ``recipe`` with a state for each food: its own, else the usual one, which is noted."""
+    """Return ``recipe`` with a state for each food: its own, else the usual one, which is noted."""
     stated = [words.with_state(wanted) for wanted in recipe.ingredients]
     return ReadRecipe(
         replace(recipe, ingredients=tuple(wanted for wanted, _ in stated)),
-        tuple(n for _, notes in stated for n in notes),
+        _gathered(stated),
     )
 
 
+def _as_usual(wanted: RequiredIngredient) -> str:
+    """Return the note of a food whose state nobody named."""
+    return f"“{wanted.object}” names no state: taken as {wanted.state}"
+
+
+def _gathered(read: Sequence[tuple[RequiredIngredient, tuple[str, ...]]]) -> tuple[str, ...]:
+    """Return the notes of several foods; of all those whose states nobody named there is one."""
+    usual = {_as_usual(wanted): wanted for wanted, notes in read if _as_usual(wanted) in notes}
+    notes = tuple(note for _, said in read for note in said)
+    if len(usual) <= 1:
+        return notes
+    told = ", ".join(f"{wanted.object} ({wanted.state})" for wanted in usual.values())
+    return f"no state is named for some foods, taken as usual: {told}", *(note for note in notes if note not in usual)
+
+
 def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
-    """Answer the recipe files that ``paths`` name, in their order; of a folder every ``.json`` below it, by name.
+    """Yield the recipe files that ``paths`` name, in their order; of a folder every ``.json`` below it, by name.
 
     Raises :class:`~foon_kg.model.errors.UsageError` for a path that is not there or a folder without recipes.
     """
@@ -276,7 +296,7 @@ def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
 
 
 def foods_named(path: Path) -> tuple[str, ...]:
-    """Answer the foods that a recipe file names, none where it cannot be read: :func:`read_recipe` says why."""
+    """Return the foods that a recipe file names, none where it cannot be read: :func:`read_recipe` says why."""
     try:
         ingredients = Fields(_json(path), str(path)).nested_list("ingredients")
         return tuple(food for ingredient in ingredients if (food := ingredient.text("object").strip()))

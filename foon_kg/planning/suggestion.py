@@ -71,7 +71,7 @@ class Suggestion:
         return (-self.share, len(self.assumed), -own, self.units, goal.node.sort_key, goal.dish_type)
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``suggestions`` of ``foon suggest --json``."""
+        """Return one of the ``suggestions`` of ``foon suggest --json``."""
         return {
             "goal": node_to_json(self.goal.node),
             "dish_type": self.goal.dish_type,
@@ -103,7 +103,7 @@ def suggest(
     similarity: Similarity | None = None,
     time_limit: float | None = 20.0,
 ) -> Suggestions:
-    """Answer the at most ``most`` dishes that can best be made of what ``kitchen`` names.
+    """Return the at most ``most`` dishes that can best be made of what ``kitchen`` names.
 
     A dish of which nothing is there is none. ``time_limit`` (seconds) is for each tree. Raises
     :class:`~foon_kg.model.errors.UsageError` where the kitchen names no food, and
@@ -144,7 +144,7 @@ class Larder:
 
     @classmethod
     def of(cls, kitchen: StockedKitchen, similarity: Similarity, mixed: frozenset[str]) -> Larder:
-        """Answer the larder that ``kitchen`` names; raises UsageError where that is none."""
+        """Return the larder that ``kitchen`` names; raises UsageError where that is none."""
         foods = kitchen.food_names
         if not foods:
             raise UsageError(
@@ -153,7 +153,7 @@ class Larder:
         return cls(kitchen, foods, similarity, mixed, {})
 
     def knowing(self, names: Collection[str]) -> Larder:
-        """Answer this larder, with what it has for each of ``names`` as well."""
+        """Return this larder, with what it has for each of ``names`` as well."""
         new = sorted(set(names) - self.stands_for.keys())
         rows = self.similarity.matrix(new, self.foods).tolist() if new else []
         known = dict(self.stands_for)
@@ -166,24 +166,24 @@ class Larder:
         return replace(self, stands_for=known)
 
     def own_for(self, name: str) -> tuple[str, float] | None:
-        """Answer which food of one's own stands for ``name``, and how surely; ``None`` where none fairly does."""
+        """Return which food of one's own stands for ``name``, and how surely; ``None`` where none fairly does."""
         own, sure = self.stands_for[name]
         return (own, round(sure, 4)) if sure >= FAIR else None
 
     def names_in(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the foods that ``node`` is or holds, free ones apart."""
+        """Return the foods that ``node`` is or holds, free ones apart."""
         foods = self.kitchen.foods_in(node)
         names = (node.label, *foods) if self.kitchen.is_food(node) else foods
         return tuple(name for name in dict.fromkeys(names) if not self.kitchen.is_free(name))
 
     def lacking(self, node: ObjectNode) -> tuple[str, ...]:
-        """Answer the foods of ``node`` for which there is none at hand, and the utensil that it is or stands in."""
+        """Return the foods of ``node`` for which there is none at hand, and the utensil that it is or stands in."""
         foods = tuple(name for name in self.names_in(node) if self.own_for(name) is None)
         utensil = node.label if self.kitchen.is_utensil(node.label) else node.container
         return (*foods, utensil) if utensil and self._is_absent(utensil, node) else foods
 
     def mine(self, node: ObjectNode) -> ObjectNode:
-        """Answer ``node`` with one's own foods in the place of those that they stand for; it lacks none."""
+        """Return ``node`` with one's own foods in the place of those that they stand for; it lacks none."""
         inside = tuple(self._own_name(name) for name in node.ingredients)
         return replace(node, label=self._own_name(node.label), ingredients=inside)
 
@@ -192,7 +192,7 @@ class Larder:
         return not self.lacking(node) and self.kitchen.has(self.mine(node))
 
     def promise(self, goal: Goal) -> float:
-        """Answer how much of ``goal`` is there (0 to 1) by the names of its ingredients alone, mixtures apart."""
+        """Return how much of ``goal`` is there (0 to 1) by the names of its ingredients alone, mixtures apart."""
         names = [name for name in goal.ingredients if not (self.kitchen.is_utensil(name) or self.kitchen.is_free(name))]
         names = [name for name in names if name not in self.mixed or self.own_for(name)]
         sure = [own[1] for name in names if (own := self.own_for(name)) is not None]
@@ -233,7 +233,7 @@ def _cost(own: Larder, otherwise: Callable[[ObjectNode], int | None]) -> Callabl
 
 
 def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None) -> Suggestion | None:
-    """Answer what the tree of ``goal`` that lacks the least takes; ``None`` where nothing makes the goal."""
+    """Return what the tree of ``goal`` that lacks the least takes; ``None`` where nothing makes the goal."""
     number_of = {food: number for number, food in enumerate(own.foods)}
     standing = ((name, own.own_for(name)) for name in own.stands_for)
     wanted = {name: number_of[mine[0]] for name, mine in standing if mine is not None}
@@ -258,7 +258,7 @@ def _proven(goal: Goal, index: UnitIndex, own: Larder, time_limit: float | None)
 
 
 def _leaves(tree: ReferenceTree) -> Iterable[ObjectNode]:
-    """Answer the inputs that no earlier unit outputs, in the order of their first use."""
+    """Yield the inputs that no earlier unit outputs, in the order of their first use."""
     there: set[ObjectNode] = set()
     for known in tree.units:
         for node in known.unit.input_nodes:

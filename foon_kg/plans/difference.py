@@ -50,7 +50,7 @@ class VideoDifference:
 def difference(
     name: str, before: Subgraph | None, after: Subgraph | None, shown: Mapping[str, Videos], labels: frozenset[str]
 ) -> VideoDifference:
-    """Answer what it changes that the video ``name`` was ``before`` and is ``after``; ``None`` where it is not there.
+    """Return what it changes that the video ``name`` was ``before`` and is ``after``; ``None`` where it is not there.
 
     ``shown`` has, for the key of every unit of both that the FOON has, the videos that show it; ``labels`` those of
     their labels that it has.
@@ -72,7 +72,7 @@ def difference(
 
 
 def differences(subgraphs: Iterable[Subgraph], foon: Iterable[Subgraph]) -> tuple[VideoDifference, ...]:
-    """Answer for each of ``subgraphs`` what loading it into the ``foon`` of these videos would change."""
+    """Return for each of ``subgraphs`` what loading it into the ``foon`` of these videos would change."""
     there = {subgraph.name: subgraph for subgraph in foon}
     shown: dict[str, set[str]] = {}
     for video in there.values():
@@ -84,12 +84,12 @@ def differences(subgraphs: Iterable[Subgraph], foon: Iterable[Subgraph]) -> tupl
 
 
 def labels_of(units: Sequence[FunctionalUnit]) -> set[str]:
-    """Answer the labels of all nodes of ``units``."""
+    """Return the labels of all nodes of ``units``."""
     return {node.label for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
 
 
 def _units(subgraph: Subgraph | None) -> dict[str, FunctionalUnit]:
-    """Answer the distinct units by their keys, in the order of the video."""
+    """Return the distinct units by their keys, in the order of the video."""
     return {annotation.unit.key: annotation.unit for annotation in subgraph.annotations} if subgraph else {}
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from foon_kg.food import singular
 from foon_kg.food.lists import word_list
 from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Measures, ObjectNode
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 _MINUTE, _HOUR = 60, 3600
 _LONG = 2 * _HOUR
@@ -38,7 +38,7 @@ def _long(seconds: float) -> str:
     return f"{seconds / _HOUR:g} h" if seconds >= _LONG else f"{seconds / _MINUTE:g} min"
 
 
-def with_measures(units: Sequence[PlannedUnit], recorded: Iterable[KnownUnit], video: str) -> tuple[PlannedUnit, ...]:
+def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], video: str) -> tuple[TreeUnit, ...]:
     """Return ``units`` with what ``recorded`` ones say in ``video``.
 
     A step is done as long and as hot as the first recorded step of its motion, not told yet, that takes one of its
@@ -62,11 +62,11 @@ def with_measures(units: Sequence[PlannedUnit], recorded: Iterable[KnownUnit], v
     return tuple(told)
 
 
-def _first_of(unit: PlannedUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:
+def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:
     """Take out of ``timed`` what is said of such a step as ``unit``."""
     labels = {singular(node.label) for node in unit.input_nodes}
     for place, (recorded, measures) in enumerate(timed):
-        if recorded.motion == unit.motion_node and any(singular(n.label) in labels for n in recorded.input_nodes):
+        if recorded.motion == unit.motion and any(singular(n.label) in labels for n in recorded.input_nodes):
             del timed[place]
             return measures
     return UNMEASURED

@@ -12,10 +12,11 @@ import itertools
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol, Self
+from typing import NamedTuple, Self
 
 from foon_kg.model import FunctionalUnit, ObjectNode, RequiredIngredient
 from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.kitchen import Kitchen, singular
 
 _KITCHEN = -1
@@ -48,7 +49,7 @@ class ProgressLine:
     end_product: str | None
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``progress_lines`` of a plan result."""
+        """Return one of the ``progress_lines`` of a plan result."""
         steps = [
             {"states": list(step.states), "relation": step.relation, "container": step.container, "motion": step.motion}
             for step in self.steps
@@ -68,7 +69,7 @@ class ProgressLine:
 def progress_lines(
     units: Sequence[FunctionalUnit], goal: ObjectNode, foods: Iterable[RequiredIngredient], kitchen: Kitchen
 ) -> tuple[ProgressLine, ...]:
-    """Answer a line for each of ``foods`` through the tree ``units`` (in the order of execution), in their order.
+    """Return a line for each of ``foods`` through the tree ``units`` (in the order of execution), in their order.
 
     Of all ways from the food to ``goal`` the line takes one that passes the state asked for (if any does), begins in
     the kitchen, loses sight of the food least often, stays longest with the food's own node, then with foods rather
@@ -80,39 +81,15 @@ def progress_lines(
     return tuple(dict.fromkeys(lines))
 
 
-class NumberedUnit(Protocol):
-    """A unit whose nodes say by a number which thing they are."""
-
-    @property
-    def input_nodes(self) -> tuple[ObjectNode, ...]:
-        """What goes in."""
-
-    @property
-    def output_nodes(self) -> tuple[ObjectNode, ...]:
-        """What comes out."""
-
-    @property
-    def motion_node(self) -> str:
-        """What is done."""
-
-    @property
-    def input_things(self) -> tuple[tuple[int | None, int | None], ...]:
-        """The numbers of the input things and of what they are in."""
-
-    @property
-    def output_things(self) -> tuple[tuple[int | None, int | None], ...]:
-        """The same of the output things."""
-
-
 def lines_of_things(
-    units: Sequence[NumberedUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
+    units: Sequence[TreeUnit], goal: ObjectNode, foods: Iterable[tuple[RequiredIngredient, int]]
 ) -> tuple[ProgressLine, ...]:
     """Return a line for each of ``foods`` through a tree that numbers its things; each comes with its number.
 
     A thing that a unit takes and does not put out has become part of the food that names it among its ingredients.
     """
-    inputs = [_by_thing(unit.input_nodes, unit.input_things) for unit in units]
-    outputs = [_by_thing(unit.output_nodes, unit.output_things) for unit in units]
+    inputs = [_by_thing(unit.taken) for unit in units]
+    outputs = [_by_thing(unit.made) for unit in units]
     found = []
     for food, number in foods:
         name, steps, now = singular(food.object), [], number
@@ -120,7 +97,7 @@ def lines_of_things(
             taken = taken_by.get(now)
             if taken is None:
                 continue
-            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion_node, taken.label))
+            steps.append(ProgressStep(taken.states, taken.relation, taken.container, unit.motion, taken.label))
             if now not in made_by:
                 holding = [thing for thing, node in made_by.items() if name in map(singular, node.ingredients)]
                 now = holding[-1] if holding else now
@@ -129,10 +106,10 @@ def lines_of_things(
     return tuple(dict.fromkeys(found))
 
 
-def _by_thing(nodes: Sequence[ObjectNode], things: Sequence[tuple[int | None, int | None]]) -> dict[int, ObjectNode]:
+def _by_thing(mentions: Sequence[Mention]) -> dict[int, ObjectNode]:
     """Return the first node of each numbered thing of a unit."""
     found: dict[int, ObjectNode] = {}
-    for node, (thing, _) in zip(nodes, things, strict=True):
+    for node, thing, _ in mentions:
         if thing is not None:
             found.setdefault(thing, node)
     return found
@@ -183,13 +160,13 @@ class _Stages:
         return cls(units, uses, _Stage(made[goal], goal) if goal in made else None, usual, holding, taken)
 
     def after(self, stage: _Stage) -> Iterator[_Stage]:
-        """Answer the stages that the takers of ``stage`` leave."""
+        """Yield the stages that the takers of ``stage`` leave."""
         for place in self.uses[stage]:
             for node in self.units[place].output_nodes:
                 yield _Stage(place, node)
 
     def firsts(self, food: str) -> list[list[_Stage]]:
-        """Answer the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others.
+        """Return the stages that are or hold ``food`` and were not made from it: of the kitchen, then the others.
 
         Last come inputs that no unit outputs, but that lie where an earlier unit put such a thing: tea that was poured
         into the blender and is taken from there without its state is the same tea.
@@ -250,7 +227,7 @@ class _Followed(NamedTuple):
 def _followed(
     firsts: Iterable[_Stage], food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[_Followed, list[_Followed]]:
-    """Answer all that can be followed from ``firsts``, in the order in which it is made, each with what comes next."""
+    """Return all that can be followed from ``firsts``, in the order in which it is made, each with what comes next."""
     found: dict[_Followed, list[_Followed]] = {}
     waiting = [_Followed(first, food) for first in firsts]
     while waiting:
@@ -264,7 +241,7 @@ def _followed(
 
 
 def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) -> str:
-    """Answer the name by which what was ``now`` is known in ``after``: a vessel keeps the name of what is in it."""
+    """Return the name by which what was ``now`` is known in ``after``: a vessel keeps the name of what is in it."""
     if kitchen.is_food(after):
         return singular(after.label)
     before = singular(now.stage.node.label) if kitchen.is_food(now.stage.node) else now.known_as
@@ -274,7 +251,7 @@ def _known_as(now: _Followed, after: ObjectNode, food: str, kitchen: Kitchen) ->
 def _ways(
     followed: dict[_Followed, list[_Followed]], state: str, food: str, stages: _Stages, kitchen: Kitchen
 ) -> dict[tuple[_Followed, bool], _Way]:
-    """Answer the best way of each to the goal: with True those that still pass ``state``, with False any.
+    """Return the best way of each to the goal: with True those that still pass ``state``, with False any.
 
     A stage is left only for later ones, so that one pass from the last unit backwards sees every way.
     """
@@ -293,7 +270,7 @@ def _ways(
 
 
 def _with(now: _Followed, way: _Way, stages: _Stages, food: str, kitchen: Kitchen) -> _Way:
-    """Answer ``way`` with what is followed ``now`` before it."""
+    """Return ``way`` with what is followed ``now`` before it."""
     stage, after = now.stage, way.stages[0].node
     unit = stages.units[way.stages[0].made_by]
     known_as = singular(stage.node.label) if kitchen.is_food(stage.node) else now.known_as

@@ -1,72 +1,23 @@
 """The answer to a recipe: the task tree, how it differs from what FOON knows, and what was assumed.
 
 Every type here is a plain frozen value with ``to_json`` and ``from_json``; :meth:`PlanResult.to_json` is what
-``foon plan --json`` prints. What JSON has no field for (the star of a motion, which nodes move) takes no part
-in equality: ``seen_in`` names the units that know it.
+``foon plan --json`` prints. Its steps are those of every task tree (:mod:`foon_kg.model.tree`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, NamedTuple, Self, cast, get_args
+from dataclasses import dataclass
+from typing import Self
 
-from foon_kg.model import (
-    UNMEASURED,
-    Annotation,
-    FunctionalUnit,
-    Measures,
-    ObjectNode,
-    Participant,
-    Recipe,
-    Sighting,
-    Subgraph,
-)
+from foon_kg.model import Annotation, ObjectNode, Recipe, Subgraph
+from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
-from foon_kg.model.node_json import (
-    measures_from_json,
-    measures_to_json,
-    node_from_json,
-    node_to_json,
-    recipe_from_json,
-    recipe_to_json,
-    sighting_from_json,
-    sighting_to_json,
-)
-from foon_kg.plans.notebook import plan_html, steps_frame
+from foon_kg.model.node_json import node_from_json, node_to_json, recipe_from_json, recipe_to_json
+from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine
-
-if TYPE_CHECKING:
-    import pandas as pd
 from foon_kg.plans.shortage import ShortageError, remedy
-
-Origin = Literal["foon", "adapted"]
-"""Whether a unit of FOON does this to this food, or one to a like food or one of its kind."""
-
-Phase = Literal["prepare", "heat", "finish"]
-"""When a unit is carried out: everything is cut first, then heated, then served."""
-
-Grounding = Literal["food", "like", "kind", "motion"]
-"""How near the evidence of a unit is: the same food, a like one, one of its kind, the motion alone."""
-
-SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
-
-Thing = tuple[int | None, int | None]
-"""The number of a thing and of what it is in or on; ``None`` where it has none."""
-
-
-class Mentioned(NamedTuple):
-    """A node of a unit, with the number of the thing that it is, and of the one in or on which that is."""
-
-    node: ObjectNode
-    thing: int | None = None
-    container: int | None = None
-
-    @property
-    def identity(self) -> ObjectNode | int:
-        """What tells this thing from others: its number, where it has one; two bowls may have equal nodes."""
-        return self.node if self.thing is None else self.thing
 
 
 @dataclass(frozen=True)
@@ -87,7 +38,7 @@ class ReferenceSummary:
     draft_confidence: float | None = None
 
     def to_json(self) -> JsonObject:
-        """Answer the ``reference`` field of a plan result."""
+        """Return the ``reference`` field of a plan result."""
         told: JsonObject = {
             "goal": node_to_json(self.goal),
             "units": self.units,
@@ -122,7 +73,7 @@ class PassedOver:
     why: str
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``passed_over`` of a plan result."""
+        """Return one of the ``passed_over`` of a plan result."""
         return {"goal": node_to_json(self.goal), "similarity": self.similarity, "why": self.why}
 
     @classmethod
@@ -132,198 +83,13 @@ class PassedOver:
 
 
 @dataclass(frozen=True)
-class PlannedUnit:
-    """One step of the final tree, and where the unit it follows was seen.
-
-    ``accepts_any`` and ``moving`` (the nodes that move in this action) are for the FOON text of the tree. ``measures``
-    are what the recorded dish says of such a step: how much, how long and how hot.
-    """
-
-    input_nodes: tuple[ObjectNode, ...]
-    motion_node: str
-    output_nodes: tuple[ObjectNode, ...]
-    origin: Origin
-    seen_in: tuple[Sighting, ...]
-    accepts_any: bool = field(default=False, compare=False)
-    moving: frozenset[ObjectNode] = field(default=frozenset(), compare=False)
-    phase: Phase | None = None
-    grounding: Grounding | None = None
-    input_things: tuple[Thing, ...] = ()
-    output_things: tuple[Thing, ...] = ()
-    measures: Measures = UNMEASURED
-
-    @classmethod
-    def of(cls, unit: FunctionalUnit, origin: Origin, seen_in: tuple[Sighting, ...]) -> Self:
-        """Plan ``unit`` as it stands; repeated nodes count once."""
-        moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
-        return cls(unit.input_nodes, unit.motion, unit.output_nodes, origin, seen_in, unit.accepts_any, moving)
-
-    @property
-    def taken(self) -> tuple[Mentioned, ...]:
-        """The inputs with their numbers."""
-        return _mentioned(self.input_nodes, self.input_things)
-
-    @property
-    def made(self) -> tuple[Mentioned, ...]:
-        """The outputs with their numbers."""
-        return _mentioned(self.output_nodes, self.output_things)
-
-    def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
-        """Answer the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
-        inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
-        outputs = tuple(
-            Participant(node, node in self.moving, dish_type if node == goal else None) for node in self.output_nodes
-        )
-        return FunctionalUnit(inputs, self.motion_node, outputs, self.accepts_any)
-
-    def to_json(self) -> JsonObject:
-        """Answer one of the ``units`` of a plan result."""
-        told: JsonObject = {
-            "input_nodes": _things_to_json(self.input_nodes, self.input_things),
-            "motion_node": self.motion_node,
-            "output_nodes": _things_to_json(self.output_nodes, self.output_things),
-        }
-        if self.phase is not None:
-            told["phase"] = self.phase
-        told["origin"] = self.origin
-        if self.grounding is not None:
-            told["grounding"] = self.grounding
-        told["seen_in"] = [sighting_to_json(sighting) for sighting in self.seen_in]
-        if self.measures:
-            told["measures"] = measures_to_json(self.measures)
-        return told
-
-    @classmethod
-    def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
-        inputs, outputs = fields.nested_list("input_nodes"), fields.nested_list("output_nodes")
-        phase = fields.one_of("phase", get_args(Phase)) if "phase" in fields else None
-        grounding = fields.one_of("grounding", get_args(Grounding)) if "grounding" in fields else None
-        return cls(
-            tuple(map(node_from_json, inputs)),
-            fields.text("motion_node"),
-            tuple(map(node_from_json, outputs)),
-            cast("Origin", fields.one_of("origin", get_args(Origin))),
-            tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
-            phase=cast("Phase | None", phase),
-            grounding=cast("Grounding | None", grounding),
-            input_things=_things_from_json(inputs),
-            output_things=_things_from_json(outputs),
-            measures=measures_from_json(fields),
-        )
-
-
-def _mentioned(nodes: Sequence[ObjectNode], things: Sequence[Thing]) -> tuple[Mentioned, ...]:
-    if not things:
-        return tuple(map(Mentioned, nodes))
-    return tuple(Mentioned(node, *thing) for node, thing in zip(nodes, things, strict=True))
-
-
-def _things_to_json(nodes: Sequence[ObjectNode], things: Sequence[Thing]) -> list[JsonObject]:
-    told = [node_to_json(node) for node in nodes]
-    for node, (thing, container) in zip(told, things, strict=False):
-        if thing is not None:
-            node["thing"] = thing
-        if container is not None:
-            node["container_thing"] = container
-    return told
-
-
-def _things_from_json(entries: Sequence[Fields]) -> tuple[Thing, ...]:
-    """Read the numbers of things; nothing where no node has one."""
-    names = ("thing", "container_thing")
-    found = [tuple(entry.whole_number(name) if name in entry else None for name in names) for entry in entries]
-    things = tuple((thing, container) for thing, container in found)
-    return things if any(thing != (None, None) for thing in things) else ()
-
-
-@dataclass(frozen=True)
-class Alternative:
-    """Another equivalent that was considered, with its confidence between 0 and 1."""
-
-    name: str
-    confidence: float
-
-
-UNLIKE = 0.1
-"""Below this confidence a food is like nothing that is known."""
-
-
-@dataclass(frozen=True)
-class Substitution:
-    """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
-
-    ``object`` is the required food concerned; for an object substitution it equals ``required``.
-    """
-
-    kind: SubstitutionKind
-    object: str
-    required: str
-    equivalent: str
-    confidence: float
-    alternatives: tuple[Alternative, ...] = ()
-
-    @property
-    def for_want(self) -> bool:
-        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
-        return self.kind == "object" and self.confidence < UNLIKE
-
-    @property
-    def how(self) -> str:
-        """How a food is handled, in words that follow its name."""
-        if self.for_want:
-            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
-        return f"is handled like {self.equivalent}"
-
-    def to_json(self) -> JsonObject:
-        """Answer one of the ``substitutions`` of a plan result."""
-        return {
-            "kind": self.kind,
-            "object": self.object,
-            "required": self.required,
-            "equivalent": self.equivalent,
-            "confidence": self.confidence,
-            "alternatives": [{"name": a.name, "confidence": a.confidence} for a in self.alternatives],
-        }
-
-    @classmethod
-    def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
-        return cls(
-            cast("SubstitutionKind", fields.one_of("kind", get_args(SubstitutionKind))),
-            fields.text("object"),
-            fields.text("required"),
-            fields.text("equivalent"),
-            fields.number("confidence"),
-            tuple(Alternative(a.text("name"), a.number("confidence")) for a in fields.nested_list("alternatives")),
-        )
-
-
-@dataclass(frozen=True)
-class Assumption:
-    """A leaf of the tree that is simply taken to be there, and why."""
-
-    node: ObjectNode
-    why: str
-
-    def to_json(self) -> JsonObject:
-        """Answer one of the ``assumptions`` of a plan result."""
-        return {"node": node_to_json(self.node), "why": self.why}
-
-    @classmethod
-    def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
-        return cls(node_from_json(fields.nested("node")), fields.text("why"))
-
-
-@dataclass(frozen=True)
 class PlanResult:
     """A task tree for ``recipe``: ``units`` in the order of execution, from ``kitchen`` to ``goal``."""
 
     recipe: Recipe
     reference: ReferenceSummary
     goal: ObjectNode
-    units: tuple[PlannedUnit, ...]
+    units: tuple[TreeUnit, ...]
     kitchen: tuple[ObjectNode, ...]
     substitutions: tuple[Substitution, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
@@ -331,12 +97,12 @@ class PlanResult:
     passed_over: tuple[PassedOver, ...] = ()
 
     def to_json(self) -> JsonObject:
-        """Answer the result as ``foon plan --json`` prints it."""
+        """Return the result as ``foon plan --json`` prints it."""
         return {
             "recipe": recipe_to_json(self.recipe),
             "reference": self.reference.to_json(),
             "goal": node_to_json(self.goal),
-            "units": [unit.to_json() for unit in self.units],
+            "units": [unit_to_json(unit) for unit in self.units],
             "kitchen": [node_to_json(node) for node in self.kitchen],
             "substitutions": [substitution.to_json() for substitution in self.substitutions],
             "assumptions": [assumption.to_json() for assumption in self.assumptions],
@@ -352,7 +118,7 @@ class PlanResult:
             recipe_from_json(fields.nested("recipe")),
             ReferenceSummary.from_json(fields.nested("reference")),
             node_from_json(fields.nested("goal")),
-            tuple(map(PlannedUnit.from_json, fields.nested_list("units"))),
+            tuple(map(unit_from_json, fields.nested_list("units"))),
             tuple(map(node_from_json, fields.nested_list("kitchen"))),
             tuple(map(Substitution.from_json, fields.nested_list("substitutions"))),
             tuple(map(Assumption.from_json, fields.nested_list("assumptions"))),
@@ -360,21 +126,19 @@ class PlanResult:
             tuple(map(PassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
         )
 
-    def to_frame(self) -> pd.DataFrame:
-        """Answer the steps as a table of pandas, see :func:`~foon_kg.plans.notebook.steps_frame`."""
-        return steps_frame(self.to_json())
-
-    def _repr_html_(self) -> str:
-        """Show the plan in a notebook."""
-        return plan_html(self.to_json())
+    @property
+    def tree(self) -> TaskTree:
+        """The plan as a task tree, as the judge takes it."""
+        name = self.recipe.id or self.recipe.title or "plan"
+        return TaskTree(name, self.units, self.goal, self.recipe, self.kitchen, self.substitutions, self.assumptions)
 
     def to_subgraph(self) -> Subgraph:
-        """Answer the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
+        """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""
         places = [place for place, unit in enumerate(self.units) if self.goal in unit.output_nodes]
         units = [unit.as_unit() for unit in self.units]
         for place in places[-1:]:  # a stove may be turned off after that
             units[place] = self.units[place].as_unit(self.goal, self.recipe.dish_type)
-        sightings = (sighting for unit in self.units for sighting in unit.seen_in)
+        sightings = (sighting for unit in self.units for sighting in unit.sightings)
         sources = tuple(dict.fromkeys(sighting.source for sighting in sightings if sighting.source))
         measured = (Annotation(unit, measures=one.measures) for unit, one in zip(units, self.units, strict=True))
         name = self.recipe.id or self.recipe.title or self.recipe.dish_type
@@ -382,7 +146,7 @@ class PlanResult:
 
 
 def error_to_json(error: FoonError) -> JsonObject:
-    """Answer what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
+    """Return what stands in the place of an answer: ``code``, ``message`` and ``hint``, and what is ``missing``."""
     said: JsonObject = {"code": error.code, "message": error.message, "hint": error.hint}
     if isinstance(error, ShortageError) and error.missing:
         said["missing"] = [{"node": node_to_json(node), "remedy": remedy(node)} for node in error.missing]
@@ -409,7 +173,7 @@ class PlanFailure:
         return cls(recipe, error.code, error.message, error.hint, missing)
 
     def to_json(self) -> JsonObject:
-        """Answer the line that stands in the place of a result: no ``units``, an ``error``."""
+        """Return the line that stands in the place of a result: no ``units``, an ``error``."""
         error = ShortageError(self.message, missing=self.missing, hint=self.hint, code=self.code)
         return {"recipe": recipe_to_json(self.recipe), "error": error_to_json(error)}
 

@@ -13,13 +13,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 
+from foon_kg.food import motions
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Mentioned, PlannedUnit
 from foon_kg.plans.step_order import earlier_steps
 
 WITHOUT_HANDS = word_list("without hands")
@@ -76,7 +77,7 @@ class Schedule:
         return min((step.start for step in self.steps if step.duration is None), default=self.length)
 
     def to_json(self) -> JsonObject:
-        """Answer the schedule field by field; a step is named by its ``unit``, its place among the units, from 0.
+        """Return the schedule field by field; a step is named by its ``unit``, its place among the units, from 0.
 
         With ``untimed`` steps all times behind the first of them are those of usual steps, and no knowledge.
         """
@@ -86,7 +87,7 @@ class Schedule:
 
 
 def schedule(
-    units: Sequence[PlannedUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
+    units: Sequence[TreeUnit], leaves: Sequence[ObjectNode], durations: Durations, kitchen: Kitchen, hands: int = 1
 ) -> Schedule:
     """Schedule the ``units`` of a tree for so many pairs of ``hands``.
 
@@ -99,13 +100,15 @@ def schedule(
     work = _Work.of(units, leaves, durations, kitchen, hands)
     places = range(len(units))
     orders = (
+        list(places),  # the tree's own: another one has to be shorter
         sorted(places, key=lambda i: (-work.tails[i], i)),
-        list(places),
         sorted(places, key=lambda i: (not work.handless[i], -work.tails[i], i)),
         sorted(places, key=lambda i: (-work.followers[i], i)),
         sorted(places, key=lambda i: (-work.seconds[i], i)),
     )
-    order = _bettered(min(orders, key=lambda order: work.length(work.starts(order))), work)
+    off = [place for place in places if motions.switches_off(units[place].motion)]  # at once, whatever else waits
+    tried = [[*off, *(place for place in order if place not in off)] for order in orders]
+    order = _bettered(min(tried, key=lambda order: work.length(work.starts(order))), work)
     return work.told(work.starts(order))
 
 
@@ -137,8 +140,8 @@ def _is_free(spans: Sequence[_Span], there: int, start: float, end: float) -> bo
     return all(sum(since <= moment < until for since, until in during) < there for moment in moments)
 
 
-def _name(utensil: Mentioned) -> str:
-    """Answer what tells a utensil from others: its number, and for a burner also that of the vessel on it."""
+def _name(utensil: Mention) -> str:
+    """Return what tells a utensil from others: its number, and for a burner also that of the vessel on it."""
     node, thing, container = utensil
     if thing is None:
         return node.label
@@ -159,14 +162,14 @@ class _Work:
     @classmethod
     def of(
         cls,
-        units: Sequence[PlannedUnit],
+        units: Sequence[TreeUnit],
         leaves: Sequence[ObjectNode],
         durations: Durations,
         kitchen: Kitchen,
         hands: int,
     ) -> _Work:
         usual = durations.overall.median if durations.overall else UNTIMED
-        known = [durations.by_motion.get(unit.motion_node) for unit in units]
+        known = [durations.of_step(unit.motion, unit.measures) for unit in units]
         seconds = [usual if one is None else one.median for one in known]
         before = earlier_steps(units)
         tails, behind = list(seconds), [set[int]() for _ in units]
@@ -174,7 +177,7 @@ class _Work:
             for earlier in before[place]:
                 tails[earlier] = max(tails[earlier], seconds[earlier] + tails[place])
                 behind[earlier] |= behind[place] | {place}
-        handless = [unit.motion_node in WITHOUT_HANDS for unit in units]
+        handless = [unit.motion in WITHOUT_HANDS for unit in units]
         uses = [
             frozenset(_name(one) for one in unit.taken if kitchen.is_utensil(one.node.label))
             | (frozenset() if alone else {_HANDS})
@@ -185,11 +188,11 @@ class _Work:
         return cls(known, seconds, handless, before, tails, [len(b) for b in behind], uses, there)
 
     def starts(self, order: Sequence[int]) -> dict[int, float]:
-        """Answer when each step begins when they are put in as ``order`` ranks those that are ready."""
+        """Return when each step begins when they are put in as ``order`` ranks those that are ready."""
         return dict(self._put_in(order))
 
     def length_below(self, order: Sequence[int], limit: float) -> float | None:
-        """Answer how long the steps take in ``order``, if that is less than ``limit``."""
+        """Return how long the steps take in ``order``, if that is less than ``limit``."""
         length = 0.0
         for place, start in self._put_in(order):
             if start + self.tails[place] >= limit:
@@ -215,7 +218,7 @@ class _Work:
     def _earliest(
         self, place: int, starts: Mapping[int, float], ends: Collection[float], busy: Mapping[str, Sequence[_Span]]
     ) -> float:
-        """Answer the first time at which there is enough of all that a step uses for as long as it takes."""
+        """Return the first time at which there is enough of all that a step uses for as long as it takes."""
         ready = max((starts[i] + self.seconds[i] for i in self.before[place]), default=0.0)
         shared = [(busy[name], self.there[name]) for name in self.uses[place] if busy[name]]
         times = [ready, *sorted(end for end in ends if end > ready)]
@@ -223,7 +226,7 @@ class _Work:
         return next(at for at in times if all(_is_free(spans, there, at, at + seconds) for spans, there in shared))
 
     def length(self, starts: Mapping[int, float]) -> float:
-        """Answer when the last step is done."""
+        """Return when the last step is done."""
         return max((start + self.seconds[i] for i, start in starts.items()), default=0.0)
 
     @cached_property
@@ -236,7 +239,7 @@ class _Work:
         return max([0.0, *shared, *self.tails]) + _ROUNDING
 
     def told(self, starts: Mapping[int, float]) -> Schedule:
-        """Answer the schedule, with a pair of hands for every step: whichever is free, the first if it may choose."""
+        """Return the schedule, with a pair of hands for every step: whichever is free, the first if it may choose."""
         free = [0.0] * self.there[_HANDS]
         steps = []
         for place, start in sorted(starts.items(), key=lambda one: (one[1], one[0])):

@@ -8,6 +8,9 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.errors import NoTreeError
 from foon_kg.plans.kitchen import Kitchen
 
+_TO_DO = ("get ", "buy or make ", "buy ")
+"""How a remedy begins that is said once for several things."""
+
 MOST_NAMED = 5
 """How many of the missing things a message names; the rest is counted."""
 
@@ -29,16 +32,16 @@ LIKE = 0.5
 def shortage(
     missing: tuple[ObjectNode, ...], goal: ObjectNode, kitchen: Kitchen, alike: Callable[[str, str], float]
 ) -> ShortageError:
-    """Answer the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
+    """Return the error for a tree of ``goal`` of which ``missing`` are not in the kitchen that a person named.
 
     ``alike`` says how likely a cook is to accept the second food for the first (0 to 1).
     """
     food = next((node.label for node in missing if kitchen.is_food(node)), None)
-    leave = "" if food is None else f", or leave {food} out{_there_like(food, kitchen, alike)}"
+    leave = "" if food is None else f", or leave out the {food}{_there_like(food, kitchen, alike)}"
     return ShortageError(
-        f"the kitchen lacks {named(missing)} for {goal.label}",
+        f"the kitchen lacks {_in_a_row(dict.fromkeys(_called(node, kitchen) for node in missing))} for {goal.label}",
         missing=missing,
-        hint=f"{remedies(missing, kitchen)}{leave}; or name it among what is at hand, where it is there.",
+        hint=f"{remedies(missing, kitchen)}{leave}. What is there after all has to be named as at hand.",
     )
 
 
@@ -49,7 +52,7 @@ def _there_like(food: str, kitchen: Kitchen, alike: Callable[[str, str], float])
 
 
 def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
-    """Answer what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
+    """Return what to do about a missing leaf: ``buy onion``, ``get a bowl``."""
     kitchen = kitchen or Kitchen.default()
     if kitchen.is_food(node):
         processed = kitchen.processed_states(node)
@@ -59,21 +62,46 @@ def remedy(node: ObjectNode, kitchen: Kitchen | None = None) -> str:
     foods = kitchen.foods_in(node)
     if foods and kitchen.is_storage(node.label):
         return f"buy {' and '.join(foods)} ({node.label})"
-    return f"get a {node.label}"
+    return f"get {with_article(node.label)}"
 
 
 def remedies(missing: Iterable[ObjectNode], kitchen: Kitchen | None = None) -> str:
-    """Answer a sentence that says what to do about all of ``missing``, each once, in their order."""
-    found = list(dict.fromkeys(remedy(node, kitchen) for node in missing))
-    rest = f"; and {len(found) - MOST_NAMED} more" if found[MOST_NAMED:] else ""
-    text = "; ".join(found[:MOST_NAMED]) + rest
-    return text[:1].upper() + text[1:]
+    """Return what to do about all of ``missing``, each once, in their order: ``Get a bowl and a knife, buy onion``."""
+    found: dict[str, list[str]] = {}
+    for text in dict.fromkeys(remedy(node, kitchen) for node in missing):
+        what = next((what for what in _TO_DO if text.startswith(what)), "")
+        found.setdefault(what, []).append(text.removeprefix(what))
+    told = ", ".join(f"{what}{_in_a_row(things)}" for what, things in found.items())
+    return told[:1].upper() + told[1:]
 
 
 def named(missing: Sequence[ObjectNode]) -> str:
-    """Answer the first of ``missing`` by name, and how many more there are."""
+    """Return the first of ``missing`` as the FOON writes them, and how many more there are."""
     rest = f" and {len(missing) - MOST_NAMED} more" if missing[MOST_NAMED:] else ""
     return "; ".join(map(str, missing[:MOST_NAMED])) + rest
+
+
+def _called(node: ObjectNode, kitchen: Kitchen) -> str:
+    if kitchen.is_food(node):
+        processed = kitchen.processed_states(node)
+        return f"{node.label} ({', '.join(processed)})" if processed else node.label
+    foods = kitchen.foods_in(node)
+    return f"{with_article(node.label)} of {' and '.join(foods)}" if foods else with_article(node.label)
+
+
+def with_article(label: str) -> str:
+    """Return ``a bowl``, ``an oven``, ``tongs``."""
+    if label.endswith("s") and not label.endswith("ss"):
+        return label
+    return f"{'an' if label[:1] in 'aeiou' else 'a'} {label}"
+
+
+def _in_a_row(names: Iterable[str]) -> str:
+    """Return ``a, b and c``: the first few, and how many more there are."""
+    told = list(names)
+    if told[MOST_NAMED:]:
+        told = [*told[:MOST_NAMED], f"{len(told) - MOST_NAMED} more"]
+    return f"{', '.join(told[:-1])} and {told[-1]}" if told[1:] else "".join(told)
 
 
 def nearest_first(
@@ -81,7 +109,7 @@ def nearest_first(
     units: Sequence[tuple[Collection[ObjectNode], Collection[ObjectNode]]],
     goal: ObjectNode,
 ) -> tuple[ObjectNode, ...]:
-    """Answer ``leaves`` by how few units are between them and ``goal``; ties by node.
+    """Return ``leaves`` by how few units are between them and ``goal``; ties by node.
 
     ``units`` are the (inputs, outputs) of a tree, in the order of execution.
     """

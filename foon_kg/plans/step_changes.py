@@ -12,7 +12,7 @@ from typing import Literal
 
 from foon_kg.model import KnownUnit, ObjectNode
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 Change = Literal["kept", "changed", "left out", "added"]
 
@@ -26,21 +26,21 @@ class StepChange:
 
     change: Change
     before: tuple[int, KnownUnit] | None
-    after: tuple[int, PlannedUnit] | None
+    after: tuple[int, TreeUnit] | None
     gone: tuple[str, ...] = ()
     come: tuple[str, ...] = ()
 
     def to_json(self) -> JsonObject:
         """Return the change field by field; a step is its number, from 1, and its motion."""
         before = self.before and {"step": self.before[0], "motion": self.before[1].unit.motion}
-        after = self.after and {"step": self.after[0], "motion": self.after[1].motion_node}
+        after = self.after and {"step": self.after[0], "motion": self.after[1].motion}
         return {
             "change": self.change, "before": before, "after": after, "gone": list(self.gone), "come": list(self.come)
         }  # fmt: skip
 
 
-def step_changes(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -> tuple[StepChange, ...]:
-    """Answer every step of the ``reference`` and of the ``final`` tree, in the order of the final one.
+def step_changes(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> tuple[StepChange, ...]:
+    """Return every step of the ``reference`` and of the ``final`` tree, in the order of the final one.
 
     A step that was left out stands before the next one of the reference that is still there.
     """
@@ -59,8 +59,8 @@ def step_changes(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -
     return (*rows, *(StepChange("left out", (gone + 1, reference[gone]), None) for gone in left_out))
 
 
-def _pairs(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -> dict[int, int]:
-    """Answer for the places of steps of the final tree the places of those of the reference that they go back to."""
+def _pairs(reference: Sequence[KnownUnit], final: Sequence[TreeUnit]) -> dict[int, int]:
+    """Return for the places of steps of the final tree the places of those of the reference that they go back to."""
     pairs: dict[int, int] = {}
     for alike in (_seen_alike, _done_alike):
         for number, unit in enumerate(final):
@@ -71,24 +71,24 @@ def _pairs(reference: Sequence[KnownUnit], final: Sequence[PlannedUnit]) -> dict
     return pairs
 
 
-def _seen_alike(known: KnownUnit, unit: PlannedUnit) -> int:
-    """Answer whether both were seen at one place of a video."""
-    return int(not set(unit.seen_in).isdisjoint(known.seen_in))
+def _seen_alike(known: KnownUnit, unit: TreeUnit) -> int:
+    """Return whether both were seen at one place of a video."""
+    return int(not set(unit.sightings).isdisjoint(known.seen_in))
 
 
-def _done_alike(known: KnownUnit, unit: PlannedUnit) -> int:
-    """Answer to how many of the same things both do the same."""
+def _done_alike(known: KnownUnit, unit: TreeUnit) -> int:
+    """Return to how many of the same things both do the same."""
     taken, made = ({node.label for node in side} for side in (unit.input_nodes, unit.output_nodes))
     changed = [node.label for node in known.unit.output_nodes if node not in known.unit.input_nodes]
-    return len(taken & made & set(changed)) if known.unit.motion == unit.motion_node else 0
+    return len(taken & made & set(changed)) if known.unit.motion == unit.motion else 0
 
 
-def _both(before: tuple[int, KnownUnit], after: tuple[int, PlannedUnit]) -> StepChange:
+def _both(before: tuple[int, KnownUnit], after: tuple[int, TreeUnit]) -> StepChange:
     known, unit = before[1].unit, after[1]
     old = _names(known.input_nodes, known.motion, known.output_nodes)
-    new = _names(unit.input_nodes, unit.motion_node, unit.output_nodes)
+    new = _names(unit.input_nodes, unit.motion, unit.output_nodes)
     same = set(known.input_nodes) == set(unit.input_nodes) and set(known.output_nodes) == set(unit.output_nodes)
-    change: Change = "kept" if same and known.motion == unit.motion_node else "changed"
+    change: Change = "kept" if same and known.motion == unit.motion else "changed"
     gone, come = (tuple(n for n in one if n not in other) for one, other in ((old, new), (new, old)))
     return StepChange(change, before, after, gone, come)
 

@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 
-def earlier_steps(units: Sequence[PlannedUnit]) -> tuple[frozenset[int], ...]:
-    """Answer for every unit (in the order of execution) the places of the units that have to be done before it.
+def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
+    """Return for every unit (in the order of execution) the places of the units that have to be done before it.
 
     What lies in the kitchen may be taken by several steps: there is more than one onion. What a unit made is used up
     by a unit that takes it and does not put it out again; whoever else takes it does so in the order of execution.

@@ -33,7 +33,7 @@ class StockedKitchen(Kitchen):
 
     @classmethod
     def of(cls, kitchen: Kitchen, things: Collection[ObjectNode]) -> Self:
-        """Answer ``kitchen`` with just ``things`` in it: its utensils, if they name any, and its foods likewise."""
+        """Return ``kitchen`` with just ``things`` in it: its utensils, if they name any, and its foods likewise."""
         known = {field.name: getattr(kitchen, field.name) for field in fields(Kitchen)}
         utensils = tuple(thing for thing in things if kitchen.is_utensil(thing.label))
         foods = tuple(thing for thing in things if not kitchen.is_utensil(thing.label))
@@ -46,7 +46,7 @@ class StockedKitchen(Kitchen):
         )
 
     def with_things(self, things: Collection[ObjectNode]) -> Self:
-        """Answer this kitchen with ``things`` in it as well."""
+        """Return this kitchen with ``things`` in it as well."""
         return type(self).of(self, [*(self.utensils_named or ()), *(self.foods_named or ()), *things])
 
     def with_foods(self, names: Iterable[str]) -> Kitchen:
@@ -59,7 +59,7 @@ class StockedKitchen(Kitchen):
         return replace(foods, foods_named=(*self.foods_named, *both))  # type: ignore[call-arg]
 
     def with_every_food(self) -> Kitchen:
-        """Answer the kitchen with the same utensils and every food that shops sell."""
+        """Return the kitchen with the same utensils and every food that shops sell."""
         return replace(self, foods_named=None)
 
     @property

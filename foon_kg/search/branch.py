@@ -57,7 +57,7 @@ class Search(ABC):
         return True
 
     def bound(self) -> Bound:
-        """Answer what no tree can be better than: the best found, or anything still to be tried."""
+        """Return what no tree can be better than: the best found, or anything still to be tried."""
         bounds = [Bound(self.reduced.penalty, -self.value[1], self.value[2])]
         for partial in self.untried:
             outlook = Outlook.of(self.reduced, partial)
@@ -71,10 +71,10 @@ class Search(ABC):
 
     @abstractmethod
     def options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Answer what may be chosen for the waiting nodes; nothing where no tree that grows from here is better."""
+        """Return what may be chosen for the waiting nodes; nothing where no tree that grows from here is better."""
 
     def affordable(self, partial: Partial, outlook: Outlook) -> Options:
-        """Answer what may be chosen for the waiting nodes without more than the least penalty."""
+        """Return what may be chosen for the waiting nodes without more than the least penalty."""
         spare = self.reduced.penalty - outlook.penalty
         if spare < 0:
             return {}
@@ -134,7 +134,7 @@ class Outlook:
         return cls(needed, reduced.core.penalty_of(needed), foods, behind, reach | foods, around)
 
     def same_future(self, partial: Partial) -> tuple[Hashable, ...]:
-        """Answer a key: trees that are partial in different ways but have the same key can grow in the same ways."""
+        """Return a key: trees that are partial in different ways but have the same key can grow in the same ways."""
         above = frozenset((node, above & self.around) for node, above in partial.waiting.items())
         return (above, partial.decided & self.around, partial.chosen & self.behind)
 
@@ -169,7 +169,7 @@ class UnitSearch(Search):
 
     @classmethod
     def from_tree(cls, reduced: Reduced, best: int, deadline: Deadline) -> UnitSearch:
-        """Answer a search among what may be in a tree no longer than ``best``."""
+        """Return a search among what may be in a tree no longer than ``best``."""
         less = reduced.without_longer_than(reduced.core.units_in(best))
         return cls(less, reduced.core.translated(best, less.core), deadline)
 

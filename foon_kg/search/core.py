@@ -44,7 +44,7 @@ class Core:
         return (*(-1 - node for node in self.gap_nodes), *self.units)
 
     def only(self, steps: Iterable[int]) -> Core:
-        """Answer the core of nothing but ``steps``, numbered anew in the same order, and of their inputs."""
+        """Return the core of nothing but ``steps``, numbered anew in the same order, and of their inputs."""
         kept, gap_count = sorted(steps), len(self.gap_nodes)
         nodes = sorted({self.goal, *(node for step in kept for node in self.inputs[step])})
         place = {node: number for number, node in enumerate(nodes)}
@@ -60,7 +60,7 @@ class Core:
         )
 
     def translated(self, steps: int, other: Core) -> int:
-        """Answer the set ``steps`` of this core as a set of the steps of ``other``, which has them all."""
+        """Return the set ``steps`` of this core as a set of the steps of ``other``, which has them all."""
         place = {name: step for step, name in enumerate(other.names)}
         return sum(1 << place[self.names[step]] for step in bits_of(steps))
 
@@ -69,7 +69,7 @@ class Core:
         return (steps >> len(self.gap_nodes)).bit_count()
 
     def penalty_of(self, steps: int) -> int:
-        """Answer the sum of the costs of the gaps in the set ``steps``."""
+        """Return the sum of the costs of the gaps in the set ``steps``."""
         gaps = steps & ((1 << len(self.gap_nodes)) - 1)
         return sum(self.costs[gap] for gap in bits_of(gaps)) if gaps else 0
 
@@ -79,7 +79,7 @@ class Core:
         return any(self.foods)
 
     def foods_of(self, steps: int) -> int:
-        """Answer the set of the wanted foods that occur in the set ``steps``."""
+        """Return the set of the wanted foods that occur in the set ``steps``."""
         if not self.has_foods:
             return 0
         found = 0
@@ -89,7 +89,7 @@ class Core:
 
 
 def bits_of(mask: int) -> Iterator[int]:
-    """Answer the numbers in a set, the least first."""
+    """Yield the numbers in a set, the least first."""
     while mask:
         low = mask & -mask
         yield low.bit_length() - 1
@@ -116,7 +116,7 @@ def core_behind_any(problem: SearchProblem, goals: Iterable[int], *, limit: floa
 
 
 def _behind(problem: SearchProblem, goal: int, makers: Iterable[int], limit: float) -> tuple[set[int], set[int]]:
-    """Answer the nodes and the units behind ``goal``, which ``makers`` make."""
+    """Return the nodes and the units behind ``goal``, which ``makers`` make."""
     index = problem.index
     there = {index.number_of[node] for node in problem.available if node in index.number_of}
     dearest = None if limit == math.inf else index.dearest_inputs
@@ -170,7 +170,7 @@ def _numbered(
 def foods_of_steps(
     index: UnitIndex, gaps: Sequence[int], units: Sequence[int], wanted: Mapping[str, int]
 ) -> tuple[int, ...]:
-    """Answer the wanted foods of each step of a core: none for a gap, those that it names for a unit."""
+    """Return the wanted foods of each step of a core: none for a gap, those that it names for a unit."""
     foods: dict[int, int] = {}
     for label, number in wanted.items():
         for unit in index.units_naming.get(label, ()):

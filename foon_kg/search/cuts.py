@@ -32,7 +32,7 @@ class Web:
 
     @classmethod
     def of(cls, core: Core) -> Web:
-        """Answer the web of ``core``."""
+        """Return the web of ``core``."""
         users: list[list[int]] = [[] for _ in core.nodes]
         makers: list[list[int]] = [[] for _ in core.nodes]
         for step, nodes in enumerate(core.inputs):
@@ -63,7 +63,7 @@ class CutBound:
     heights: Heights
 
     def least_with(self, core: Core, step: int) -> float:
-        """Answer what any tree with ``step`` weighs at least, infinite where there is none."""
+        """Return what any tree with ``step`` weighs at least, infinite where there is none."""
         dearest: float = 0  # an integer as long as it is finite: sums of efforts need every digit
         of_node = self.heights.of_node
         for node in core.inputs[step]:
@@ -103,7 +103,7 @@ def heights(web: Web, weights: Sequence[int], there: Collection[int] = ()) -> He
 
 
 def _at_once(web: Web, weights: Sequence[int], there: Collection[int]) -> list[float]:
-    """Answer how much a node costs at least by a single step that needs nothing."""
+    """Return how much a node costs at least by a single step that needs nothing."""
     of_node: list[float] = [math.inf] * len(web.core.nodes)
     for node in there:
         of_node[node] = 0
@@ -147,7 +147,7 @@ def cut_bound(
     *,
     limit: float = math.inf,
 ) -> CutBound | None:
-    """Answer the bound for making all of ``goals`` where the nodes ``there`` are free.
+    """Return the bound for making all of ``goals`` where the nodes ``there`` are free.
 
     ``None`` when nothing makes them, or when the bound is more than ``limit``. That is often plain before all cuts are
     taken: a cut lowers the height of the dearest goal by no more than its price, so that the bound comes to at least
@@ -172,7 +172,7 @@ def cut_bound(
 
 
 def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collection[int]) -> list[int]:
-    """Answer the steps that lead from what the start reaches into what reaches the goal for nothing."""
+    """Return the steps that lead from what the start reaches into what reaches the goal for nothing."""
     zone = _zone(web, left, found, goal)
     cut, reached, outputs = list[int](), set(there), web.core.outputs
     waiting = [_FREE, *there]
@@ -193,7 +193,7 @@ def _cut(web: Web, left: Sequence[int], found: Heights, goal: int, there: Collec
 
 
 def _zone(web: Web, left: Sequence[int], found: Heights, goal: int) -> set[int]:
-    """Answer the nodes from which steps that cost nothing any more lead to ``goal``."""
+    """Return the nodes from which steps that cost nothing any more lead to ``goal``."""
     zone, waiting = {goal}, [goal]
     for node in waiting:  # grows while it is read
         for step in web.makers[node]:

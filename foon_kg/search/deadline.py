@@ -14,7 +14,7 @@ class Deadline:
 
     @classmethod
     def after(cls, seconds: float | None) -> Deadline:
-        """Answer the deadline in so many seconds from now."""
+        """Return the deadline in so many seconds from now."""
         return cls(None if seconds is None else time.monotonic() + seconds)
 
     def has_passed(self) -> bool:

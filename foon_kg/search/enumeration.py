@@ -34,7 +34,7 @@ class Enumeration:
     looked_at: int
 
     def first(self, most: int) -> tuple[ReferenceTree, ...]:
-        """Answer the best ``most`` trees, each with its units in an order in which they can be executed."""
+        """Return the best ``most`` trees, each with its units in an order in which they can be executed."""
         return tuple(_scheduled(self.problem, tree) for tree in self.found[:most])
 
     @cached_property
@@ -44,7 +44,7 @@ class Enumeration:
 
 
 def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
-    """Answer all trees of ``problem``, after at most ``limit`` combinations of producers have been looked at.
+    """Return all trees of ``problem``, after at most ``limit`` combinations of producers have been looked at.
 
     From the goal, a *tree node* is one combination of producers for all objects that the tree node before it needs; a
     path from the root to a tree node that needs nothing more is a task tree, if it is well-founded (Sakib, Paulius,
@@ -65,7 +65,7 @@ def enumerate_paths(problem: SearchProblem, *, limit: int) -> Enumeration:
 
 
 def with_gaps_of(problem: SearchProblem, tree: ReferenceTree) -> SearchProblem:
-    """Answer ``problem`` with no other gaps than those that ``tree`` takes.
+    """Return ``problem`` with no other gaps than those that ``tree`` takes.
 
     Nearly every node may be a gap, at its cost, and a path for each of these choices is more than anybody wants
     to read. Where ``tree`` is the best one, the best of what is left is ``tree`` as well.
@@ -138,7 +138,7 @@ def _goes_in_circles(choices: Choices, goal: ObjectNode) -> bool:
 
 
 def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> ReferenceTree:
-    """Answer the tree that was chosen, its units still in no order."""
+    """Return the tree that was chosen, its units still in no order."""
     units = {unit.unit.key: unit for unit in choices.values() if unit is not None}
     gaps = tuple(sorted((node for node, unit in choices.items() if unit is None), key=lambda node: node.sort_key))
     nodes = {node for known in units.values() for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
@@ -154,7 +154,7 @@ def _tree(problem: SearchProblem, goal: ObjectNode, choices: Choices) -> Referen
 
 
 def _scheduled(problem: SearchProblem, tree: ReferenceTree) -> ReferenceTree:
-    """Answer ``tree`` with its units in an order in which they can be executed."""
+    """Return ``tree`` with its units in an order in which they can be executed."""
     inputs = {node for known in tree.units for node in known.unit.input_nodes}
     there = {node for node in inputs if _is_there(problem, tree.goal, node)}
     return replace(tree, units=schedule(tree.units, there.union(tree.gaps), tree.goal))

@@ -14,7 +14,7 @@ from foon_kg.search.core import Core
 
 
 def chain(core: Core, steps: Collection[int] | None = None) -> tuple[list[int], list[bool]]:
-    """Answer which of ``steps`` (all) can be executed, in an order in which they can, and which nodes that makes."""
+    """Return which of ``steps`` (all) can be executed, in an order in which they can, and which nodes that makes."""
     steps = range(core.step_count) if steps is None else steps
     users, missing = _users(core, steps)
     order = [step for step in sorted(steps) if not missing[step]]
@@ -31,7 +31,7 @@ def chain(core: Core, steps: Collection[int] | None = None) -> tuple[list[int], 
 
 
 def cheapest_first(core: Core) -> int:
-    """Answer the steps of a tree that makes the goal, cheap derivations first.
+    """Return the steps of a tree that makes the goal, cheap derivations first.
 
     Raises ValueError when nothing makes it; :func:`chain` tells.
     """

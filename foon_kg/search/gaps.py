@@ -25,7 +25,7 @@ _UNNAMED = 4
 
 
 def mixtures(kitchen: Kitchen, vocabulary: Vocabulary, units: Sequence[KnownUnit] | None = None) -> frozenset[str]:
-    """Answer the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes; those in ``units``.
+    """Return the foods that a FOON makes and never takes from the shop: dressings, doughs, dishes; those in ``units``.
 
     The words of the whole FOON tell, and not the units behind one goal: a part and the whole search alike (C9).
     """
@@ -46,7 +46,7 @@ def _foods_named(units: Sequence[KnownUnit]) -> set[str]:
 def gap_cost(
     kitchen: Kitchen, units: Sequence[KnownUnit], mixtures: Collection[str] = ()
 ) -> Callable[[ObjectNode], int | None]:
-    """Answer what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most.
+    """Return what a search among ``units`` pays for a node that is not at hand: odd places least, mixtures most.
 
     ``mixtures`` are the foods that count as made wherever they stand: see :func:`mixtures`.
     """

@@ -57,12 +57,12 @@ class Ground:
         return self.at_least == self.reduced.penalty
 
     def undecided(self, wanted: Mapping[str, int]) -> dict[str, int]:
-        """Answer the part of ``wanted`` that some trees have and others have not: the choice turns on no other."""
+        """Return the part of ``wanted`` that some trees have and others have not: the choice turns on no other."""
         settled = {number for label, number in wanted.items() if label in self.certain}
         return {label: number for label, number in wanted.items() if number not in settled and label in self.possible}
 
     def wanting(self, undecided: Mapping[str, int]) -> Reduced:
-        """Answer what may be in a tree, with the wanted foods of its steps."""
+        """Return what may be in a tree, with the wanted foods of its steps."""
         if not undecided:
             return self.reduced
         core = self.reduced.core
@@ -79,7 +79,7 @@ class Explored:
     )
 
     def ground(self, problem: SearchProblem, goals: Goals, deadline: Deadline) -> Ground | None:
-        """Answer :meth:`Ground.behind`, known or found now; what is not proven is not kept."""
+        """Return :meth:`Ground.behind`, known or found now; what is not proven is not kept."""
         if goals in self.grounds:
             return self.grounds[goals]
         ground = Ground.behind(problem, goals, deadline)
@@ -119,7 +119,7 @@ def _labels(index: UnitIndex, core: Core, steps: Iterable[int]) -> frozenset[str
 
 
 def alike(wanted: Mapping[str, int]) -> frozenset[frozenset[str]]:
-    """Answer ``wanted`` as the labels that stand for one food each: the numbers are but names."""
+    """Return ``wanted`` as the labels that stand for one food each: the numbers are but names."""
     groups: dict[int, set[str]] = {}
     for label, number in wanted.items():
         groups.setdefault(number, set()).add(label)

@@ -26,7 +26,7 @@ class HittingSets:
     known: dict[tuple[int, ...], tuple[float, int | None]] = field(default_factory=dict)
 
     def cheapest(self, sets: Sequence[int], limit: float = math.inf) -> int | None:
-        """Answer a cheapest set that hits all ``sets`` at a cost of at most ``limit``; ``None`` where there is none.
+        """Return a cheapest set that hits all ``sets`` at a cost of at most ``limit``; ``None`` where there is none.
 
         Sets that share no member, not even through others, are hit apart. Where the deadline passes, the answer may be
         ``None`` or a dearer set.
@@ -43,7 +43,7 @@ class HittingSets:
         return chosen if spare >= 0 else None
 
     def members_of_cheapest(self, sets: Sequence[int]) -> int:
-        """Answer all members of all cheapest sets that hit ``sets``; where the deadline passes, perhaps others too."""
+        """Return all members of all cheapest sets that hit ``sets``; where the deadline passes, perhaps others too."""
         possible = 0
         for part in parts_of(minimal(sets)):
             bound, left = ascent(part, self.costs)
@@ -59,7 +59,7 @@ class HittingSets:
         return possible
 
     def cost_of(self, members: int) -> int:
-        """Answer the sum of the costs of ``members``."""
+        """Return the sum of the costs of ``members``."""
         return sum(self.costs[member] for member in bits_of(members))
 
     def _cheapest_of_part(self, sets: tuple[int, ...], limit: float) -> int | None:
@@ -88,7 +88,7 @@ class HittingSets:
 
 
 def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
-    """Answer ``sets`` without the members in whose place another one, not dearer, hits the same sets and more."""
+    """Return ``sets`` without the members in whose place another one, not dearer, hits the same sets and more."""
     beside: dict[int, int] = {}  # for each member, those that are in every set in which it is
     for one in sets:
         for member in bits_of(one):
@@ -104,7 +104,7 @@ def _undominated(sets: list[int], costs: Sequence[int]) -> list[int]:
 
 
 def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:
-    """Answer ``sets`` in groups that have no member in common, in each the smallest first."""
+    """Return ``sets`` in groups that have no member in common, in each the smallest first."""
     parts: list[tuple[int, list[int]]] = []
     for one in sets:
         members, group, apart = one, [one], []
@@ -118,7 +118,7 @@ def parts_of(sets: Sequence[int]) -> list[tuple[int, ...]]:
 
 
 def minimal(sets: Sequence[int]) -> list[int]:
-    """Answer ``sets`` without those that have another one of them in them, the smallest first."""
+    """Return ``sets`` without those that have another one of them in them, the smallest first."""
     kept = list[int]()
     for one in sorted(set(sets), key=lambda members: (members.bit_count(), members)):
         if not any(other & one == other for other in kept):
@@ -127,7 +127,7 @@ def minimal(sets: Sequence[int]) -> list[int]:
 
 
 def ascent(sets: Sequence[int], costs: Sequence[int]) -> tuple[int, dict[int, int]]:
-    """Answer what hitting all ``sets`` costs at least, and what of the cost of each member that leaves unpaid.
+    """Return what hitting all ``sets`` costs at least, and what of the cost of each member that leaves unpaid.
 
     Each set in turn pays as much as its cheapest member still costs: a solution of the dual linear program.
     """

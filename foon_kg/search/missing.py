@@ -18,12 +18,12 @@ def no_way(problem: SearchProblem, targets: Sequence[ObjectNode]) -> NoWayError:
     return NoWayError(
         f"nothing makes {goal}: missing {named(missing)}",
         missing=missing,
-        hint=f"{remedies(missing)}; or add it to the kitchen (--kitchen FILE) where it is there.",
+        hint=f"{remedies(missing)}. What is there after all is named with --kitchen FILE.",
     )
 
 
 def missing_behind(problem: SearchProblem, target: ObjectNode) -> tuple[ObjectNode, ...]:
-    """Answer the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
+    """Return the nodes behind ``target`` that stop it, nearest first: what nothing makes, else circles."""
     number = problem.index.number_of.get(target)
     if number is None:
         return (target,)

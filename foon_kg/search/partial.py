@@ -21,7 +21,7 @@ class Partial:
     waiting: dict[int, int]
 
     def take(self, core: Core, node: int, step: int) -> Partial:
-        """Answer this tree with ``step`` as the producer of the waiting ``node``."""
+        """Return this tree with ``step`` as the producer of the waiting ``node``."""
         waiting = dict(self.waiting)
         above = waiting.pop(node) | 1 << node
         decided = self.decided | 1 << node
@@ -46,11 +46,11 @@ class Choice:
     needed_by: Sequence[int]
 
     def start(self) -> Partial:
-        """Answer the tree in which nothing is chosen and the goal waits."""
+        """Return the tree in which nothing is chosen and the goal waits."""
         return Partial(0, 0, {self.core.goal: 0})
 
     def options(self, partial: Partial, node: int) -> list[int]:
-        """Answer the steps that may be chosen for the waiting ``node``: those that need nothing that depends on it."""
+        """Return the steps that may be chosen for the waiting ``node``: those that need nothing that depends on it."""
         blocked = partial.waiting[node] | 1 << node
         return [step for step in self.makers[node] if not self.needed_by[step] & blocked]
 

@@ -48,7 +48,7 @@ def within_least_penalty(core: Core, deadline: Deadline) -> LeastPenalty | None:
 
 
 def needy(core: Core, made: list[bool]) -> Core:
-    """Answer what of ``core`` needs a gap: the nodes that can be made without one count as there."""
+    """Return what of ``core`` needs a gap: the nodes that can be made without one count as there."""
     outputs = tuple(tuple(node for node in side if not made[node]) for side in core.outputs)
     steps = [step for step, side in enumerate(outputs) if side]
     inputs: list[tuple[int, ...]] = [()] * core.step_count
@@ -68,7 +68,7 @@ class _Gaps:
 
 
 def _least(core: Core, deadline: Deadline) -> _Gaps:
-    """Answer a cheapest set of gaps that makes the goal, or the cheapest one found before the deadline."""
+    """Return a cheapest set of gaps that makes the goal, or the cheapest one found before the deadline."""
     reach, costs = _Reach.of(core), core.costs
     best = reach.without_idle(cheapest_first(core) & ((1 << len(costs)) - 1))
     hitting_sets = HittingSets(costs, deadline)
@@ -112,7 +112,7 @@ class _Reach:
         return cls(core, users, arity, [(gap, core.outputs[gap][0]) for gap in gaps])
 
     def landmark(self, gaps: int) -> int:
-        """Answer gaps outside ``gaps`` one of which is needed to make the goal, none too many; 0 where it is made.
+        """Return gaps outside ``gaps`` one of which is needed to make the goal, none too many; 0 where it is made.
 
         All others are taken, the cheap ones first, as long as they do not make the goal.
         """
@@ -126,7 +126,7 @@ class _Reach:
         return landmark
 
     def without_idle(self, gaps: int) -> int:
-        """Answer ``gaps`` without those that are not needed to make the goal, the dearest first."""
+        """Return ``gaps`` without those that are not needed to make the goal, the dearest first."""
         for gap in sorted(bits_of(gaps), key=lambda gap: (-self.core.costs[gap], gap)):
             if _Made(self, gaps & ~(1 << gap)).goal:
                 gaps &= ~(1 << gap)
@@ -159,7 +159,7 @@ class _Made:
         return False
 
     def _spread(self, nodes: Iterable[int]) -> list[int]:
-        """Make ``nodes`` and all that can then be made; answer what is new."""
+        """Make ``nodes`` and all that can then be made; return what is new."""
         outputs, users, has, missing = self.reach.core.outputs, self.reach.users, self.has, self.missing
         fresh = [node for node in nodes if not has[node]]
         for node in fresh:
@@ -176,7 +176,7 @@ class _Made:
 
 
 def reachable(core: Core, steps: Iterable[int]) -> set[int]:
-    """Answer the steps of ``steps`` that may take part in making the goal."""
+    """Return the steps of ``steps`` that may take part in making the goal."""
     makers: list[list[int]] = [[] for _ in core.nodes]
     for step in steps:
         for node in core.outputs[step]:

@@ -43,7 +43,7 @@ class Bound:
 
 
 def weakest(bounds: Sequence[Bound]) -> Bound:
-    """Answer what holds for the best of several trees, of each of which one of ``bounds`` holds."""
+    """Return what holds for the best of several trees, of each of which one of ``bounds`` holds."""
     return Bound(
         penalty=min(bound.penalty for bound in bounds),
         overlap=max(bound.overlap for bound in bounds),

@@ -46,7 +46,7 @@ class Reduced:
                 return cls(core, penalty, Web.of(core), choice, landmarks, *_behind(choice))
 
     def wanting(self, foods: tuple[int, ...]) -> Reduced:
-        """Answer the same with these wanted ``foods`` of the steps: which trees there are does not turn on them."""
+        """Return the same with these wanted ``foods`` of the steps: which trees there are does not turn on them."""
         core = replace(self.core, foods=foods)
         found = {mask: core.foods_of(mask) for mask in set(self.behind)}
         return replace(self, core=core, foods=[found[mask] for mask in self.behind])
@@ -69,14 +69,14 @@ class Reduced:
         return self.core.penalty_of(self.landmarks.steps_of_node[self.core.goal]) == self.penalty
 
     def gap_weights(self, paid: int) -> list[int]:
-        """Answer the weight of each step where gaps count their cost, and units and the steps in ``paid`` nothing."""
+        """Return the weight of each step where gaps count their cost, and units and the steps in ``paid`` nothing."""
         weights = [*self.core.costs, *[0] * len(self.core.units)]
         for step in bits_of(paid & ((1 << len(self.core.costs)) - 1)):
             weights[step] = 0
         return weights
 
     def unit_weights(self, paid: int) -> list[int]:
-        """Answer the weight of each step where units count one, and gaps and the steps in ``paid`` nothing."""
+        """Return the weight of each step where units count one, and gaps and the steps in ``paid`` nothing."""
         weights = [0] * len(self.core.gap_nodes) + [1] * len(self.core.units)
         for step in bits_of(paid):
             weights[step] = 0
@@ -84,12 +84,12 @@ class Reduced:
 
 
 def value_of(core: Core, steps: int) -> Value:
-    """Answer the place of the tree ``steps`` in the order of trees."""
+    """Return the place of the tree ``steps`` in the order of trees."""
     return (core.penalty_of(steps), -core.foods_of(steps).bit_count(), core.units_in(steps), -steps)
 
 
 def _makers(core: Core, order: list[int], landmarks: Landmarks, penalty: int) -> list[list[int]]:
-    """Answer the steps that may be chosen for each node: within the penalty, and possible without the node itself."""
+    """Return the steps that may be chosen for each node: within the penalty, and possible without the node itself."""
     needed = landmarks.steps_of_node[core.goal]
     makers: list[list[int]] = [[] for _ in core.nodes]
     for step in sorted(order):

@@ -23,7 +23,7 @@ _PATIENCE = 16
 def retrieve(
     problem: SearchProblem, *, time_limit: float | None = 2.0, explored: Explored | None = None
 ) -> ReferenceTree:
-    """Answer the best valid task tree that makes one of the problem's targets.
+    """Return the best valid task tree that makes one of the problem's targets.
 
     A tree chooses one producer for each node that is needed and not at hand, well-founded. Best means, in this order:
     the least gap penalty (none, where that is possible); the greatest overlap with the wanted foods; the fewest
@@ -57,7 +57,7 @@ class _TargetSearch:
     explored: Explored
 
     def trees(self, targets: Sequence[ObjectNode]) -> Iterator[ReferenceTree]:
-        """Answer the best tree of each of ``targets``, or the best of them all alone."""
+        """Yield the best tree of each of ``targets``, or the best of them all alone."""
         number_of, available = self.problem.index.number_of, self.problem.available
         yield from (ReferenceTree(node, (), (), 0, (), exact=True) for node in targets if node in available)
         goals = tuple(number_of[node] for node in targets if node not in available and node in number_of)
@@ -97,7 +97,7 @@ class _TargetSearch:
 
 
 def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound | None]:
-    """Answer the best tree as a set of steps of a core, and what is proven where that is not that it is the best."""
+    """Return the best tree as a set of steps of a core, and what is proven where that is not that it is the best."""
     first = cheapest_first(reduced.core)
     widest = OverlapSearch(reduced, first, deadline)
     if not widest.run():
@@ -115,7 +115,7 @@ def _best_steps(reduced: Reduced, deadline: Deadline) -> tuple[Core, int, Bound 
 
 
 def as_tree(problem: SearchProblem, core: Core, steps: int, bound: Bound | None) -> ReferenceTree:
-    """Answer the set ``steps`` of ``core`` as a tree in an order in which it can be executed."""
+    """Return the set ``steps`` of ``core`` as a tree in an order in which it can be executed."""
     return _ordered(problem, problem.index.nodes[core.nodes[core.goal]], core, steps, bound)
 
 
@@ -135,7 +135,7 @@ def _ordered(problem: SearchProblem, goal: ObjectNode, core: Core, steps: int, b
 
 
 def covering(tree: ReferenceTree, wanted: Mapping[str, int]) -> ReferenceTree:
-    """Answer ``tree`` with the numbers of the wanted foods that occur in it."""
+    """Return ``tree`` with the numbers of the wanted foods that occur in it."""
     labels = {node.label for known in tree.units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
     return replace(tree, covered=tuple(sorted({number for label, number in wanted.items() if label in labels})))
 
@@ -145,7 +145,7 @@ def _gaps_in(problem: SearchProblem, core: Core, steps: int) -> list[ObjectNode]
 
 
 def _units_in(problem: SearchProblem, core: Core, steps: int) -> tuple[list[KnownUnit], set[ObjectNode]]:
-    """Answer the units among ``steps``, and the nodes that they take from the kitchen or that are available."""
+    """Return the units among ``steps``, and the nodes that they take from the kitchen or that are available."""
     index = problem.index
     numbers = [core.units[unit] for unit in bits_of(steps >> len(core.gap_nodes))]
     there = {index.nodes[node] for number in numbers for node in index.inputs[number] if index.at_hand[node]}
@@ -153,7 +153,7 @@ def _units_in(problem: SearchProblem, core: Core, steps: int) -> tuple[list[Know
 
 
 def _least_made(problem: SearchProblem, goals: Goals, core: Core, steps: int) -> ObjectNode | None:
-    """Answer which of ``goals`` the last unit of the best tree makes out of anything but itself; the least of several.
+    """Return which of ``goals`` the last unit of the best tree makes out of anything but itself; the least of several.
 
     The best tree that makes any of them is then the best tree of this one; without wanted foods it has no unit that
     the others could do without, and so one last unit.

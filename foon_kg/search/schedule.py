@@ -76,7 +76,7 @@ class _Queue:
         return cls(units, there, takers, consumers, lacking, [0] * len(units), needed)
 
     def waiting_for_all_makers(self) -> _Queue:
-        """Answer this queue, to be asked before any unit is taken out, where no maker of a node is too late."""
+        """Return this queue, to be asked before any unit is taken out, where no maker of a node is too late."""
         for maker, taker in self._from_maker_to_taker(range(len(self.units))):
             self.makers[taker] += maker != taker
         return self
@@ -95,7 +95,7 @@ class _Queue:
         return order
 
     def _carry_out(self, chosen: int, have: set[ObjectNode]) -> list[int]:
-        """Count what ``chosen`` makes and needs no more; answer for which units that changes anything."""
+        """Count what ``chosen`` makes and needs no more; return for which units that changes anything."""
         unit, changed = self.units[chosen].unit, list[int]()
         for node in unit.input_nodes:
             for number in self.consumers[node]:
@@ -125,7 +125,7 @@ class _Queue:
         return self.makers[number] > 0, made, found, number
 
     def _next(self, done: Sequence[bool], fresh: Iterable[int]) -> int:
-        """Answer the most urgent unit; of equally urgent ones the first that takes what the last one made."""
+        """Return the most urgent unit; of equally urgent ones the first that takes what the last one made."""
         while done[self.ready[0][-1]] or self.ready[0] != self._urgency(self.ready[0][-1]):
             heappop(self.ready)
         *urgency, first = self.ready[0]
@@ -144,13 +144,13 @@ def _each_leads_on(order: Sequence[KnownUnit]) -> bool:
 
 
 def used_up(unit: FunctionalUnit) -> list[ObjectNode]:
-    """Answer the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
+    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
     left = set(unit.output_nodes)
     return [node for node in unit.input_nodes if node not in left]
 
 
 def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:
-    """Answer the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
+    """Return the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
     makers = (known for known in units if goal in known.unit.output_nodes)
     return next((m for m in makers if _can_all_run([known for known in units if known is not m], there)), None)
 

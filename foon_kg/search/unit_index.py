@@ -40,7 +40,7 @@ class UnitIndex:
         at_hand: Callable[[ObjectNode], bool],
         gap_cost: Callable[[ObjectNode], int | None] = lambda _: None,
     ) -> UnitIndex:
-        """Answer the index of ``units``, which may come in any order and more than once.
+        """Return the index of ``units``, which may come in any order and more than once.
 
         ``at_hand`` says what the kitchen has (``Kitchen.has``). ``gap_cost`` answers, for a node that it has not,
         the penalty (1 or more) of taking it all the same where there is no way round, or ``None`` for never; without
@@ -71,7 +71,7 @@ class UnitIndex:
 
     @cached_property
     def least_penalties(self) -> tuple[float, ...]:
-        """Answer for each node what having it costs at least, in gaps: infinite where nothing makes it.
+        """Return for each node what having it costs at least, in gaps: infinite where nothing makes it.
 
         The dearest input of a unit counts, and the cheapest way to a node: h^max, by Dijkstra's algorithm.
         """
@@ -101,7 +101,7 @@ class UnitIndex:
 
     @cached_property
     def dearest_inputs(self) -> tuple[float, ...]:
-        """Answer for each unit what its dearest input costs at least, in gaps."""
+        """Return for each unit what its dearest input costs at least, in gaps."""
         least = self.least_penalties
         return tuple(max((least[node] for node in nodes), default=0) for nodes in self.inputs)
 

@@ -24,30 +24,30 @@ class Similarity(Protocol):
     """Says how well known foods can stand for wanted ones."""
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer confidences from 0 to 1, one row for each wanted name, one column for each known one."""
+        """Return confidences from 0 to 1, one row for each wanted name, one column for each known one."""
         ...
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name.
+        """Return the ``limit`` known names that can best stand for ``name``, best first, ties by name.
 
         Fewer where fewer are like it, and none where nothing is.
         """
         ...
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer in a few words each what speaks for ``known`` standing for ``name``, the weightiest first."""
+        """Return in a few words each what speaks for ``known`` standing for ``name``, the weightiest first."""
         ...
 
 
 def nearest_of_each(
     similarity: Similarity, names: Sequence[str], known: Sequence[str], limit: int
 ) -> tuple[tuple[Neighbour, ...], ...]:
-    """Answer :meth:`Similarity.nearest` of each of ``names``, in one product."""
+    """Return :meth:`Similarity.nearest` of each of ``names``, in one product."""
     return tuple(best(known, row, limit) for row in similarity.matrix(names, known))
 
 
 def best(known: Sequence[str], confidences: Confidences, limit: int) -> tuple[Neighbour, ...]:
-    """Answer the ``limit`` greatest of one row of confidences above 0, best first, ties by name (C9)."""
+    """Return the ``limit`` greatest of one row of confidences above 0, best first, ties by name (C9)."""
     like = [(name, sure) for name, sure in zip(known, confidences.tolist(), strict=True) if sure > 0]
     rows = sorted(like, key=lambda row: (-row[1], row[0]))
     return tuple(Neighbour(name, confidence) for name, confidence in rows[: max(limit, 0)])

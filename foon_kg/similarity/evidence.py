@@ -60,7 +60,7 @@ class Evidence:
     food_groups: FoodGroups
 
     def about(self, names: Sequence[str]) -> Names:
-        """Answer all that is known of canonical ``names``, read without words for pieces."""
+        """Return all that is known of canonical ``names``, read without words for pieces."""
         names = [plain(name, self.food_groups.places) for name in names]
         memberships = self.food_groups.rows(names, self._near_listed)
         kinds = self.taxonomy.rows(names)
@@ -80,7 +80,7 @@ class Evidence:
         )
 
     def between(self, wanted: Names, known: Names) -> Table:
-        """Answer an array (kind of evidence, wanted, known): 0 says nothing, 1 is the most there can be."""
+        """Return an array (kind of evidence, wanted, known): 0 says nothing, 1 is the most there can be."""
         kind_unknown = ~np.outer(wanted.kinds.filled, known.kinds.filled)
         agreement = np.minimum(wanted.groups @ known.groups.T, 1.0)
         both_listed = np.outer(wanted.listed, known.listed)
@@ -113,13 +113,13 @@ class Evidence:
         return not self.food_groups.has_ending(name) and tables().foods.find(name)[0] == "unknown"
 
     def _heads(self, last_words: Sequence[str]) -> Table:
-        """Answer the vectors of ``last_words``; many names share them."""
+        """Return the vectors of ``last_words``; many names share them."""
         distinct = {word: place for place, word in enumerate(dict.fromkeys(last_words))}
         heads: Table = self.food_vectors.embed(list(distinct))[[distinct[word] for word in last_words]]
         return heads
 
     def _near_listed(self, names: Sequence[str]) -> Table:
-        """Answer how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
+        """Return how near ``names`` are to every listed food: half by vectors, half by kind where it is known."""
         vectors, kinds = self._listed
         rows, own = self.taxonomy.rows(names), self.food_vectors.embed(names)
         near = np.zeros((len(names), len(vectors)))
@@ -136,7 +136,7 @@ class Evidence:
 
 
 def _by_words(wanted: Names, known: Names) -> Table:
-    """Answer the four kinds of evidence that compare the names word by word."""
+    """Return the four kinds of evidence that compare the names word by word."""
     places = {word: place for place, word in enumerate(sorted(frozenset().union(*wanted.words)))}
     shared = _word_rows(wanted, places) @ _word_rows(known, places).T
     size, known_size = _sizes(wanted)[:, None], _sizes(known)[None, :]

@@ -24,7 +24,7 @@ from foon_kg.model.names import canonical, canonical_all
 from foon_kg.similarity.answers import DECIMALS, LEAST, Confidences, best
 from foon_kg.similarity.evidence import KINDS, Evidence, Names
 from foon_kg.similarity.groups import food_groups
-from foon_kg.similarity.roles import roles_of
+from foon_kg.similarity.roles import roles, roles_of
 from foon_kg.similarity.sparse import Table
 from foon_kg.similarity.taxonomy import food_taxonomy
 from foon_kg.similarity.vectors import food_vectors
@@ -46,11 +46,12 @@ _TOLD_AS = {
 
 @dataclass(frozen=True, eq=False)
 class _Known:
-    """Known names made ready once, and the rows of confidences that were asked for them so far."""
+    """Known names made ready once, and the rows of odds that were asked for them so far."""
 
     names: npt.NDArray[np.str_]
     about: Names
-    answered: dict[str, Confidences]
+    roles: npt.NDArray[np.int64]
+    answered: dict[str, Table]
 
 
 class FoodSimilarity:
@@ -65,52 +66,47 @@ class FoodSimilarity:
 
     @property
     def weights(self) -> dict[str, float]:
-        """Answer what each kind of evidence weighs."""
+        """Return what each kind of evidence weighs."""
         return dict(zip(KINDS, self._weights.tolist(), strict=True))
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer confidences, one row for each wanted name, one column for each known one.
+        """Return confidences, one row for each wanted name, one column for each known one.
 
         They are 0 where nothing speaks for it, else between ``LEAST`` and 1.
         """
-        rows = [canonical(name) for name in wanted]
-        columns = canonical_all(tuple(known))
-        side = self._known(columns) if len(columns) > _FEW else self._about_known(columns)
-        new = [name for name in dict.fromkeys(rows) if name not in side.answered]
-        if new and known:
-            if (len(side.answered) + len(new)) * len(columns) > _REMEMBERED:
-                side.answered.clear()
-                new = list(dict.fromkeys(rows))
-            step = max(_AT_ONCE // len(columns), 1)
-            for start in range(0, len(new), step):
-                some = new[start : start + step]
-                side.answered.update(zip(some, self._confidences(some, side), strict=True))
-        return np.array([side.answered[name] for name in rows if known]).reshape(len(wanted), len(known))
+        rows, side = [canonical(name) for name in wanted], self._side(known)
+        return _sure(self._odds(rows, side), rows, side)
+
+    def in_slots(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
+        """Answer how sure a cook is to accept each known food for what the wanted one does in the slot of a dish.
+
+        One row for each wanted name, one column for each known one: the most that :meth:`in_slot` answers for any role.
+        """
+        rows, side = [canonical(name) for name in wanted], self._side(known)
+        slope, bias = self._slot
+        shared = _roles(rows)[:, None] & side.roles[None, :] != 0
+        return np.where(shared, _sure(slope * self._odds(rows, side) + bias, rows, side), 0.0)
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names that can best stand for ``name``, best first, ties by name.
+        """Return the ``limit`` known names that can best stand for ``name``, best first, ties by name.
 
         Fewer where fewer are like it, and none where nothing is.
         """
         return best(known, self.matrix([name], known)[0], limit)
 
     def in_slot(self, name: str, known: Sequence[str], role: str) -> Confidences:
-        """Answer for each known name how sure a cook is to accept it where ``name`` plays ``role`` in a dish.
+        """Return for each known name how sure a cook is to accept it where ``name`` plays ``role`` in a dish.
 
         Broth is unlike water, and is taken for it as a liquid. 0 for names that do not play it, and where ``name``
         does not.
         """
-        one, others = canonical(name), canonical_all(tuple(known))
-        plays = np.array([role in roles_of(one) and role in roles_of(other) for other in others], dtype=bool)
-        evidence = self.evidence.between(self.evidence.about([one]), self.evidence.about(others))[:, 0]
+        one, side = canonical(name), self._side(known)
         slope, bias = self._slot
-        odds = slope * (self._weights @ evidence + self.bias) + bias
-        sure = np.where(plays, np.round(confidence_of(odds), DECIMALS), 0.0)
-        same = np.array([one == other for other in others], dtype=bool)
-        return np.where(sure < LEAST, 0.0, np.where(same & plays, 1.0, sure))
+        plays = [role in roles_of(one) and role in roles_of(other) for other in side.names.tolist()]
+        return np.where(plays, _sure(slope * self._odds([one], side) + bias, [one], side)[0], 0.0)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer the kinds of evidence that speak for ``known`` standing for ``name``, the weightiest first."""
+        """Return the kinds of evidence that speak for ``known`` standing for ``name``, the weightiest first."""
         one, other = canonical(name), canonical(known)
         if one == other:
             return ("the same food",)
@@ -127,25 +123,52 @@ class FoodSimilarity:
             return f"both are {shared} ({value:.2f})"
         return _TOLD_AS[kind] + (f" ({value:.2f})" if value < 1 else "")
 
-    def _about_known(self, known: tuple[str, ...]) -> _Known:
-        return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), {})
+    def _side(self, known: Sequence[str]) -> _Known:
+        columns = canonical_all(tuple(known))
+        return self._known(columns) if len(columns) > _FEW else self._about_known(columns)
 
-    def _confidences(self, wanted: Sequence[str], side: _Known) -> Confidences:
-        evidence = self.evidence.between(self.evidence.about(wanted), side.about)
-        confidences = np.round(confidence_of(np.tensordot(self._weights, evidence, axes=1) + self.bias), DECIMALS)
-        like = np.where(confidences < LEAST, 0.0, confidences)
-        return np.where(np.array(wanted)[:, None] == side.names[None, :], 1.0, like)
+    def _about_known(self, known: tuple[str, ...]) -> _Known:
+        return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), _roles(known), {})
+
+    def _odds(self, rows: Sequence[str], side: _Known) -> Table:
+        """Answer the log odds that each known name stands for each of ``rows``, which are remembered."""
+        new = [name for name in dict.fromkeys(rows) if name not in side.answered]
+        if new and len(side.names):
+            if (len(side.answered) + len(new)) * len(side.names) > _REMEMBERED:
+                side.answered.clear()
+                new = list(dict.fromkeys(rows))
+            step = max(_AT_ONCE // len(side.names), 1)
+            for start in range(0, len(new), step):
+                some = new[start : start + step]
+                evidence = self.evidence.between(self.evidence.about(some), side.about)
+                odds = np.tensordot(self._weights, evidence, axes=1) + self.bias
+                side.answered.update(zip(some, odds, strict=True))
+        there = len(side.names) > 0
+        return np.array([side.answered[name] for name in rows if there]).reshape(len(rows), len(side.names))
+
+
+def _roles(names: Sequence[str]) -> npt.NDArray[np.int64]:
+    """Answer the roles that each of ``names`` may play, a bit for each."""
+    bits = {role: 1 << place for place, role in enumerate(roles())}
+    return np.array([sum(bits[role] for role in roles_of(name)) for name in names], dtype=np.int64)
+
+
+def _sure(odds: Table, rows: Sequence[str], side: _Known) -> Confidences:
+    """Answer the confidences that odds amount to: 0 for the least, 1 for the same name."""
+    confidences = np.round(confidence_of(odds), DECIMALS)
+    like = np.where(confidences < LEAST, 0.0, confidences)
+    return np.where(np.array(rows, dtype=np.str_)[:, None] == side.names[None, :], 1.0, like)
 
 
 def confidence_of(odds: Table) -> Confidences:
-    """Answer the confidences that log odds amount to; none reaches that of an equal name."""
+    """Return the confidences that log odds amount to; none reaches that of an equal name."""
     confidences: Confidences = _MOST / (1 + np.exp(-odds))
     return confidences
 
 
 @lru_cache(maxsize=1)
 def food_similarity() -> FoodSimilarity:
-    """Answer the default similarity, made once (some 0.1 s)."""
+    """Return the default similarity, made once (some 0.1 s)."""
     fitted = json.loads(files("foon_kg.data").joinpath("similarity.json").read_text(encoding="utf-8"))
     weights = np.array([fitted["weights"][kind] for kind in KINDS])
     slot = fitted["in a slot"]["slope"], fitted["in a slot"]["bias"]

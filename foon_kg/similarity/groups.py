@@ -37,7 +37,7 @@ class FoodGroups:
     places: dict[str, int]
 
     def rows(self, names: Sequence[str], nearness: Nearness) -> Memberships:
-        """Answer one row of memberships (0 to 1 in each group) for each canonical name."""
+        """Return one row of memberships (0 to 1 in each group) for each canonical name."""
         rows = np.zeros((len(names), len(self.groups)))
         strange = []
         for row, name in enumerate(names):
@@ -53,7 +53,7 @@ class FoodGroups:
         return rows
 
     def shelves(self, memberships: Memberships) -> Memberships:
-        """Answer the memberships in shelves that those in groups amount to."""
+        """Return the memberships in shelves that those in groups amount to."""
         order, starts = self._by_shelf
         return np.maximum.reduceat(memberships[:, order], starts, axis=1)
 
@@ -64,11 +64,11 @@ class FoodGroups:
         return order, np.searchsorted(np.asarray(self.shelf_of)[order], np.arange(len(self.shelf_names)))
 
     def on_shelves(self, *names: str) -> Memberships:
-        """Answer for each group 1 where it stands on one of these shelves, else 0."""
+        """Return for each group 1 where it stands on one of these shelves, else 0."""
         return np.isin(self.shelf_of, [self.shelf_names.index(name) for name in names]).astype(np.float64)
 
     def of(self, name: str) -> tuple[str, ...]:
-        """Answer the groups in which the table lists a canonical name, in the order of the table."""
+        """Return the groups in which the table lists a canonical name, in the order of the table."""
         if name not in self.places:
             return ()
         return tuple(group for group, member in zip(self.groups, self.listed[self.places[name]], strict=True) if member)
@@ -83,7 +83,7 @@ class FoodGroups:
         return next((self.places[ending] for ending in endings if ending in self.places), None)
 
     def _votes(self, near: Memberships) -> Memberships:
-        """Answer the memberships that the listed foods ``near`` each name give it, one row for each name."""
+        """Return the memberships that the listed foods ``near`` each name give it, one row for each name."""
         votes = np.zeros((len(near), len(self.groups)))
         least = np.partition(near, -_NEAREST, axis=1)[:, -_NEAREST]
         for row in np.flatnonzero(near.max(axis=1) > 0):  # what is near to nothing is in no group
@@ -99,7 +99,7 @@ class FoodGroups:
 
 @lru_cache(maxsize=1)
 def food_groups() -> FoodGroups:
-    """Answer the groups that ship with foon-kg, read once."""
+    """Return the groups that ship with foon-kg, read once."""
     text = files("foon_kg.data").joinpath("food-groups.txt").read_text(encoding="utf-8")
     lines = [line.partition(":") for line in text.splitlines() if line and not line.startswith("#")]
     members = [sorted(set(map(canonical, foods.split(",")))) for _, _, foods in lines]

@@ -28,7 +28,7 @@ def count_similar(
     *,
     threshold: float = 0.90,
 ) -> int:
-    """Answer how many pairs (i, j), i required and j known, are more similar than ``threshold`` (Algorithm 2).
+    """Return how many pairs (i, j), i required and j known, are more similar than ``threshold`` (Algorithm 2).
 
     As written there: one food may count in many pairs. ``similarity`` is ``food_similarity()`` where none is given.
     """
@@ -38,7 +38,7 @@ def count_similar(
 def matching(
     required: Sequence[str], known: Sequence[str], similarity: Similarity | None = None
 ) -> tuple[float, tuple[Pair, ...]]:
-    """Answer the pairs of greatest total confidence in which each food counts once, and that total.
+    """Return the pairs of greatest total confidence in which each food counts once, and that total.
 
     Pairs come in the order of ``required``; pairs of no confidence at all are left out.
     """
@@ -56,7 +56,7 @@ def _similarities(required: Sequence[str], known: Sequence[str], similarity: Sim
 
 
 def heaviest_matching(weights: Confidences) -> list[tuple[int, int]]:
-    """Answer (row, column) pairs, each row and column at most once, of the greatest total weight; rows ascending.
+    """Return (row, column) pairs, each row and column at most once, of the greatest total weight; rows ascending.
 
     ``weights`` are not negative. The Hungarian method in Jonker's and Volgenant's form: for each row the
     shortest augmenting path under reduced costs; O(rows² · columns).

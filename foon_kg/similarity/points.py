@@ -52,7 +52,7 @@ class Question:
     constant: float
 
     def most(self, cosine: float) -> float:
-        """Answer a confidence that no food at ``cosine`` or farther exceeds, one of an equal name apart.
+        """Return a confidence that no food at ``cosine`` or farther exceeds, one of an equal name apart.
 
         That goes for names of which nothing is known, too.
         """
@@ -62,12 +62,12 @@ class Question:
 
 
 def indexed_points(names: Sequence[str]) -> list[list[float] | None]:
-    """Answer the point that an index has for each name; ``None`` for ``NOWHERE``."""
+    """Return the point that an index has for each name; ``None`` for ``NOWHERE``."""
     return [None if point == NOWHERE else point for point in points(names)]
 
 
 def points(names: Sequence[str]) -> list[list[float]]:
-    """Answer the point of each name, equal ones for equal names; ``POINT_LENGTH`` numbers, as far from 0 as 1."""
+    """Return the point of each name, equal ones for equal names; ``POINT_LENGTH`` numbers, as far from 0 as 1."""
     about = food_similarity().evidence.about([canonical(name) for name in names])
     rows = np.c_[_shared(about), about.dish, about.kinds.filled]
     rest = np.sqrt(LONGEST**2 - (rows * rows).sum(axis=1))
@@ -76,7 +76,7 @@ def points(names: Sequence[str]) -> list[list[float]]:
 
 
 def question(name: str) -> Question:
-    """Answer how an index of :func:`points` is asked for ``name``."""
+    """Return how an index of :func:`points` is asked for ``name``."""
     return _question(canonical(name), food_similarity())
 
 
@@ -97,13 +97,13 @@ def _question(name: str, similarity: FoodSimilarity) -> Question:
 
 
 def _by_names(weights: dict[str, float]) -> float:
-    """Answer the most that the last words and the words in common can add."""
+    """Return the most that the last words and the words in common can add."""
     same_head = weights["same head word"] + max(weights["more specific"], weights["more general"], 0.0)
     return abs(weights["head vectors"]) + max(same_head, weights["shared word"], 0.0)
 
 
 def _shared(about: Names) -> Table:
-    """Answer one row for each name: vector, kinds, groups and shelves, in few places."""
+    """Return one row for each name: vector, kinds, groups and shelves, in few places."""
     parts = (about.kinds.folded(KIND), _folded(about.groups, GROUP), _folded(about.shelves, SHELF))
     return np.concatenate((about.vectors, *parts), axis=1)
 

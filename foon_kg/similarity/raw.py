@@ -25,23 +25,23 @@ class CosineSimilarity:
         self._embed = embed
 
     def matrix(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer cosines cut to 0..1, one row for each wanted name, one column for each known one."""
+        """Return cosines cut to 0..1, one row for each wanted name, one column for each known one."""
         rows, columns = [canonical(name) for name in wanted], [canonical(name) for name in known]
         cosines = np.round(np.clip(self._embed(rows) @ self._embed(columns).T, 0.0, 1.0), DECIMALS)
         same = np.array([[row == column for column in columns] for row in rows]).reshape(cosines.shape)
         return np.where(same, 1.0, cosines)
 
     def nearest(self, name: str, known: Sequence[str], *, limit: int = 5) -> tuple[Neighbour, ...]:
-        """Answer the ``limit`` known names with the greatest cosine, best first, ties by name."""
+        """Return the ``limit`` known names with the greatest cosine, best first, ties by name."""
         return best(known, self.matrix([name], known)[0], limit)
 
     def why(self, name: str, known: str) -> tuple[str, ...]:
-        """Answer that only the vectors speak for it."""
+        """Return that only the vectors speak for it."""
         return ("the same food",) if canonical(name) == canonical(known) else ("vectors",)
 
 
 def cosine_similarity() -> CosineSimilarity:
-    """Answer the raw cosine of the food vectors."""
+    """Return the raw cosine of the food vectors."""
     return CosineSimilarity(food_vectors().embed)
 
 
@@ -67,7 +67,7 @@ def plugged_similarity(name: str) -> CosineSimilarity | None:
 
 @lru_cache(maxsize=2)
 def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
-    """Answer the cosine of an installed spaCy pipeline's word vectors, as the paper has it (section III-C).
+    """Return the cosine of an installed spaCy pipeline's word vectors, as the paper has it (section III-C).
 
     Raises ``UsageError`` where spaCy or the pipeline is not installed, or the pipeline has no vectors.
     """

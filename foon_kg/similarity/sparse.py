@@ -25,7 +25,7 @@ class SparseRows:
 
     @classmethod
     def of(cls, rows: Sequence[Mapping[int, float]], width: int) -> SparseRows:
-        """Answer the matrix whose rows say what stands in which column."""
+        """Return the matrix whose rows say what stands in which column."""
         counts = np.array([len(row) for row in rows], dtype=np.int64)
         places = np.array([place for row in rows for place in row], dtype=np.int64)
         values = np.array([value for row in rows for value in row.values()], dtype=np.float64)
@@ -37,11 +37,11 @@ class SparseRows:
         return np.asarray(self.counts > 0, dtype=np.bool_)
 
     def dense(self) -> Table:
-        """Answer the whole matrix."""
+        """Return the whole matrix."""
         return self.folded(self.width)
 
     def folded(self, width: int) -> Table:
-        """Answer the matrix in ``width`` columns: column n is added to column n modulo ``width``."""
+        """Return the matrix in ``width`` columns: column n is added to column n modulo ``width``."""
         rows = np.repeat(np.arange(len(self.counts)), self.counts)
         cells = np.bincount(rows * width + self.places % width, self.values, len(self.counts) * width)
         return cells.astype(np.float64, copy=False).reshape(len(self.counts), width)
@@ -52,7 +52,7 @@ class SparseRows:
         return np.flatnonzero(np.bincount(self.places))
 
     def columns(self, columns: Places) -> Table:
-        """Answer just these ``columns``, ascending, of the matrix."""
+        """Return just these ``columns``, ascending, of the matrix."""
         rows = np.repeat(np.arange(len(self.counts)), self.counts)
         place = np.searchsorted(columns, self.places)
         there = np.isin(self.places, columns)
@@ -61,7 +61,7 @@ class SparseRows:
         return table
 
     def product(self, table: Table) -> Table:
-        """Answer ``table @ matrix.T`` for the rows of a dense ``table``."""
+        """Return ``table @ matrix.T`` for the rows of a dense ``table``."""
         product = np.zeros((len(table), len(self.counts)))
         if len(self.places):
             starts = (np.cumsum(self.counts) - self.counts)[self.filled]

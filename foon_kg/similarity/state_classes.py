@@ -44,13 +44,13 @@ class StateClasses:
     _placed: dict[str, tuple[str, float]] = field(default_factory=dict)
 
     def place(self, state: str) -> tuple[str, float]:
-        """Answer the class of a canonical state and how sure that is."""
+        """Return the class of a canonical state and how sure that is."""
         if state not in self._placed:
             self._placed[state] = (self.class_of[state], LISTED) if state in self.class_of else self.guess(state)
         return self._placed[state]
 
     def guess(self, state: str) -> tuple[str, float]:
-        """Answer the class of a state that the table does not list; benchmarks/similarity_states.py measures this."""
+        """Return the class of a state that the table does not list; benchmarks/similarity_states.py measures this."""
         said = self.state_in(state)
         if state.partition(" ")[0] in self.places and not self._is_made(said):
             return self.places[state.partition(" ")[0]], BY_ADVERB
@@ -65,7 +65,7 @@ class StateClasses:
         return said is not None and self.class_of.get(canonical(said)) in self.processed
 
     def state_in(self, phrase: str) -> str | None:
-        """Answer what :func:`foon_kg.similarity.states.state_in` answers."""
+        """Return what :func:`foon_kg.similarity.states.state_in` answers."""
         words = canonical(phrase.replace(",", " ").replace("-", " ")).split()
         found = [place for place, word in enumerate(words) if word in self.class_of]
         if not found:
@@ -76,7 +76,7 @@ class StateClasses:
         return f"{adverb} {state}" if moved else self.spelling[state]
 
     def _of_the_nearest(self, state: str) -> tuple[str, float]:
-        """Answer the class that most of the nearest listed states are in, weighed by their cosines."""
+        """Return the class that most of the nearest listed states are in, weighed by their cosines."""
         known = sorted(self.class_of)
         vectors = food_vectors()
         cosines = (vectors.embed([state]) @ vectors.embed(known).T)[0]
@@ -89,7 +89,7 @@ class StateClasses:
 
 
 def state_classes() -> StateClasses:
-    """Answer the classes of the file in ``FOON_KG_STATES``, else those that ship; ``ReadError`` where it has none."""
+    """Return the classes of the file in ``FOON_KG_STATES``, else those that ship; ``ReadError`` where it has none."""
     return _read(os.environ.get(STATES_VARIABLE, ""))
 
 

@@ -11,12 +11,12 @@ from foon_kg.similarity.state_classes import state_classes
 
 
 def state_class(state: str) -> tuple[str, float]:
-    """Answer the class of ``state`` and how sure that is, 0 to 1: 1 for a state that the table lists."""
+    """Return the class of ``state`` and how sure that is, 0 to 1: 1 for a state that the table lists."""
     return state_classes().place(canonical(state))
 
 
 def state_in(phrase: str) -> str | None:
-    """Answer the state that a phrase speaks of, as the table spells it; ``None`` where it speaks of none.
+    """Return the state that a phrase speaks of, as the table spells it; ``None`` where it speaks of none.
 
     Of several words, what was done says more than what it looks like, and comes first ("cut into cubes" is cut). An
     adverb stays where it moves the state into another class ("finely chopped").

@@ -29,15 +29,15 @@ class FoodTaxonomy:
     meanings: dict[str, tuple[int, ...]]
 
     def rows(self, names: Sequence[str]) -> SparseRows:
-        """Answer one row for each canonical name, of length at most 1; zeros where WordNet has no such food."""
+        """Return one row for each canonical name, of length at most 1; zeros where WordNet has no such food."""
         return SparseRows.of([self._kinds(name) for name in names], len(self.added))
 
     def kinds(self, name: str) -> tuple[str, ...]:
-        """Answer the kinds that a canonical name, taken whole, may belong to, by name; none where it is no food."""
+        """Return the kinds that a canonical name, taken whole, may belong to, by name; none where it is no food."""
         return tuple(sorted({self.names[kind] for one in self.meanings.get(name, ()) for kind in self.above[one]}))
 
     def shared(self, one: str, other: str) -> str | None:
-        """Answer the name of the most telling kind that both canonical names belong to."""
+        """Return the name of the most telling kind that both canonical names belong to."""
         both = self._kinds(one).keys() & self._kinds(other).keys()
         telling = {kind: sum(self.added[above] for above in self.above[kind]) for kind in both}
         return self.names[min(both, key=lambda kind: (-telling[kind], kind))] if both else None
@@ -55,7 +55,7 @@ class FoodTaxonomy:
 
 @lru_cache(maxsize=1)
 def food_taxonomy() -> FoodTaxonomy:
-    """Answer the kinds that ship with foon-kg, read once."""
+    """Return the kinds that ship with foon-kg, read once."""
     text = files("foon_kg.data").joinpath("food-taxonomy.txt").read_text(encoding="utf-8")
     parents: list[list[int]] = []
     names: list[str] = []
@@ -84,7 +84,7 @@ def _closure(parents: Sequence[Sequence[int]]) -> tuple[frozenset[int], ...]:
 
 
 def _information_added(parents: Sequence[Sequence[int]], above: Sequence[frozenset[int]]) -> tuple[float, ...]:
-    """Answer what each kind adds to the most telling kind above it; information as Seco (2004): few kinds below."""
+    """Return what each kind adds to the most telling kind above it; information as Seco (2004): few kinds below."""
     below = [0] * len(parents)
     for kinds in above:
         for kind in kinds:

@@ -19,7 +19,7 @@ _STEMMER = Stemmer("english")
 
 
 def stem(word: str) -> str:
-    """Answer the English Snowball stem, under which the vectors are kept."""
+    """Return the English Snowball stem, under which the vectors are kept."""
     return str(_STEMMER.stemWord(word))
 
 
@@ -31,7 +31,7 @@ class FoodVectors:
     places: dict[str, int]
 
     def embed(self, names: Sequence[str]) -> Vectors:
-        """Answer one row of length 1 for each name: the mean of its words. Zeros where no word is known."""
+        """Return one row of length 1 for each name: the mean of its words. Zeros where no word is known."""
         places = [self._places(name) for name in names]
         counts = np.array(list(map(len, places)), dtype=np.int64)
         totals = np.zeros((len(names), self.vectors.shape[1]))
@@ -47,7 +47,7 @@ class FoodVectors:
 
 @lru_cache(maxsize=1)
 def food_vectors() -> FoodVectors:
-    """Answer the vectors that ship with foon-kg, read once."""
+    """Return the vectors that ship with foon-kg, read once."""
     path = files("foon_kg.data").joinpath("food-vectors.npz")
     with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
         stems = archive["stems"].tobytes().decode().split("\n")

@@ -17,7 +17,7 @@ _WORD_LISTS = ("aliases.txt", "food-groups.txt", "food-taxonomy.txt", "food-vect
 
 
 def word_lists_key() -> str:
-    """Answer a hash of all that decides where a name's point is: of other word lists, or aliases, points differ.
+    """Return a hash of all that decides where a name's point is: of other word lists, or aliases, points differ.
 
     Raises ``ReadError`` for an alias file that is broken or not there.
     """

@@ -25,9 +25,9 @@ from foon_kg.store.server.home import Home, home
 from foon_kg.store.server.java import java, java_version
 from foon_kg.store.server.process import is_free
 from foon_kg.store.server.reach import settings_of
-from foon_kg.store.server.settings import ConnectionSettings, connection_from_environment
 from foon_kg.store.server.startup_cache import the_startup_cache
 from foon_kg.store.server.state import status
+from foon_kg.store.settings import ConnectionSettings, connection_from_environment
 
 OLDEST_PYTHON = (3, 11)
 OLDEST_NEO4J = (5, 26)

@@ -64,30 +64,30 @@ class Snapshot:
         return False
 
     def vocabulary(self) -> Vocabulary:
-        """Answer the words that the FOON knows."""
+        """Return the words that the FOON knows."""
         return self._vocabulary
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
-        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
+        """Return the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
         return tuple(goal for goal in self._goals if dish_type in (None, goal.dish_type))
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Answer the whole vocabulary: it is here."""
+        """Return the whole vocabulary: it is here."""
         del foods, called
         return self._vocabulary
 
     def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
-        """Answer the whole vocabulary: it is here."""
+        """Return the whole vocabulary: it is here."""
         del units, words
         return self._vocabulary
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Answer all goals of ``dish_type``: they are here."""
+        """Return all goals of ``dish_type``: they are here."""
         del foods, count
         return LikelyGoals(self.goals(dish_type), self._known_foods)
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = ()) -> tuple[KnownUnit, ...]:
-        """Answer every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
+        """Return every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
         asked = {*nodes, *(node for food in foods for node in self._outputs_by_food.get(food, ()))}
         waiting, seen, found = list(asked), set(asked), dict[str, KnownUnit]()
         while waiting:
@@ -106,12 +106,12 @@ class Snapshot:
         return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
 
     def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
-        """Answer every object node with one of ``labels``, sorted."""
+        """Return every object node with one of ``labels``, sorted."""
         found = (node for label in set(labels) for node in self._nodes_by_label.get(label, ()))
         return tuple(sorted(found, key=lambda node: node.sort_key))
 
     def methods(self) -> Methods:
-        """Answer what this FOON teaches: operators and frames."""
+        """Return what this FOON teaches: operators and frames."""
         return self._methods
 
     @cached_property
@@ -121,12 +121,12 @@ class Snapshot:
         return Methods(Operators(map(in_plain_order, self.units), known), tuple(frames), self._goals)
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Answer all that this FOON teaches: it is here."""
+        """Return all that this FOON teaches: it is here."""
         del foods, dish_type
         return self._methods
 
     def motion_costs(self) -> MotionCosts:
-        """Answer no weights of motions: FOON files have none."""
+        """Return no weights of motions: FOON files have none."""
         return MotionCosts()
 
     @cached_property
@@ -180,7 +180,7 @@ class Snapshot:
 
 
 def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
-    """Answer ``subgraphs`` sorted by name, equal ones once; raises ReadError for two of one name that differ."""
+    """Return ``subgraphs`` sorted by name, equal ones once; raises ReadError for two of one name that differ."""
     by_name: dict[str, Subgraph] = {}
     for subgraph in subgraphs:
         if by_name.setdefault(subgraph.name, subgraph).content_key != subgraph.content_key:
@@ -192,7 +192,7 @@ def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
 
 
 def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:
-    """Answer the (node, dish type) of each goal of ``subgraph``, sorted: outputs marked with a dish class.
+    """Return the (node, dish type) of each goal of ``subgraph``, sorted: outputs marked with a dish class.
 
     A utensil that is marked too (the glass beside the juice) is a vessel of the dish and no goal.
     """
@@ -202,13 +202,13 @@ def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, st
 
 
 def frames_in(subgraph: Subgraph, kitchen: Kitchen) -> tuple[Frame, ...]:
-    """Answer how ``subgraph`` makes each of its goals, sorted: this depends on no other video."""
+    """Return how ``subgraph`` makes each of its goals, sorted: this depends on no other video."""
     units = [annotation.unit for annotation in subgraph.annotations]
     return frames_of(units, goals_of(subgraph, kitchen), subgraph.name, tables())
 
 
 def in_plain_order(known: KnownUnit) -> KnownUnit:
-    """Answer a unit with its nodes sorted: what is learnt of it must not depend on which video wrote it first."""
+    """Return a unit with its nodes sorted: what is learnt of it must not depend on which video wrote it first."""
     written = known.unit
     unit = FunctionalUnit(
         _sorted(written.input_nodes), written.motion, _sorted(written.output_nodes), written.accepts_any
@@ -222,7 +222,7 @@ def _sorted(nodes: Iterable[ObjectNode]) -> tuple[Participant, ...]:
 
 
 def sightings_of(subgraph: Subgraph) -> Iterator[tuple[FunctionalUnit, Sighting]]:
-    """Answer each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
+    """Yield each unit of ``subgraph`` in its order, with its place; the first source stands for the video."""
     source = subgraph.sources[0] if subgraph.sources else None
     for position, annotation in enumerate(subgraph.annotations):
         start, end = annotation.timing.start, annotation.timing.end

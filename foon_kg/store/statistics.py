@@ -54,7 +54,7 @@ class Statistics:
         )
 
     def to_json(self) -> dict[str, object]:
-        """Answer the figures as one JSON object."""
+        """Return the figures as one JSON object."""
         return asdict(self)
 
 

@@ -20,13 +20,13 @@ FoodState = tuple[str, str]
 
 
 def food_states(nodes: Iterable[ObjectNode], is_utensil: Callable[[str], bool]) -> set[FoodState]:
-    """Answer every (label, state) of the foods among ``nodes``; a node without states counts as ``NO_STATE``."""
+    """Return every (label, state) of the foods among ``nodes``; a node without states counts as ``NO_STATE``."""
     foods = (node for node in nodes if not is_utensil(node.label))
     return {(node.label, state) for node in foods for state in (node.states or (NO_STATE,))}
 
 
 def states_made(unit: FunctionalUnit, is_utensil: Callable[[str], bool]) -> set[str]:
-    """Answer the states that ``unit`` gives to a food: in an output of the food, in none of its inputs."""
+    """Return the states that ``unit`` gives to a food: in an output of the food, in none of its inputs."""
     before, after = food_states(unit.input_nodes, is_utensil), food_states(unit.output_nodes, is_utensil)
     return {state for _, state in after - before if state != NO_STATE}
 
@@ -61,19 +61,19 @@ class WordCounts:
             self.several[unit.motion] += weight * takes_several(unit, self.is_utensil)
 
     def seen_as(self) -> Iterator[SeenAs]:
-        """Answer the rows about foods that differ from nothing, sorted."""
+        """Yield the rows about foods that differ from nothing, sorted."""
         for pair in sorted(self.made.keys() | self.used.keys()):
             if self.made[pair] or self.used[pair]:
                 yield SeenAs(*pair, made=self.made[pair], used=self.used[pair])
 
     def made_by(self) -> Iterator[MadeBy]:
-        """Answer the rows about motions that differ from nothing, sorted."""
+        """Yield the rows about motions that differ from nothing, sorted."""
         for state, motion in sorted(self.motions):
             if self.motions[state, motion]:
                 yield MadeBy(state, motion, self.motions[state, motion])
 
     def gatherings(self) -> Iterator[Gathering]:
-        """Answer the rows about motions and how many foods they take that differ from nothing, sorted."""
+        """Yield the rows about motions and how many foods they take that differ from nothing, sorted."""
         for motion in sorted(self.units):
             if self.units[motion] or self.several[motion]:
                 yield Gathering(motion, self.units[motion], self.several[motion])

@@ -46,7 +46,7 @@ Most = Annotated[int, Field(ge=1, le=20)]
 
 
 def agent_server(service: FoonService, cypher: Cypher | None = None) -> MCPServer:
-    """Answer the server with its tools; without ``cypher`` (a FOON of files) that one says so."""
+    """Return the server with its tools; without ``cypher`` (a FOON of files) that one says so."""
     tools = _Tools(service, cypher)
     server = MCPServer("foon-kg", instructions=_INSTRUCTIONS, version=__version__, log_level="WARNING")
     for tool in (tools.plan, tools.explain, tools.similar, tools.suggest, tools.cypher):
@@ -82,7 +82,7 @@ def what_can_i_make(
 
 
 def explore_graph(question: Annotated[str, Field(description="What you want to know of the FOON.")]) -> str:
-    """Answer a question about the FOON with Cypher that only looks."""
+    """Return a question about the FOON with Cypher that only looks."""
     return (
         f"Answer from the graph: {question} Ask with the tool “cypher”; its description has the model of the graph. "
         "Begin with a count, take parameters for names, show the query that gave the answer, and say so where the "

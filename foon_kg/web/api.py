@@ -89,7 +89,7 @@ def web_app(
     callers: Callers | None = None,
     cypher: CypherDesk | None = None,
 ) -> FastAPI:
-    """Answer the application that serves ``service`` under the host ``names``; it closes the service at its end.
+    """Return the application that serves ``service`` under the host ``names``; it closes the service at its end.
 
     Under the ``public`` names a proxy serves it; ``callers`` knows which proxies are believed to say who asks. With a
     ``token`` everything below ``/api`` asks for it. With a ``cypher`` desk the explorer takes questions in Cypher.
@@ -139,13 +139,13 @@ def web_app(
 
 @router.get("/summary")
 def summary(request: Request, response: Response) -> telling.Summary:
-    """Answer how large the FOON is, and its dish types."""
+    """Return how large the FOON is, and its dish types."""
     return telling.Summary.model_validate(_words(request, response).summary())
 
 
 @router.get("/examples", response_model=telling.Examples)
 async def examples(request: Request) -> Response:
-    """Answer up to six dishes to begin with: what videos of this FOON make, each of which can be planned."""
+    """Return up to six dishes to begin with: what videos of this FOON make, each of which can be planned."""
     return await _answered(request, ExamplesQuestion())
 
 
@@ -157,7 +157,7 @@ def complete(
     kind: Kind = "ingredient",
     limit: Annotated[int, _LIMIT] = 10,
 ) -> list[str]:
-    """Answer the words that ``text`` may become; an ingredient is a state and a food."""
+    """Return the words that ``text`` may become; an ingredient is a state and a food."""
     return _words(request, response).complete(kind, text, limit)
 
 
@@ -168,13 +168,13 @@ def similar(
     names: Annotated[list[asking.Words], _NAMES],
     limit: Annotated[int, _LIMIT] = 5,
 ) -> list[telling.SimilarTold]:
-    """Answer for each name the known foods that can stand for it, best first."""
+    """Return for each name the known foods that can stand for it, best first."""
     return [telling.SimilarTold.model_validate(told) for told in _words(request, response).similar(names, limit)]
 
 
 @router.get("/object")
 def around(request: Request, response: Response, label: Annotated[str, _LABEL]) -> telling.ObjectTold:
-    """Answer an object's nodes, the units that make and take it, and the videos it is in."""
+    """Return an object's nodes, the units that make and take it, and the videos it is in."""
     return telling.ObjectTold.model_validate(_words(request, response).around(label))
 
 
@@ -189,6 +189,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         tuple(asked.avoid),
         tuple(asked.kitchen),
         asked.after,
+        with_drafts=asked.with_drafts,
         explain=asked.explain,
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,
@@ -205,12 +206,12 @@ async def plan_again(
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
     *,
     after: asking.After = "",
+    with_drafts: Annotated[bool, Query(description=asking.DRAFTS)] = False,
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
-    return await _answered(
-        request, PlanQuestion(dish_type, tuple(ingredients), (), tuple(avoid), tuple(kitchen), after, explain=explain)
-    )
+    wanted = tuple(ingredients), (), tuple(avoid), tuple(kitchen)
+    return await _answered(request, PlanQuestion(dish_type, *wanted, after, with_drafts=with_drafts, explain=explain))
 
 
 @router.post("/suggest", response_model=telling.SuggestionsTold)
@@ -279,24 +280,24 @@ def _picture_colours() -> Response:
 
 
 def _stage() -> Response:
-    """Answer the program that moves a picture: the page of ``foon show --html`` has the same."""
+    """Return the program that moves a picture: the page of ``foon show --html`` has the same."""
     program = resources.files("foon_kg.formats.pictures").joinpath("stage.js").read_text(encoding="utf-8")
     return Response(program, media_type="text/javascript")
 
 
 def _api_described(request: Request) -> Response:
-    """Answer the page that describes the API: what a browser would have to run for it is against its policy."""
+    """Return the page that describes the API: what a browser would have to run for it is against its policy."""
     return Response(api_page(request.app.openapi()), media_type="text/html")
 
 
 def _explore_page() -> Response:
-    """Answer the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
+    """Return the page of the explorer; all that it names is relative, as a proxy may serve it below a path."""
     page = resources.files("foon_kg.web.explore").joinpath("explore.html").read_text(encoding="utf-8")
     return Response(page, media_type="text/html")
 
 
 def _teach_page() -> Response:
-    """Answer the page that teaches."""
+    """Return the page that teaches."""
     page = resources.files("foon_kg.web.teach").joinpath("teach.html").read_text(encoding="utf-8")
     return Response(page, media_type="text/html")
 

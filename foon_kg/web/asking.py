@@ -28,6 +28,7 @@ After = Annotated[
         description="The recorded dish, or the video, to make it after; empty for the one that suits best.",
     ),
 ]
+DRAFTS = "Plan after dishes, too, that were only drafted from the words of recipes."
 Pairs = Annotated[int, Field(ge=1, le=4)]
 Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
 
@@ -59,6 +60,7 @@ class PlanAsked(Asked):
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
     kitchen: Kitchen = []
     after: After = ""
+    with_drafts: bool = Field(default=False, description=DRAFTS)
     explain: bool = Field(default=False, description="Also answer why each ingredient is made as it is.")
     hands: list[Pairs] = Field(
         [], max_length=4, description="Also answer a schedule for each of these pairs of hands.", examples=[[1, 2]]

@@ -37,7 +37,7 @@ class Callers:
     proxies: tuple[Network, ...] = ()
 
     def of(self, scope: Scope) -> str:
-        """Answer who sent a request: an address, or the IPv6 network that is one caller's."""
+        """Return who sent a request: an address, or the IPv6 network that is one caller's."""
         peer = _address((scope.get("client") or ("",))[0])
         if peer is None or not self._is_proxy(peer):
             return _caller(peer)
@@ -53,7 +53,7 @@ class Callers:
         return _caller(caller)
 
     def at_the_end_of(self, connection: tuple[str, int] | None) -> str | None:
-        """Answer who holds a connection open; ``None`` for a proxy, which holds those of many callers."""
+        """Return who holds a connection open; ``None`` for a proxy, which holds those of many callers."""
         peer = _address((connection or ("",))[0])
         return None if peer is not None and self._is_proxy(peer) else _caller(peer)
 
@@ -62,7 +62,7 @@ class Callers:
 
 
 def proxy_network(text: str) -> Network:
-    """Answer the address or network of a proxy to be trusted; raises UsageError where it is none, or is everybody."""
+    """Return the address or network of a proxy to be trusted; raises UsageError where it is none, or is everybody."""
     try:
         network = ip_network(text.strip(), strict=False)
     except ValueError as error:
@@ -78,7 +78,7 @@ def proxy_network(text: str) -> Network:
 
 
 def _address(text: str) -> Address | None:
-    """Answer an address as proxies write it, some with a port; ``None`` for anything else."""
+    """Return an address as proxies write it, some with a port; ``None`` for anything else."""
     plain = text.strip()
     if plain.startswith("["):
         plain = plain[1:].partition("]")[0]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.plans.result import PlannedUnit, Substitution
+from foon_kg.model.tree import TreeUnit
 
 Place = tuple[str, int]
 """A video, and the place of a unit in it."""
@@ -18,7 +19,7 @@ def by_place(units: Iterable[KnownUnit]) -> dict[Place, KnownUnit]:
 
 
 def stands_in(
-    unit: PlannedUnit, substitutions: Sequence[Substitution], known: Mapping[Place, KnownUnit]
+    unit: TreeUnit, substitutions: Sequence[Substitution], known: Mapping[Place, KnownUnit]
 ) -> list[JsonObject]:
     """Return which foods of a step stand where the video shows others, and how sure that is (0 to 1).
 
@@ -27,7 +28,7 @@ def stands_in(
     if unit.origin == "foon":
         return []
     shown = set[str]()
-    for seen in unit.seen_in:
+    for seen in unit.sightings:
         recorded = known.get(_place(seen))
         if recorded is not None:
             shown |= _names((*recorded.unit.input_nodes, *recorded.unit.output_nodes))

@@ -5,11 +5,12 @@ from __future__ import annotations
 import itertools
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from foon_kg.model import content_key
+from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Neo4jGraph
 from foon_kg.store.snapshot import Snapshot
@@ -20,36 +21,42 @@ EVERY = 2.0
 
 @dataclass(frozen=True)
 class Served:
-    """A FOON in memory, and the name of its edition: another one has other content."""
+    """A FOON in memory, and the name of its edition: another one has other content.
+
+    ``lessons`` are what drafts of recipes teach, for who asks to plan with them.
+    """
 
     edition: str
     snapshot: Snapshot
+    lessons: tuple[Lesson, ...] = ()
 
 
 class FixedFoon:
     """The FOON of files: it never changes while it is served."""
 
-    def __init__(self, snapshot: Snapshot) -> None:
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self._snapshot = snapshot
+        self._lessons = tuple(lessons)
 
     def edition(self) -> str:
-        """Answer the name of its only edition."""
+        """Return the name of its only edition."""
         return self._name
 
     def fresh(self) -> str:
-        """Answer the name of its only edition."""
+        """Return the name of its only edition."""
         return self.edition()
 
     def read(self) -> Served:
-        """Answer the FOON."""
-        return Served(self._name, self._snapshot)
+        """Return the FOON."""
+        return Served(self._name, self._snapshot, self._lessons)
 
     def close(self) -> None:
         """Nothing is held open."""
 
     @cached_property
     def _name(self) -> str:
-        return content_key([known.unit.key for known in self._snapshot.units])
+        drafts = [lesson.subgraph.name for lesson in self._lessons]
+        return content_key([*(known.unit.key for known in self._snapshot.units), *drafts])
 
 
 class LiveFoon:
@@ -68,7 +75,7 @@ class LiveFoon:
         self._unnamed = (f"look-{number}" for number in itertools.count())
 
     def edition(self) -> str:
-        """Answer which edition the graph had at most ``every`` seconds ago; raises GraphError where nothing answers.
+        """Return which edition the graph had at most ``every`` seconds ago; raises GraphError where nothing answers.
 
         While one thread looks the others are told what was seen before.
         """
@@ -84,13 +91,15 @@ class LiveFoon:
             self._turn.release()
 
     def fresh(self) -> str | None:
-        """Answer which edition was seen in the last ``every`` seconds, if any was; waits for nobody."""
+        """Return which edition was seen in the last ``every`` seconds, if any was; waits for nobody."""
         return self._name if time.monotonic() - self._looked < self._every else None
 
     def read(self) -> Served:
-        """Answer the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
+        """Return the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
         name = self._read_name()
-        return Served(name, self._connected().snapshot())
+        snapshot = self._connected().snapshot()
+        with self._connected().reading() as view:
+            return Served(name, snapshot, view.lessons())
 
     def close(self) -> None:
         """Give the sockets back."""
@@ -108,7 +117,7 @@ class LiveFoon:
             return self._read_name()
 
     def _read_name(self) -> str:
-        """Answer the edition's name; of a graph that does not tell editions apart each look is one of its own."""
+        """Return the edition's name; of a graph that does not tell editions apart each look is one of its own."""
         with self._connected().reading() as view:
             return view.edition or next(self._unnamed)
 

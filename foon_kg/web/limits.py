@@ -49,7 +49,7 @@ class Limits:
 async def refuse(
     scope: Scope, send: Send, status: int, error: FoonError, headers: Mapping[str, str] | None = None
 ) -> None:
-    """Answer an HTTP request with ``error``, as every error of this service looks."""
+    """Return an HTTP request with ``error``, as every error of this service looks."""
     body = Reply.of_error(error).body
     told = {"content-type": "application/json", "content-length": str(len(body)), **(headers or {})}
     raw = [(name.encode("latin-1"), value.encode("latin-1")) for name, value in told.items()]
@@ -98,7 +98,7 @@ class RateLimit:
         return await self.app(scope, receive, send)
 
     def _wait(self, caller: str) -> float:
-        """Take one token of ``caller``; answer how many seconds are missing to the next where there is none."""
+        """Take one token of ``caller``; return how many seconds are missing to the next where there is none."""
         now = time.monotonic()
         left, then = self._left.pop(caller, (float(self.limits.burst), now))
         left = min(self.limits.burst, left + (now - then) * self.limits.per_second)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from foon_kg.foon import Foon
 from foon_kg.model import KnownUnit
+from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.batch import Answer
@@ -31,13 +33,13 @@ _NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
 class PlanningDesk:
     """Answers plans and suggestions from one FOON, for one thread."""
 
-    def __init__(self, snapshot: Snapshot) -> None:
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self.snapshot = snapshot
-        self._foon = Foon(snapshot)
+        self._foon = Foon(snapshot, lessons=lessons)
         self._foon.get_ready(_NO_WISHES)
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``; what is wrong with it is an answer too."""
+        """Return ``question``; what is wrong with it is an answer too."""
         try:
             if isinstance(question, PlanQuestion):
                 return self._plan(question)
@@ -56,14 +58,19 @@ class PlanningDesk:
         notes = [*(read.notes if read else ()), *answer.notes]
         if answer.error is not None:
             return Reply.of_error(answer.error, answer.outcome.to_json() | {"notes": notes})
-        return Reply.of(plan_to_json(answer, question, self._durations, self._known, self._places) | {"notes": notes})
+        known, places = self._drafted if question.with_drafts else (self._known, self._places)
+        return Reply.of(plan_to_json(answer, question, self._durations, known, places) | {"notes": notes})
 
     def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
         asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients)
         chosen, avoided = question.substitutes, question.avoided
         if not (chosen or avoided or question.kitchen or question.after):
-            return self._foon.answer(asked, _NO_WISHES, explain=question.explain)
-        settings = PlanSettings(kitchen, None, TIME_LIMIT, chosen, avoided, question.after, explain=question.explain)
+            plain = replace(_NO_WISHES, with_drafts=question.with_drafts)
+            return self._foon.answer(asked, plain, explain=question.explain)
+        settings = PlanSettings(
+            kitchen, None, TIME_LIMIT, chosen, avoided, question.after, explain=question.explain,
+            with_drafts=question.with_drafts,
+        )  # fmt: skip
         with self._foon.answers([asked], settings) as answers:  # nothing is kept ready for what others do not wish
             return next(iter(answers))
 
@@ -81,6 +88,12 @@ class PlanningDesk:
     @cached_property
     def _places(self) -> dict[Place, KnownUnit]:
         return by_place(self.snapshot.units)
+
+    @cached_property
+    def _drafted(self) -> tuple[KnownFoon, dict[Place, KnownUnit]]:
+        """What the judge and the evidence of plans look at that were made with drafts, too."""
+        both = self._foon.with_drafts()
+        return KnownFoon.of(both.units, both.goals()), by_place(both.units)
 
     def _suggest(self, question: SuggestQuestion) -> JsonObject:
         read = self._at_hand((*question.foods, *question.kitchen))

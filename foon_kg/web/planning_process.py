@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import signal
 import threading
+from collections.abc import Sequence
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from foon_kg.planning.processes import collect_seldom, end_with_parent
+from foon_kg.model.drafted import Lesson
+from foon_kg.planning.processes import collect_seldom, end_with_parent, keep_for_good
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
@@ -22,8 +24,8 @@ _ENDING = 5.0
 class PlanningProcess:
     """Answers one question at a time, each within ``seconds``; whatever becomes of its process, there is another."""
 
-    def __init__(self, snapshot: Snapshot, seconds: float) -> None:
-        self._snapshot = snapshot
+    def __init__(self, snapshot: Snapshot, seconds: float, lessons: Sequence[Lesson] = ()) -> None:
+        self._taught = snapshot, lessons
         self._seconds = seconds
         self._ready = False
         self._closed = False
@@ -31,7 +33,7 @@ class PlanningProcess:
         self._begin()
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``.
+        """Return ``question``.
 
         Raises TooLongError where that takes more than ``seconds``, BusyError where the process was ended from outside
         (perhaps for want of memory), InternalError where planning failed; then another process is there already.
@@ -79,7 +81,7 @@ class PlanningProcess:
     def _begin(self) -> None:
         context = get_context("spawn")
         self._line, theirs = context.Pipe()
-        self._process = context.Process(target=_plan, args=(theirs, self._snapshot), name="foon-planning", daemon=True)
+        self._process = context.Process(target=_plan, args=(theirs, *self._taught), name="foon-planning", daemon=True)
         self._ready = False
         self._process.start()
         theirs.close()
@@ -89,12 +91,13 @@ class PlanningProcess:
         self._process.join()
 
 
-def _plan(line: Connection[Any, Any], snapshot: Snapshot) -> None:
-    """Answer what comes through ``line`` for as long as somebody has its other end."""
+def _plan(line: Connection[Any, Any], snapshot: Snapshot, lessons: Sequence[Lesson]) -> None:
+    """Return what comes through ``line`` for as long as somebody has its other end."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that serves hears it, and ends this one
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()
-    desk = PlanningDesk(snapshot)
+    desk = PlanningDesk(snapshot, lessons)
+    keep_for_good()
     line.send(None)  # it is ready
     while True:
         try:

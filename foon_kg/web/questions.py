@@ -18,9 +18,10 @@ class PlanQuestion:
     """Plan a dish; no ``dish_type`` asks for the one that is most like these ``ingredients``.
 
     ``kitchen`` names what is at hand (:mod:`foon_kg.plans.stock`); nothing is everything. ``after`` names the recorded
-    dish, or the video, after which it is made; nothing is the one that suits best. The answer says why each ingredient
-     is made as it is where it shall ``explain``, has a schedule for each number of pairs of ``hands``, and
-    pictures where there is a ``picture_width`` (pixels of the progress lines and schedules).
+    dish, or the video, after which it is made; nothing is the one that suits best. ``with_drafts`` plans after dishes,
+    too, that were only drafted from the words of recipes. The answer says why each ingredient is made as it is where it
+    shall ``explain``, has a schedule for each number of pairs of ``hands``, and pictures where there is a
+    ``picture_width`` (pixels of the progress lines and schedules).
     """
 
     dish_type: str
@@ -29,6 +30,7 @@ class PlanQuestion:
     avoided: tuple[str, ...] = ()
     kitchen: tuple[str, ...] = ()
     after: str = ""
+    with_drafts: bool = False
     explain: bool = False
     hands: tuple[int, ...] = ()
     picture_width: int | None = None
@@ -104,21 +106,21 @@ class Reply:
 
     @classmethod
     def of(cls, value: JsonObject, status: int = 200) -> Self:
-        """Answer with ``value``."""
+        """Return with ``value``."""
         return cls(status, json.dumps(value, ensure_ascii=False, separators=(",", ":")).encode())
 
     @classmethod
     def of_error(cls, error: FoonError, beside: JsonObject | None = None) -> Self:
-        """Answer with what is wrong and what to do about it."""
+        """Return with what is wrong and what to do about it."""
         said = {"code": error.code, "message": error.message, "hint": error.hint}
         return cls.of({"error": said} | (beside or {}), status_of(error))
 
     def value(self) -> JsonObject:
-        """Answer the JSON as a value."""
+        """Return the JSON as a value."""
         read: JsonObject = json.loads(self.body)
         return read
 
 
 def status_of(error: FoonError) -> int:
-    """Answer the HTTP status that says what kind of error this is."""
+    """Return the HTTP status that says what kind of error this is."""
     return next((status for kind, status in _STATUS if isinstance(error, kind)), 500)

@@ -134,13 +134,13 @@ def is_loopback(host: str) -> bool:
 
 
 def own_names(host: str) -> frozenset[str]:
-    """Answer the names under which a service that binds to ``host`` answers."""
+    """Return the names under which a service that binds to ``host`` answers."""
     machine = set() if is_loopback(host) else {socket.gethostname(), socket.getfqdn()}
     return frozenset({"localhost", host, *machine})
 
 
 def public_name(text: str) -> str:
-    """Answer a name under which a proxy serves this; raises UsageError where it is more or less than a name."""
+    """Return a name under which a proxy serves this; raises UsageError where it is more or less than a name."""
     name = text.rstrip(".").lower()
     if not _NAME.fullmatch(name) or _is_address(name):
         raise UsageError(f"“{text}” is no host name", hint="Give the name alone: --name kitchen.example.org")
@@ -148,7 +148,7 @@ def public_name(text: str) -> str:
 
 
 def token_from(path: Path) -> str:
-    """Answer the token in ``path``, made where there is none yet; raises UsageError for one that others can read."""
+    """Return the token in ``path``, made where there is none yet; raises UsageError for one that others can read."""
     try:
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     except FileExistsError:
@@ -179,7 +179,7 @@ def _read_token(path: Path) -> str:
 
 
 def _name_of(host: str) -> str:
-    """Answer ``host`` without its port, in small letters."""
+    """Return ``host`` without its port, in small letters."""
     name = host.partition("]")[0].removeprefix("[") if host.startswith("[") else host.partition(":")[0]
     return name.lower()
 

@@ -29,15 +29,15 @@ class Foon(Protocol):
     """Where the FOON comes from."""
 
     def edition(self) -> str:
-        """Answer the name of the edition that stands now, which takes no time worth speaking of."""
+        """Return the name of the edition that stands now, which takes no time worth speaking of."""
         ...
 
     def read(self) -> Served:
-        """Answer the FOON as it stands now, which may take a while."""
+        """Return the FOON as it stands now, which may take a while."""
         ...
 
     def fresh(self) -> str | None:
-        """Answer the name of the edition that stands now where that is known at once."""
+        """Return the name of the edition that stands now where that is known at once."""
         ...
 
     def close(self) -> None:
@@ -108,7 +108,7 @@ class FoonService:
             return edition, kept.result()
 
     def current(self) -> Edition:
-        """Answer the edition that answers now; raises GraphError where there is none."""
+        """Return the edition that answers now; raises GraphError where there is none."""
         name = self._foon.edition()
         with self._turn:
             there = self._edition
@@ -153,7 +153,7 @@ class FoonService:
         return self.asked(question)[1]
 
     def answer(self, question: Question) -> Reply:
-        """Answer a question that takes a while; raises TooLongError, BusyError or GraphError where there is none."""
+        """Return a question that takes a while; raises TooLongError, BusyError or GraphError where there is none."""
         try:
             return self.ask(question).result(self._seconds)
         except TimeoutError as error:
@@ -162,23 +162,23 @@ class FoonService:
             raise _ending() from error
 
     def summary(self) -> JsonObject:
-        """Answer how large the FOON is, and its dish types."""
+        """Return how large the FOON is, and its dish types."""
         return self.current().words.summary()
 
     def complete(self, kind: Kind, text: str, limit: int) -> list[str]:
-        """Answer what ``text`` may become."""
+        """Return what ``text`` may become."""
         return self.current().words.complete(kind, text, limit)
 
     def similar(self, names: list[str], limit: int) -> list[JsonObject]:
-        """Answer for each name the known foods that can stand for it."""
+        """Return for each name the known foods that can stand for it."""
         return self.current().words.similar(names, limit)
 
     def around(self, label: str) -> JsonObject:
-        """Answer what the FOON has around an object; raises UnknownError."""
+        """Return what the FOON has around an object; raises UnknownError."""
         return self.current().words.around(label)
 
     def explorer(self) -> Explorer:
-        """Answer what the FOON answers to who wanders through it."""
+        """Return what the FOON answers to who wanders through it."""
         return self.current().explorer
 
     def close(self) -> None:
@@ -206,8 +206,10 @@ class FoonService:
     def _read(self) -> Edition:
         """Read the FOON, begin the processes that plan from it, and have it answer from now on."""
         served = self._foon.read()
-        workers = Workers(served.snapshot, self._processes, self._most, self._seconds)
-        edition = Edition(served.edition, FoonWords(served.snapshot), Explorer(served.snapshot), workers)
+        workers = Workers(served.snapshot, self._processes, self._most, self._seconds, served.lessons)
+        edition = Edition(
+            served.edition, FoonWords(served.snapshot, served.lessons), Explorer(served.snapshot), workers
+        )
         with self._turn:
             if self._edition is not None:
                 self._edition.workers.close()

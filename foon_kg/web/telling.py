@@ -112,12 +112,14 @@ class SimilarTold(BaseModel):
 
 
 class Summary(BaseModel):
-    """How large the FOON is."""
+    """How large the FOON is; ``drafted_types`` are dish types that only ``drafts`` of recipes have."""
 
     dish_types: list[str]
     units: int
     videos: int
     foods: int
+    drafts: int
+    drafted_types: list[str]
 
 
 class Example(BaseModel):

@@ -17,14 +17,14 @@ router = APIRouter(include_in_schema=False)
 
 @router.get(HEALTH)
 async def health(request: Request) -> Response:
-    """Answer that the service can plan; where it has no FOON that is the error of every other question."""
+    """Return that the service can plan; where it has no FOON that is the error of every other question."""
     await asyncio.to_thread(request.app.state.service.current)
     return JSONResponse({"status": "ok"})
 
 
 @router.get(METRICS)
 def metrics(request: Request) -> Response:
-    """Answer what was counted since the service began, in the text format of Prometheus."""
+    """Return what was counted since the service began, in the text format of Prometheus."""
     counted: Metrics = request.app.state.metrics
     service = request.app.state.service
     edition, kept = service.there()

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 from foon_kg.foon import Foon
 from foon_kg.formats.exports.recipe import video_address
 from foon_kg.model import KnownUnit, Sighting
+from foon_kg.model.drafted import Lesson
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json, sighting_to_json
@@ -29,24 +30,27 @@ MOST_UNITS = 40
 class FoonWords:
     """The words of one FOON, and what is around each of them."""
 
-    def __init__(self, snapshot: Snapshot) -> None:
+    def __init__(self, snapshot: Snapshot, lessons: Sequence[Lesson] = ()) -> None:
         self.snapshot = snapshot
+        self.lessons = lessons
         vocabulary = snapshot.vocabulary()
         self.dish_types = vocabulary.dish_types
         self.foods = vocabulary.labels
         self.states = sorted({row.state for row in vocabulary.foods if row.state})
 
     def summary(self) -> JsonObject:
-        """Answer how large the FOON is, and its dish types."""
+        """Return how large the FOON is, and its dish types."""
         return {
             "dish_types": list(self.dish_types),
             "units": len(self.snapshot.units),
             "videos": len(self.snapshot.subgraphs),
             "foods": len(self.foods),
+            "drafts": len(self.lessons),
+            "drafted_types": sorted({one.dish_type for one in self.lessons}.difference(self.dish_types)),
         }
 
     def complete(self, kind: Kind, text: str, limit: int) -> list[str]:
-        """Answer the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
+        """Return the at most ``limit`` words of a ``kind`` that ``text`` may become, those that begin so first.
 
         An ingredient is a state and a food: where ``text`` begins with a state, the foods that are seen in it come
         first. A thing may be at hand: an object or an ingredient. Avoidable are foods and kinds of food. A goal is a
@@ -65,7 +69,7 @@ class FoonWords:
         return found[:limit]
 
     def similar(self, names: Sequence[str], limit: int) -> list[JsonObject]:
-        """Answer for each name the known foods that can best stand for it, with what speaks for each."""
+        """Return for each name the known foods that can best stand for it, with what speaks for each."""
         similarity = food_similarity()
         found = Foon(self.snapshot).similar_to_each(names, limit)
         return [
@@ -80,7 +84,7 @@ class FoonWords:
         ]
 
     def around(self, label: str) -> JsonObject:
-        """Answer an object's nodes, its states, the units that make and take it, and the videos it is in.
+        """Return an object's nodes, its states, the units that make and take it, and the videos it is in.
 
         Raises UnknownError with the nearest names where the FOON does not have it.
         """
@@ -146,7 +150,7 @@ def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str 
 
 
 def _matching(names: Iterable[str], text: str) -> list[str]:
-    """Answer the names with a word that begins with ``text``, those that begin so themselves first."""
+    """Return the names with a word that begins with ``text``, those that begin so themselves first."""
     folded = canonical(text) if text else ""
     found = [name for name in names if _fits(name.lower(), text) or (folded and _fits(canonical(name), folded))]
     return sorted(found, key=lambda name: (not name.lower().startswith(text), len(name.split()), name))

@@ -6,12 +6,13 @@ A process that answers nothing within its time, or that somebody ended, is repla
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from queue import SimpleQueue
 from typing import Protocol
 
+from foon_kg.model.drafted import Lesson
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.planning_process import PlanningProcess
@@ -22,7 +23,7 @@ class Desk(Protocol):
     """What answers questions, one after the other."""
 
     def answer(self, question: Question) -> Reply:
-        """Answer ``question``."""
+        """Return ``question``."""
         ...
 
     def close(self) -> None:
@@ -37,9 +38,11 @@ class Workers:
     (``processes`` 0) cannot be ended: it is for who asks one question at a time and can wait.
     """
 
-    def __init__(self, snapshot: Snapshot, processes: int, most: int, seconds: float) -> None:
-        self._desks: list[Desk] = [PlanningProcess(snapshot, seconds) for _ in range(processes)]
-        self._desks = self._desks or [PlanningDesk(snapshot)]
+    def __init__(
+        self, snapshot: Snapshot, processes: int, most: int, seconds: float, lessons: Sequence[Lesson] = ()
+    ) -> None:
+        self._desks: list[Desk] = [PlanningProcess(snapshot, seconds, lessons) for _ in range(processes)]
+        self._desks = self._desks or [PlanningDesk(snapshot, lessons)]
         self._free: SimpleQueue[Desk] = SimpleQueue()
         for desk in self._desks:
             self._free.put(desk)

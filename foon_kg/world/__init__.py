@@ -6,8 +6,8 @@ judge use it alike; nothing here plans or judges. ``world.py`` says what a step 
 
 from __future__ import annotations
 
+from foon_kg.model.tree import Mention, Step
 from foon_kg.world.happening import Happening, Mishap
-from foon_kg.world.step import Mention, Step
 from foon_kg.world.things import Lump, Part, Vessel
 from foon_kg.world.world import World
 

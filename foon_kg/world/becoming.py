@@ -45,7 +45,7 @@ def _names(sources: Sequence[Lump]) -> list[set[str]]:
     return [set(name.split()) for lump in sources for name in lump.names]
 
 
-@lru_cache(maxsize=1 << 14)
+@lru_cache(maxsize=1 << 17)
 def _meets(need: str, food: Food, known: Tables) -> bool:
     """Return whether a food is what a table asks for: ``kind:x``, ``trait:x``, a kind, or a word of its name."""
     scheme, _, name = need.rpartition(":")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from foon_kg.food import is_among
+from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode
 from foon_kg.world.outcome import WORKS, Outcome
 from foon_kg.world.reading import Said
@@ -21,6 +22,7 @@ def settle(out: Outcome) -> None:
     _let_go(out)
     _fill_spoon(out)
     _run_through(out)
+    _keep_back(out)
 
 
 def _fill_spoon(out: Outcome) -> None:
@@ -37,20 +39,38 @@ def _fill_spoon(out: Outcome) -> None:
 
 
 def _run_through(out: Outcome) -> None:
-    """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says."""
+    """Let every liquid run out of a strainer: what was poured through it is gone, whatever its node says.
+
+    What was kneaded or shaped keeps the liquid that is worked into it.
+    """
     for vessel in dict.fromkeys((*out.happening.vessels, *out.vessel_of.values())):
         if "strain" not in vessel.row.can or vessel.row.role != "vessel":
             continue
         for lump in list(vessel.lumps):
+            if not word_list("keeps its shape").isdisjoint(lump.states):
+                continue
             lump.parts = [part for part in lump.parts if not part.food.is_a("liquid", "water")]
             if not lump.parts:
                 out.supply.put(lump, None)
                 lump.gone = True
 
 
+def _keep_back(out: Outcome) -> None:
+    """Take out of what is poured through a strainer what is told to stay in that."""
+    if not out.happening.does("separate"):
+        return
+    places = ((one, one.place_utensil) for one in out.said if one.utensil is None)
+    held = {one.label for one, row in places if row is not None and row.role == "vessel" and "strain" in row.can}
+    for lump in out.happening.outputs.values():
+        if held and lump.mixed and lump.label not in held:
+            lump.parts = [part for part in lump.parts if part.name not in held]
+
+
 def _gather(out: Outcome, place: int) -> None:
     """Bring to a food what its output node holds and what went in beside it: cream that is spread on a dough."""
     one, lump = out.said[place], out.happening.outputs[out.mentions[place].node]
+    if one.names <= {one.label}:
+        return
     there = set(lump.names) | {part.name for part in lump.parts} | (lump.where.names if lump.where else set())
     there |= {name for rider in lump.riders if not rider.gone for name in rider.names}
     for name in sorted(one.names - there - {one.label}):
@@ -118,7 +138,7 @@ def _out_of_nowhere(out: Outcome, name: str, node: ObjectNode, where: Vessel | N
 
 def _fill(out: Outcome, one: Said, vessel: Vessel) -> None:
     """Bring into a vessel what its output node holds and what has not come there yet."""
-    for name in sorted(one.names - vessel.names):
+    for name in sorted(one.names - vessel.names) if one.names else ():
         lump = _to_be_moved(out, name, vessel)
         if lump is not None:
             out.leave_rest(lump)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Mention
 from foon_kg.world.becoming import can_become, is_product
 from foon_kg.world.outcome import JOINS, WORKS, Outcome
 from foon_kg.world.reading import Said
-from foon_kg.world.step import Mention
 from foon_kg.world.things import Lump, Vessel
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 from foon_kg.food import Motion
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Step
 from foon_kg.world.reading import Said
-from foon_kg.world.step import Step
 from foon_kg.world.things import Lump, Part, Vessel
 
 

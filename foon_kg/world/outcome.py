@@ -40,7 +40,7 @@ class Outcome:
         names: set[str] = set()
         for lump in self.lumps():
             names |= lump.names
-            names.update(part.name for part in lump.parts)
+            names.update([part.name for part in lump.parts])
         return names
 
     def lumps(self) -> list[Lump]:
@@ -119,8 +119,9 @@ class Outcome:
 
     def _note_moves(self) -> None:
         """Keep what came to another place. What was made of foods where they were has not moved, nor have they."""
-        spent = [lump for lump in self.lumps() if lump.gone and id(lump) in self.before]
-        for lump in self.lumps():
+        lumps = self.lumps()
+        spent = [lump for lump in lumps if lump.gone and id(lump) in self.before]
+        for lump in lumps:
             old = self.before.get(id(lump), lump.where)
             made_here = lump.gone and any(product.where is old for product in self.happening.made)
             if (lump.where is not old or lump in spent) and not made_here:

@@ -11,9 +11,9 @@ from collections.abc import Iterator
 
 from foon_kg.food import Food, Utensil, is_among
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Mention
 from foon_kg.world.happening import Happening
 from foon_kg.world.reading import Reader, Said
-from foon_kg.world.step import Mention
 from foon_kg.world.things import Lump, Part, Vessel
 
 _PLACE = Utensil("", "place", "places")
@@ -296,7 +296,7 @@ class Supply:
 
     def keep(self, lump: Lump, where: Vessel | None) -> None:
         """Let a lump be found under its names, and stand where it is."""
-        for name in (*lump.names, *(part.name for part in lump.parts)):
+        for name in (*lump.names, *[part.name for part in lump.parts]):
             found = self.lumps.setdefault(name, [])
             if lump not in found:
                 found.append(lump)
@@ -313,7 +313,7 @@ class Supply:
         if where is not None:
             where.lumps.append(lump)
             where.had |= lump.names
-            where.held.update(part.name for part in lump.parts)
+            where.held.update([part.name for part in lump.parts])
             if _carries(where.row):
                 for part in lump.parts:
                     part.spoonful = True

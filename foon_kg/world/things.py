@@ -21,7 +21,7 @@ class Part:
     skin). ``joined`` is the step that last brought it to other foods, ``mixed`` the one that last mixed it with them,
     ``heated`` the one that last heated it. ``untold``: nobody ever said in which state it is (a name in a
     ``{}``), so that it is not judged raw or whole. ``spoonful``: it came in a spoon, too little to cook anything in.
-    ``origin`` numbers what was taken once: portions of it have the same.
+    ``origin`` numbers what was taken once: portions of it have the same. ``name`` is the food's, in the singular.
     """
 
     food: Food
@@ -36,11 +36,10 @@ class Part:
     untold: bool = False
     spoonful: bool = False
     origin: int = 0
+    name: str = field(init=False)
 
-    @property
-    def name(self) -> str:
-        """The food's name, in the singular."""
-        return self.food.name
+    def __post_init__(self) -> None:
+        self.name = self.food.name
 
     @property
     def kept_as(self) -> tuple[object, ...]:
@@ -85,7 +84,7 @@ class Lump:
     @property
     def mixed(self) -> bool:
         """Whether it is made of more than one food."""
-        return len({part.name for part in self.parts}) > 1
+        return len(self.parts) > 1 and len({part.name for part in self.parts}) > 1
 
     @property
     def fine(self) -> int:
@@ -123,7 +122,7 @@ class Vessel:
         found: set[str] = set()
         for lump in self.lumps:
             found |= lump.names
-            found.update(part.name for part in lump.parts)
+            found.update([part.name for part in lump.parts])
         return found
 
     @property

@@ -7,6 +7,7 @@ cooked. Mixing in a hot pot does not cook.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from foon_kg.food.lists import word_list
 from foon_kg.world import power
@@ -34,7 +35,7 @@ _GATHERS = ("mix", "blend", "mash", "knead", "whip", "heat")
 def apply(supply: Supply, happening: Happening) -> None:
     """Write down what the step did to its foods."""
     happening.treated = _treated(happening)
-    earned = [treatment for name in sorted(happening.motion.does) for treatment in GIVES.get(name, ())]
+    earned = _earned(happening.motion.does)
     if earned or happening.does("separate"):
         for lump in happening.treated:
             for part in lump.parts:
@@ -51,6 +52,11 @@ def apply(supply: Supply, happening: Happening) -> None:
         if said.is_food:
             fresh = [state for state in said.node.states if state not in before]
             _claimed(said, fresh, happening.outputs.get(said.node), supply, happening)
+
+
+@lru_cache(maxsize=1 << 10)
+def _earned(does: frozenset[str]) -> tuple[str, ...]:
+    return tuple(treatment for name in sorted(does) for treatment in GIVES.get(name, ()))
 
 
 def _treated(happening: Happening) -> list[Lump]:

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from foon_kg.food import Utensil
 from foon_kg.model import NodeSortKey, ObjectNode
+from foon_kg.model.tree import Mention
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Said
-from foon_kg.world.step import Mention
 from foon_kg.world.things import Vessel
 
 
@@ -19,7 +19,9 @@ def match(out: Outcome) -> None:
     """
     free = list(out.happening.vessels)
     utensils = [place for place, one in enumerate(out.said) if one.utensil is not None]
-    for place in sorted(utensils, key=lambda place: _surest_first(out, place)):
+    if len(utensils) > 1:
+        utensils.sort(key=lambda place: _surest_first(out, place))
+    for place in utensils:
         one = out.said[place]
         vessel = _matching(out, out.mentions[place], one, free)
         if vessel is None:

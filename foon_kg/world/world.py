@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from foon_kg.food import Tables, singular, tables
+from foon_kg.model.tree import Mention, Step
 from foon_kg.world import contents, foods, power, treatment, vessels
 from foon_kg.world.happening import Happening
 from foon_kg.world.outcome import Outcome
 from foon_kg.world.reading import Reader, Said, reader
-from foon_kg.world.step import Mention, Step
 from foon_kg.world.supply import Supply
 from foon_kg.world.things import Vessel
 
@@ -58,7 +58,10 @@ class World:
         """Find the vessels that go in: those that say most first, so that the order of the inputs decides nothing."""
         places = [place for place, one in enumerate(said) if one.utensil is not None]
         found: dict[int, Vessel] = {}
-        for place in sorted(places, key=lambda place: (-len(said[place].names), mentions[place].node.sort_key)):
+        ordered = places
+        if len(places) > 1:
+            ordered = sorted(places, key=lambda place: (-len(said[place].names), mentions[place].node.sort_key))
+        for place in ordered:
             one = said[place]
             vessel = self.supply.vessel(mentions[place], one, happening)
             vessel.last = happening.number

@@ -45,6 +45,11 @@ def test_each_error_stands_where_it_ends_the_program(kind):
         (1, ["check", "nowhere.json", "--files", DEMO, "--json"]),
         (2, ["plan", "xyzzy", "--dish", "salad", "--files", DEMO, "--json"]),
         (2, ["plan", "--files", DEMO, "--json"]),
+        (2, ["plan", "onion", "--nothing-so", "--json"]),
+        (2, ["plan", "onion", "--limit", "many", "--json"]),
+        (2, ["--json", "plan", "onion"]),
+        (2, ["no-command", "--json"]),
+        (2, ["show", "--json"]),
         (3, ["plan", "flour", "--dish", "bread", "--files", DEMO, "--json"]),
     ],
     ids=lambda value: " ".join(value[:2]) if isinstance(value, list) else str(value),
@@ -54,6 +59,15 @@ def test_commands_end_with_what_the_table_says(code, words):
     assert answer.exit_code == code, answer.stderr
     if code:
         assert json.loads(answer.stdout.splitlines()[-1])["error"]["code"]
+
+
+def test_a_command_line_that_cannot_be_read_says_where_help_is_in_two_lines():
+    answer = CliRunner().invoke(app, ["plan", "onion", "--dsh", "salad"])
+    assert answer.stderr.splitlines() == [
+        "error: no such option: --dsh (Possible options: --dish)",
+        "hint: foon plan --help says what there is.",
+    ]
+    assert answer.stdout == ""
 
 
 @pytest.mark.slow

@@ -39,7 +39,8 @@ def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
     for title in ("dish", "asked", "makes", "like", "Steps", "Kitchen", "Progress of each ingredient"):
         assert f"\n{title}" in f"\n{answer.stdout}"
     assert "Chop the onion on the cutting board with the knife." in " ".join(answer.stdout.split())
-    assert "“olive oil” names no state: taken as liquid" in answer.stderr
+    assert "no state is named for some foods, taken as usual: " in answer.stderr
+    assert "olive oil (liquid)" in answer.stderr
     assert "\x1b[" not in answer.stdout
     assert not any(line.endswith(" ") for line in answer.stdout.splitlines())
 
@@ -69,7 +70,7 @@ def test_foon_text_is_read_back_as_the_same_steps(foon):
     assert read.notices == ()
     units = [annotation.unit for annotation in read.subgraph.annotations]
     assert [(u.input_nodes, u.motion, u.output_nodes) for u in units] == [
-        (u.input_nodes, u.motion_node, u.output_nodes) for u in result.units
+        (u.input_nodes, u.motion, u.output_nodes) for u in result.units
     ]
     assert [p.dish_type for p in units[-1].outputs if p.node == result.goal] == ["salad"]
 
@@ -140,7 +141,7 @@ def test_no_tree_is_exit_code_3_with_a_reason_and_a_hint(foon):
         (["nowhere.json"], "there is no file or folder nowhere.json"),
         (["--dish", "salad", " "], "an ingredient is empty"),
         (["--dish", "salad"], "say what to plan"),
-        (["--fish", "salad", "onion"], "No such option"),
+        (["--fish", "salad", "onion"], "no such option"),
     ],
 )
 def test_wrong_usage_is_exit_code_2_and_nothing_on_stdout(foon, arguments, message):

@@ -74,7 +74,7 @@ def test_a_plan_shows_the_title_that_was_asked_and_the_dish_of_foon_that_it_is_l
         (["--substitute", "kohlrabi=tomatto"], "this FOON does not know “tomatto”"),
         (["--substitute", "kohlrabi=onion", "--substitute", "kohlrabi=carrot"], "has two substitutes"),
         (["--explain", "--foon"], "--foon and --explain ask for two forms of one answer"),
-        (["--jobs", "0"], "Invalid value for '--jobs'"),
+        (["--jobs", "0"], "invalid value for '--jobs'"),
         (["--avoid", "vegetable", "--avoid", "oil", "--avoid", "salt"], "nothing is left of the recipe"),
     ],
 )

@@ -46,7 +46,7 @@ def keep(request):
 
 
 def garden(foods):
-    """Answer a subgraph that knows these foods."""
+    """Return a subgraph that knows these foods."""
     parts = (foods[start : start + 50] for start in range(0, len(foods), 50))
     harvests = (tuple(Participant(node(food)) for food in part) for part in parts)
     seed = (Participant(node("bowl")),)
@@ -158,5 +158,5 @@ def test_points_come_and_go_with_their_foods(connection):
 
 
 def has_points(connection):
-    """Answer how many foods there are, and how many of them have a point."""
+    """Return how many foods there are, and how many of them have a point."""
     return ask_freely(connection, "MATCH (i:Ingredient) RETURN count(i), count(i.vector)").rows[0]

@@ -87,7 +87,7 @@ def test_all_that_matters_to_the_asked_foods_is_there_with_all_that_is_known_of_
 
 
 def matters(foods, vocabulary):
-    """Answer the labels that matter, by comparing every food with every label."""
+    """Return the labels that matter, by comparing every food with every label."""
     found = set()
     for food in foods:
         near = food_similarity().nearest(food, vocabulary.labels, limit=len(vocabulary.labels))

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from foon_kg.loaders import read_paths
 from foon_kg.store.graph import Connection, load
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 
 def tell(line: str) -> None:

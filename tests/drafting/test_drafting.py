@@ -15,7 +15,7 @@ from foon_kg.language.drafting import draft
 from foon_kg.language.drafting.calibration import ACTIONS, probability
 from foon_kg.language.drafting.drafting import plain_name
 from foon_kg.language.drafting.tables import read_draft, write_draft
-from foon_kg.language.drafting.told_states import done
+from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
@@ -107,7 +107,9 @@ def test_a_guess_stays_as_unsure_in_later_units():
         (action("zzqx", "onion"), "“zzqx” is no motion of the FOON: left out"),
         (action("", "onion"), "there is no verb in it: left out"),
         (action("peel"), "nobody says what “peel” is done to: left out"),
-        (action("turn on", "tap"), "“tap” belongs to the room"),
+        (action("open", "cupboard"), "“cupboard” belongs to the room"),
+        (action("take", "onion"), "onion is held until it is put somewhere: left out"),
+        (action("put", "knife"), "nobody says where knife comes from or goes to: left out"),
         (action("peel", *(f"onion {number}" for number in range(10_000))), "10000 objects are no one action"),
     ],
 )
@@ -195,7 +197,7 @@ def test_a_confidence_grows_with_what_speaks_for_it_and_is_less_for_what_was_par
 def test_what_a_verb_does_to_a_food_is_its_state_where_the_foon_does_not_say():
     twice = drafted(action("peel", "onion"), action("peel", "onion"))
     assert len(twice.units) == 1, "what is peeled can become no more so"
-    assert twice.left_out[0].reason == "nothing is said that peel would change: left out"
+    assert twice.left_out[0].reason == "onion is peeled already: left out"
     (*_, cook) = drafted(NarratedAction("cook", (Mention("potato"),))).units
     assert "cooked" in next(node for node in cook.annotation.unit.output_nodes if node.label == "potato").states
     assert done("coat") == "coated"
@@ -246,6 +248,62 @@ def test_what_was_taken_out_of_something_comes_from_there():
     taken = NarratedAction("take", (Mention("onion"),), origin="cutting board", said="take onion from board")
     (put,) = units(taken, action("pick-and-place", "onion", to="pot"))
     assert "cutting board" in {node.container for node in put.input_nodes}
+
+
+def test_a_held_thing_comes_from_what_was_open_where_nobody_says_from_where():
+    told = (action("open", "drawer"), action("take", "knife"), action("close", "drawer"), action("take", "spoon"))
+    put, unplaced = drafted(*told, action("put", "knife", to="plate"), action("put", "spoon")).rows[-2:]
+    assert ObjectNode("knife", (), (), "in", "drawer") in put.annotation.unit.input_nodes
+    assert any("nobody says from where the knife is taken: from the drawer" in doubt for doubt in put.doubts)
+    assert unplaced.reason == "nobody says where spoon comes from or goes to: left out"
+
+
+def test_what_is_put_back_comes_to_where_it_was():
+    fridge = NarratedAction("take", (Mention("egg"),), origin="fridge", said="take egg from fridge")
+    *_, back = units(fridge, action("put", "egg", to="bowl"), action("put-back", "egg"))
+    assert "fridge" in {node.container for node in back.output_nodes}
+
+
+def test_put_on_a_shelf_is_said_of_what_is_held():
+    put = NarratedAction("put-on", (Mention("plate"),), said="put it on plate")
+    (unit,) = units(action("take", "onion"), put)
+    assert any(node.label == "onion" and node.container == "plate" for node in unit.output_nodes)
+
+
+def test_fixtures_and_appliances_have_the_states_that_what_is_done_to_them_says():
+    on, off, opened = units(action("turn on", "hob"), action("turn off", "hob"), action("open", "jar"))
+    assert [node.states for node in (*on.input_nodes, *on.output_nodes)] == [("off",), ("on",)]
+    assert {node.label for node in on.input_nodes} == {"stove"}, "the FOON calls a hob so"
+    assert off.output_nodes[0].states == ("off",)
+    assert [node.states for node in (*opened.input_nodes, *opened.output_nodes)] == [("closed",), ("opened",)]
+    (tap,) = units(action("open", "tap"))
+    assert (tap.motion, tap.output_nodes[0].states) == ("turn on", ("on",))
+
+
+def test_nothing_is_opened_and_closed_at_once():
+    assert with_state(("closed", "washed"), "opened") == ("washed", "opened")
+    assert with_state(("chopped",), "peeled") == ("chopped", "peeled")
+    for told in (("close", "jar"), ("open", "jar")), (("open", "egg"), ("close", "egg")):
+        last = units(*(action(*one) for one in told))[-1].output_nodes[-1]
+        assert len({"closed", "opened"} & set(last.states)) == 1
+
+
+def test_what_nobody_names_is_what_is_seasoned():
+    _, seasoned = from_text(action("pour", "potato", to="bowl"), action("season"))
+    assert seasoned.motion == "season"
+    assert any(node.label == "potato" and "seasoned" in node.states for node in seasoned.output_nodes)
+    assert all(node.container != "pot" for node in seasoned.output_nodes)
+
+
+def test_what_is_wiped_is_the_bowl_and_not_the_rag():
+    (wipe,) = units(action("wash", "bowl", instruments=("rag",)))
+    assert [node.label for node in wipe.output_nodes] == ["bowl"]
+
+
+def test_a_fixture_is_never_empty_for_what_leaves_it():
+    fridge = NarratedAction("take", (Mention("egg"),), origin="fridge", said="take egg from fridge")
+    (put,) = units(fridge, action("put", "egg", to="bowl"))
+    assert all("empty" not in node.states for node in put.output_nodes if node.label == "fridge")
 
 
 def test_a_thing_is_called_as_the_kitchen_calls_it():
@@ -300,7 +358,7 @@ def test_another_bowl_is_another_one_and_the_bowl_the_same():
 
 def test_what_is_put_into_a_fridge_is_chilled_there():
     into = replace(action("pick-and-place", "it"), places=(Place("in", "fridge"),))
-    _, chill = units(action("mix", "egg", "flour", to="bowl"), into)
+    _, chill = from_text(action("mix", "egg", "flour", to="bowl"), into)
     assert chill.motion == "refrigerate"
     assert {node.container for node in chill.output_nodes} <= {"bowl", None}
 

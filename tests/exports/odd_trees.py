@@ -6,8 +6,9 @@ from hypothesis import strategies as st
 
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, Sighting
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 ODD = (
     "crème fraîche", "焼き豆腐", "a \"b\" 'c'", "<b>&amp;</b>", "x;y,z:(w)", "{in} [out]", "%25 \\n \\", "end", "n1",
@@ -41,7 +42,7 @@ def plans(draw):
     """Plan results over few nodes, so that units often make what others take; some can be executed, most cannot."""
     pool = st.sampled_from(draw(st.lists(nodes, min_size=3, max_size=6, unique=True)))
     seen = Sighting(draw(names), 3, draw(st.one_of(st.none(), names)), draw(st.sampled_from((None, 0.0, 70.5))))
-    planned = [PlannedUnit.of(unit, "foon", (seen,)) for unit in draw(st.lists(units(pool), min_size=1, max_size=4))]
+    planned = [TreeUnit.of(unit, "foon", (seen,)) for unit in draw(st.lists(units(pool), min_size=1, max_size=4))]
     goal = draw(st.sampled_from(planned[-1].output_nodes))
     kitchen = tuple(draw(st.lists(pool, unique=True)))
     recipe = Recipe("salad", (), title=draw(st.one_of(st.none(), names)))
@@ -53,5 +54,5 @@ trees = st.one_of(plans().map(ExportedTree.of_plan), plans().map(lambda plan: of
 
 
 def of_file(subgraph):
-    """Answer the tree of a FOON file."""
+    """Return the tree of a FOON file."""
     return ExportedTree.of_subgraph(subgraph, Kitchen.default())

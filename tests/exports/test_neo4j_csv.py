@@ -31,7 +31,7 @@ def cells(text):
 
 
 def value_of(cell, kind):
-    """Answer a cell as the import reads it: of lists, those that are empty or hold one empty text are left out."""
+    """Return a cell as the import reads it: of lists, those that are empty or hold one empty text are left out."""
     name, many = kind.removesuffix("[]"), kind.endswith("[]")
     if cell is None or (many and cell == ""):
         return None
@@ -39,7 +39,7 @@ def value_of(cell, kind):
 
 
 def table(text):
-    """Answer the rows of a file as (ids, properties)."""
+    """Yield the rows of a file as (ids, properties)."""
     header, *rows = cells(text)
     columns = [column.partition(":") for column in header]
     for row in rows:

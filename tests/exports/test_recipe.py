@@ -9,12 +9,15 @@ from exports.odd_trees import of_file, trees
 from hypothesis import given, settings
 from kitchen_stories import ADD_ONION, ADD_SALT, CHOP_ONION, MIX, SALAD, node, subgraph, unit
 
+from foon_kg.formats.exports.phrases import listed
 from foon_kg.formats.exports.recipe import video_address, write_recipe
-from foon_kg.formats.exports.sentences import listed, sentence
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Assumption, Substitution
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 KITCHEN = Kitchen.default()
 
@@ -63,6 +66,33 @@ KITCHEN = Kitchen.default()
         ("bowl{a,b,c,d}; a@bowl; mayonnaise(creamy); spoon > mix > salad(mixed){a,b,c,d,mayonnaise}@bowl",
          "Add the mayonnaise, then mix everything in the bowl with the spoon to make the salad."),
         ("salt(ground) > pour > mixing bowl{salt}", "Pour the salt into the mixing bowl."),
+        (("loaf pan(hot){a,b}@oven; oven(off)@with loaf_pan; bread(baked){a,b}@loaf_pan > remove > "
+         "loaf pan(hot){a,b}; bread(baked){a,b}@loaf_pan; oven(off)"),
+         "Remove the loaf pan with the bread from the oven."),
+        (("bowl{egg,milk}; bowl{flour,salt}; flour mixture(mixed){flour,salt}@bowl > pour > "
+         "bowl{egg,milk,flour,salt}; flour mixture(mixed){flour,salt}@bowl; bowl(empty)"),
+         "Pour the flour mixture from one bowl into the other."),
+        ("bowl(empty); bowl{salmon}; salmon(flaked)@bowl > pour > bowl{salmon}; salmon(flaked)@bowl; bowl(empty)",
+         "Pour the salmon from one bowl into an empty one."),
+        ("pot{bay leaf,rice}; bay leaf@pot; plate; tong > remove > pot{rice}; bay leaf@on plate; plate{bay leaf}",
+         "Remove the bay leaf from the pot onto the plate with the tongs."),
+        (("jar{mustard}; mustard(creamy)@jar; plate{bread}; knife; bread@on plate > spread > "
+         "plate{bread,mustard}; bread@on plate; mustard(creamy)@on plate; jar"),
+         "Spread the mustard from the jar over the bread on the plate with the knife."),
+        (("pot{spaghetti,water}@on stove; spaghetti(dry)@pot; water(boiling)@pot > boil > "
+          "pot{spaghetti,water}@on stove; spaghetti(cooked)@pot; water(boiling)@pot"),
+         "Boil the spaghetti in the water in the pot until cooked."),
+        ("bowl{dough}; dough(kneaded)@bowl > ferment > bowl{dough}; dough(fermented,kneaded,rested)@bowl",
+         "Let the dough rise in the bowl."),
+        (("pan{onion,butter}; onion(chopped)@pan; butter(melted)@pan; spoon > cook and stir > pan{onion,butter}; "
+         "onion(chopped,mixed,partly cooked)@pan; butter(melted,mixed)@pan"),
+         "Cook and stir the butter and onion in the pan with the spoon until partly cooked."),
+        ("onion@on cutting_board; knife > chop > onion(finely chopped)@on cutting_board",
+         "Finely chop the onion on the cutting board with the knife."),
+        ("fig@on cutting_board; knife > cut > fig(quartered)@on cutting_board",
+         "Cut the fig on the cutting board with the knife into quarters."),
+        ("chicken@on cutting_board; knife > chop > chicken(cut)@on cutting_board",
+         "Chop the chicken on the cutting board with the knife."),
         ("tray{cookie}; refrigerator(on); cookie@on tray > chill > cookie(cold)@on tray",
          "Chill the cookie on the tray in the refrigerator until cold."),
     ],
@@ -99,7 +129,7 @@ def plan(**changes):
         "recipe": Recipe("salad", (onion, RequiredIngredient("tomato", "diced"), onion), title="My salad"),
         "reference": ReferenceSummary(salad, 8, 2, exact=True),
         "goal": salad,
-        "units": tuple(PlannedUnit.of(step, "foon", seen) for step in steps),
+        "units": tuple(TreeUnit.of(step, "foon", seen) for step in steps),
         "kitchen": (
             node("knife"),
             node("onion(whole)"),

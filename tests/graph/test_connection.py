@@ -12,7 +12,7 @@ import pytest
 from foon_kg.model.errors import GraphError
 from foon_kg.store.graph import Connection, Neo4jGraph, load
 from foon_kg.store.graph.warming import warm
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 
 @pytest.fixture

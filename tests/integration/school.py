@@ -93,19 +93,10 @@ def planned(food, state):
 
 def life_of(food, result):
     """Return what is done to the asked food as long as it is a thing of its own: motion and its states then."""
-    number = next(
-        thing
-        for unit in result.units
-        for node, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True)
-        if node.label == food
-    )
+    number = next(thing for unit in result.units for node, thing, _ in unit.taken if node.label == food)
     found = []
     for unit in result.units:
-        nodes = [
-            node
-            for node, (thing, _) in zip(unit.output_nodes, unit.output_things, strict=True)
-            if thing == number and node.label == food
-        ]
-        if any(thing == number for thing, _ in unit.input_things):
-            found.append((unit.motion_node, nodes[0].states if nodes else ()))
+        nodes = [node for node, thing, _ in unit.made if thing == number and node.label == food]
+        if any(one.thing == number for one in unit.taken):
+            found.append((unit.motion, nodes[0].states if nodes else ()))
     return found

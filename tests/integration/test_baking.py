@@ -45,7 +45,7 @@ def steps(planner, dish_type, title, foods):
     """Return each step as its motion, the labels that go in, and those that come out."""
     units = planner.plan(Recipe(dish_type, tuple(asked(**foods)), "one", title)).units
     return [
-        (unit.motion_node, {node.label for node in unit.input_nodes}, {node.label for node in unit.output_nodes})
+        (unit.motion, {node.label for node in unit.input_nodes}, {node.label for node in unit.output_nodes})
         for unit in units
     ]
 

@@ -71,7 +71,7 @@ def shown(video, snapshot, result):
     assert (result.goal.label, result.goal.container) == (label, vessel)
     assert result.reference.videos == (video,)
     assert set(result.goal.ingredients) >= {one.object for one in ASKED[video].ingredients}
-    assert in_order(motions, [unit.motion_node for unit in result.units])
+    assert in_order(motions, [unit.motion for unit in result.units])
     report = judge(result, snapshot, KITCHEN)
     assert [str(finding) for finding in report.findings if not finding.minor] == []
     assert report.accepted
@@ -124,7 +124,7 @@ def test_what_is_boiled_is_boiled_in_something(demo):
 
 def test_what_is_laid_in_layers_is_not_stirred(demo):
     _, result = planned(ASKED["strawberry_trifle"], [*demo, NEW["strawberry_trifle"]])
-    motions = [unit.motion_node for unit in result.units]
+    motions = [unit.motion for unit in result.units]
     assert not {"stir", "mix"} & set(motions[motions.index("whip") :])
 
 

@@ -149,7 +149,7 @@ def test_foods_are_laid_on_dough_in_their_layers():
 
 
 def test_cooked_eggs_of_a_salad_are_cut_before_they_come_in():
-    motions = [unit.motion_node for unit in planned("egg", "boiled").units]
+    motions = [unit.motion for unit in planned("egg", "boiled").units]
     assert motions.index("boil") < motions.index("peel", motions.index("boil")) < len(motions)
     assert any({"sliced", "chopped"} & set(n.states) for u in planned("egg", "boiled").units for n in u.output_nodes)
 
@@ -463,6 +463,6 @@ def test_what_is_called_a_wrap_is_closed_at_last():
     snapshot = snapshot_of(videos.SANDWICH, videos.ROLL)
     planner = Planner(snapshot, PlanSettings(KITCHEN, time_limit=None), snapshot.units)
     last = planner.plan(Recipe("sandwich", asked, "one", "tomato wrap")).units[-1]
-    assert last.motion_node == "roll"
+    assert last.motion == "roll"
     assert any("rolled" in node.states for node in last.output_nodes)
-    assert planner.plan(Recipe("sandwich", asked, "one", "tomato sandwich")).units[-1].motion_node != "roll"
+    assert planner.plan(Recipe("sandwich", asked, "one", "tomato sandwich")).units[-1].motion != "roll"

@@ -31,7 +31,7 @@ def planned(planner, dish_type, **foods):
 
 def into_heat(units, *foods):
     """Return the number of the first heating at which each food is there."""
-    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion_node).does]
+    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion).does]
     names = [{node.label for node in unit.input_nodes} for unit in hot]
     return [next((place for place, there in enumerate(names) if food in there), None) for food in foods]
 
@@ -72,7 +72,7 @@ def test_bacon_is_fried_before_it_is_boiled(planner):
 
 def test_vegetables_fry_before_eggs_set_around_them(planner):
     units = planned(planner, "omelette", egg="whole", onion="chopped", mushroom="sliced", butter="stick")
-    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion_node).does]
+    hot = [unit for unit in units if "heat" in KNOWN.motion(unit.motion).does]
     assert into_heat(units, "onion", "mushroom") == [0, 0]
     assert not any("egg" in {node.label, *node.ingredients} for node in hot[0].input_nodes)
 
@@ -84,5 +84,5 @@ def test_no_soup_is_made_without_a_liquid(planner):
 
 def test_no_knife_goes_through_a_bone(planner):
     units = planned(planner, "soup", ham_hock="raw", lentil="dried", onion="chopped", water="liquid")
-    cuts = [unit for unit in units if "cut" in KNOWN.motion(unit.motion_node).does]
+    cuts = [unit for unit in units if "cut" in KNOWN.motion(unit.motion).does]
     assert not any(node.label == "ham hock" for unit in cuts for node in unit.input_nodes)

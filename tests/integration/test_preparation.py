@@ -125,7 +125,7 @@ def test_what_a_food_is_handled_like_is_told_with_its_confidence_and_the_next_be
     (told,) = (one for one in result.substitutions if one.object == "pear")
     assert told.equivalent == "apple"
     assert told.confidence == pytest.approx(food_similarity().matrix(["pear"], ["apple"])[0, 0], abs=1e-4)
-    alone = [unit.motion_node for unit in result.units if unit.grounding == "motion"]
+    alone = [unit.motion for unit in result.units if unit.grounding == "motion"]
     assert alone == ["chop", "pour"], "nothing that is chopped is like a pear, and nothing is named"
     (grated,) = [one for one in planned("beet", "grated").substitutions if one.equivalent == "carrot"]
     assert grated.kind == "object"

@@ -11,7 +11,7 @@ from foon_kg.loaders import read_paths
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.similarity import cosine_similarity, food_similarity
-from foon_kg.similarity.roles import in_role
+from foon_kg.similarity.in_role import in_role
 from foon_kg.store.snapshot import Snapshot
 
 OWN = json.loads((Path(__file__).parent / "data" / "accepted.json").read_text(encoding="utf-8"))

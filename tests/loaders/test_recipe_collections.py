@@ -49,7 +49,7 @@ def folder(tmp_path):
 
 
 def read(*paths):
-    """Answer the recipes and the notices; the check must say how many there are."""
+    """Return the recipes and the notices; the check must say how many there are."""
     notices = []
     with RecipeCollections(paths, notices.append) as collections:
         count = collections.check()

@@ -27,11 +27,11 @@ def planned(*foods, known=KNOWN, like=None, **asked):
 
 
 def motions(result):
-    return [unit.motion_node for unit in result.units]
+    return [unit.motion for unit in result.units]
 
 
 def step(result, motion):
-    return next(unit for unit in result.units if unit.motion_node == motion)
+    return next(unit for unit in result.units if unit.motion == motion)
 
 
 def test_a_dish_asked_with_its_own_foods_is_the_reference_tree():
@@ -213,7 +213,7 @@ def test_every_tree_runs_from_its_kitchen_to_its_goal_and_has_the_required_foods
     leaf_foods = {n.label for n in result.kitchen if known.kitchen.is_food(n)}
     assert set(map(canonical, leaf_foods)) <= required
     assert required <= set(map(canonical, result.goal.ingredients))
-    assert len({(u.input_nodes, u.motion_node, u.output_nodes) for u in result.units}) == len(result.units)
+    assert len({(u.input_nodes, u.motion, u.output_nodes) for u in result.units}) == len(result.units)
 
 
 @settings(max_examples=60, deadline=None)

@@ -8,6 +8,7 @@ import pytest
 from pictures.demo_plans import demo_foon, demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.step_changes import step_changes_svg
 from foon_kg.formats.views.schedule import clock
@@ -32,13 +33,14 @@ def test_a_chart_has_a_row_a_step_and_says_which_were_never_timed():
     plan = schedule(tree.units, tree.kitchen, Durations({"chop": chop}, chop), Kitchen.default(), 2)
     words = texts(schedule_svg(tree, plan))
     for number, unit in enumerate(tree.units, start=1):
-        assert any(text.startswith(f"{number} {unit.motion_node} ") for text in words)
+        said = sentence(unit.as_unit(), Kitchen.default())
+        assert any(text.startswith(f"{number} {said[:30]}") for text in words)
     titles = [one.text for one in ET.fromstring(schedule_svg(tree, plan, 640)).iter(f"{SVG}title")][1:]
     for step, title in zip(plan.steps, titles, strict=True):
         known = step.end <= plan.known_until
         assert title.startswith(f"{clock(step.start)} to {clock(step.end)}: " if known else "nobody knows when: ")
-    chopped = sum(unit.motion_node == "chop" for unit in tree.units)
-    assert words.count("never timed") == len(tree.units) - chopped
+    chopped = sum(unit.motion == "chop" for unit in tree.units)
+    assert words.count("unknown") == len(tree.units) - chopped
     assert {"pair of hands 1", "pair of hands 2"} <= set(words)
     by_itself = any(step.hands is None for step in plan.steps)
     assert ("by itself" in words) == by_itself
@@ -72,5 +74,5 @@ def test_the_picture_of_changes_has_both_trees():
     for number, known in enumerate(reference, start=1):
         assert f"{number} {known.unit.motion}" in words
     for number, unit in enumerate(tree.units, start=1):
-        assert f"{number} {unit.motion_node}" in words
+        assert f"{number} {unit.motion}" in words
     assert any(text.startswith("- carrot") for text in words)

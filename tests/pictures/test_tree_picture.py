@@ -18,8 +18,9 @@ from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, scene_of
 from foon_kg.formats.pictures.tree import tree_svg
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import PlannedUnit, PlanResult
+from foon_kg.plans.result import PlanResult
 
 KITCHEN = Kitchen.default()
 SVG = "{http://www.w3.org/2000/svg}"
@@ -71,7 +72,7 @@ def test_words_of_every_step_and_node_are_in_the_picture():
     tree = shown("kohlrabi_salad")
     words = texts(tree_svg(tree, KITCHEN))
     for number, unit in enumerate(tree.units, start=1):
-        assert any(text.removeprefix("+ ") == f"{number} {unit.motion_node}" for text in words)
+        assert any(text.removeprefix("+ ") == f"{number} {unit.motion}" for text in words)
     assert tree.title in words
     assert tree.goal.label in words
 
@@ -102,7 +103,7 @@ def test_any_subgraph_with_a_unit_can_be_drawn(subgraph):
     for folded in (True, False):
         words = texts(tree_svg(tree, KITCHEN, folded=folded))
         for number, unit in enumerate(tree.units, start=1):
-            assert f"{number} {unit.motion_node}" in words
+            assert f"{number} {unit.motion}" in words
 
 
 def test_every_video_of_the_demo_can_be_drawn():
@@ -113,7 +114,7 @@ def test_every_video_of_the_demo_can_be_drawn():
 
 def test_words_that_mean_something_in_xml_are_only_words():
     strange = ObjectNode('<b>"&\x00', ("a<b",), ("x&y",))
-    units = (PlannedUnit((strange,), "mix & <stir>", (ObjectNode("soup"),), "foon", ()),)
+    units = (TreeUnit(Step.of((strange,), "mix & <stir>", (ObjectNode("soup"),)), "foon", ()),)
     svg = tree_svg(ShownTree("<title>", units, ObjectNode("soup"), (strange,), ()), KITCHEN)
     assert '<b>"&\ufffd' in texts(svg)
     assert "1 mix & <stir>" in texts(svg)

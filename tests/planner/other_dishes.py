@@ -140,12 +140,12 @@ soup: corn/frozen, coconut milk/liquid, red bell pepper/diced, cilantro/chopped,
 
 
 def other_dishes() -> list[Recipe]:
-    """Answer the seventy-five recipes in their order; ``id`` is the dish type and a number."""
+    """Return the seventy-five recipes in their order; ``id`` is the dish type and a number."""
     return [_recipe(str(number), line) for number, line in enumerate(_joined(LINES))]
 
 
 def unseen_dishes() -> list[Recipe]:
-    """Answer the thirty recipes of bread, cake, noodle, rice and soup that no rule was made for."""
+    """Return the thirty recipes of bread, cake, noodle, rice and soup that no rule was made for."""
     return [_recipe(f"unseen-{number}", line) for number, line in enumerate(_joined(UNSEEN))]
 
 

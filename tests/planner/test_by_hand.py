@@ -27,7 +27,7 @@ def units(snapshot, dish_type, title, **foods):
 
 def motions(found, food):
     """Return the motions in which a food takes part, in their order."""
-    return [unit.motion_node for unit in found if food in {node.label for node in unit.input_nodes}]
+    return [unit.motion for unit in found if food in {node.label for node in unit.input_nodes}]
 
 
 def labels(unit):
@@ -37,7 +37,7 @@ def labels(unit):
 def brought(found, food, vessel):
     """Return how a food comes into or onto a vessel."""
     return next(
-        unit.motion_node for unit in found
+        unit.motion for unit in found
         if food in labels(unit) and any(n.label == food and n.container == vessel for n in unit.output_nodes)
         and not any(n.label == food and n.container == vessel for n in unit.input_nodes)
     )  # fmt: skip
@@ -57,13 +57,13 @@ def test_slices_are_laid_on_a_plate_and_not_poured(burger):
 
 
 def test_what_is_asked_in_slices_lies_on_a_patty_and_what_is_minced_is_in_it(burger):
-    mixing = next(unit for unit in burger if unit.motion_node == "mix")
+    mixing = next(unit for unit in burger if unit.motion == "mix")
     assert {"ground beef", "shallot"} <= labels(mixing)
     assert "red onion" not in labels(mixing)
 
 
 def test_a_pan_is_hot_when_a_patty_comes_into_it_and_a_tool_lifts_that_out(burger):
-    on = next(number for number, unit in enumerate(burger) if unit.motion_node == "turn on")
+    on = next(number for number, unit in enumerate(burger) if unit.motion == "turn on")
     held = [{n.container for n in unit.output_nodes if n.label == "mixture"} for unit in burger]
     assert on < next(number for number, containers in enumerate(held) if "cooking pan" in containers)
     assert "turner" in labels(burger[next(number for number, containers in enumerate(held) if "plate" in containers)])
@@ -74,7 +74,7 @@ def test_small_pieces_are_poured_and_never_picked_up_one_by_one(snapshot):
         snapshot, "chicken", "Chicken Curry", chicken_thigh="cut", onion="chopped", tomato="diced", oil="",
         cumin="ground", coconut_milk="",
     )  # fmt: skip
-    picked = {label for unit in found if unit.motion_node == "pick-and-place" for label in labels(unit)}
+    picked = {label for unit in found if unit.motion == "pick-and-place" for label in labels(unit)}
     assert picked.isdisjoint({"onion", "tomato", "cumin", "coconut milk"})
 
 
@@ -95,7 +95,7 @@ def test_what_only_gives_its_taste_is_in_the_dressing(snapshot):
         snapshot, "salad", "Caesar Salad", romaine_lettuce="chopped", garlic="minced", anchovy="mashed", egg_yolk="",
         olive_oil="", lemon_juice="", crouton="",
     )  # fmt: skip
-    dressing = next(unit for unit in found if unit.motion_node == "mix" and "olive oil" in labels(unit))
+    dressing = next(unit for unit in found if unit.motion == "mix" and "olive oil" in labels(unit))
     assert {"garlic", "anchovy", "egg yolk"} <= labels(dressing)
 
 
@@ -115,7 +115,7 @@ def test_flesh_without_fat_is_fried_before_what_it_is_tossed_with(snapshot):
         snapshot, "noodle", "Pad Thai", rice_noodle="", shrimp="peeled", egg="beaten", fish_sauce="", sugar="",
         bean_sprout="",
     )  # fmt: skip
-    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
     shrimp = next(number for number, there in enumerate(hot) if "shrimp" in there)
     assert "rice noodle" not in hot[shrimp]
 
@@ -129,7 +129,7 @@ def test_a_soup_that_is_called_chilled_is_not_heated(snapshot):
     found = units(
         snapshot, "soup", "Chilled Cucumber Avocado Soup", cucumber="chopped", avocado="", buttermilk="", lime_juice="",
     )  # fmt: skip
-    assert not [unit for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    assert not [unit for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
 
 
 def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread(snapshot):
@@ -137,7 +137,7 @@ def test_flesh_in_pieces_is_fried_with_its_vegetables_and_then_laid_on_bread(sna
         snapshot, "chicken", "Chicken Fajitas", chicken_breast="sliced", bell_pepper="sliced", onion="sliced", oil="",
         tortilla="",
     )  # fmt: skip
-    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    hot = [labels(unit) for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]
     assert {"chicken breast", "bell pepper", "onion"} <= hot[-1]
     assert not any("tortilla" in there for there in hot)
 
@@ -146,4 +146,4 @@ def test_meat_that_is_done_is_not_cooked_again_for_bread(snapshot):
     found = units(
         snapshot, "sandwich", "Roast Beef Sandwich", rye_bread="", roast_beef="sliced", cheese="", tomato="sliced"
     )
-    assert not [unit for unit in found if KNOWN.motion(unit.motion_node).does & {"heat"}]
+    assert not [unit for unit in found if KNOWN.motion(unit.motion).does & {"heat"}]

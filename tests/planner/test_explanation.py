@@ -68,7 +68,7 @@ def test_a_food_of_the_reference_is_played_by_its_own_line():
     salt = told["salt"]
     assert (salt.how, salt.label, salt.confidence, salt.chosen) == ("played", "salt", 1.0, False)
     unit = result.units[salt.joins.step - 1]
-    assert unit.motion_node == salt.joins.motion
+    assert unit.motion == salt.joins.motion
     assert any("salt" in (node.label, *node.ingredients) for node in unit.input_nodes)
 
 
@@ -150,6 +150,6 @@ def test_a_food_that_plays_a_line_and_is_made_apart_names_the_video_in_which_it_
     wanted = (RequiredIngredient("onion", "chopped"), RequiredIngredient("salt", "granulated"))
     planner = Planner(Snapshot.of(videos, KITCHEN), SETTINGS)
     result, (onion, _) = planner.explain(Recipe("salad", wanted))
-    assert "chop" in [unit.motion_node for unit in result.units]
+    assert "chop" in [unit.motion for unit in result.units]
     assert (onion.how, onion.videos) == ("played", ("chopping", "salads"))
     assert onion.passed_over == ()

@@ -22,7 +22,7 @@ def steps(snapshot, dish_type, title, **foods):
     """Return the motion of every step of a tree with the labels of what goes in."""
     asked = tuple(RequiredIngredient(food.replace("_", " "), state) for food, state in foods.items())
     (answer,) = answers_to([Recipe(dish_type, asked, "x", title)], snapshot)
-    return [(unit.motion_node, {node.label for node in unit.input_nodes}) for unit in answer.units]
+    return [(unit.motion, {node.label for node in unit.input_nodes}) for unit in answer.units]
 
 
 def places(done, *foods, does=None):

@@ -81,7 +81,7 @@ def test_one_ingredient_alone_is_a_dish_without_the_others():
     result = planned("salad", "onion chopped")
     assert result.goal == ObjectNode("salad", (), ("onion",), "in", "bowl")
     assert {"tomato", "salt"}.isdisjoint(node.label for unit in result.units for node in unit.input_nodes)
-    assert [unit.motion_node for unit in result.units if unit.motion_node in {"chop", "dice"}] == ["chop"]
+    assert [unit.motion for unit in result.units if unit.motion in {"chop", "dice"}] == ["chop"]
 
 
 def test_one_food_in_two_states_is_made_twice():
@@ -110,12 +110,7 @@ def test_water_that_is_asked_is_not_taken_again_for_washing():
     washing = Snapshot.of([subgraph("washed", "salad", *WASHED)], KITCHEN)
 
     units = plan(washing, recipe("salad", "lettuce chopped", "salt granulated", "water liquid"), SETTINGS).units
-    waters = [
-        thing
-        for unit in units
-        for node, (thing, _) in zip(unit.input_nodes, unit.input_things, strict=True)
-        if node.label == "water"
-    ]
+    waters = [thing for unit in units for node, thing, _ in unit.taken if node.label == "water"]
     assert len(set(waters)) == 1
 
 
@@ -136,7 +131,7 @@ def test_a_name_of_odd_letters_is_kept_as_it_is_written(name):
 def test_a_food_that_only_one_place_can_take_comes_in_before_the_mixing():
     result = planned("salad", "tomato diced", "kohlrabi raw")
     enters = [place for place, unit in enumerate(result.units) if any(n.label == "kohlrabi" for n in unit.input_nodes)]
-    mixes = [place for place, unit in enumerate(result.units) if unit.motion_node == "mix"]
+    mixes = [place for place, unit in enumerate(result.units) if unit.motion == "mix"]
     assert enters
     assert enters[0] <= mixes[-1]
 

@@ -49,7 +49,7 @@ def refused(*things, **question):
 
 
 def motions(result):
-    return [unit.motion_node for unit in result.units]
+    return [unit.motion for unit in result.units]
 
 
 def test_naming_all_that_a_dish_takes_changes_nothing():
@@ -84,7 +84,8 @@ def test_a_food_at_hand_that_is_like_the_missing_one_is_proposed():
 def test_missing_utensils_are_named_nearest_to_the_dish_first():
     error = refused("bowl")
     assert [thing.label for thing in error.missing] == ["spoon", "cutting board", "knife"]
-    assert error.hint.startswith("Get a spoon; get a cutting board; get a knife")
+    assert error.message == "the kitchen lacks a spoon, a cutting board and a knife for salad"
+    assert error.hint.startswith("Get a spoon, a cutting board and a knife.")
 
 
 def test_what_is_missing_is_a_list_for_programs():

@@ -53,7 +53,7 @@ def planned(dish_type, dish, known, *foods):
 
 
 def motions(result):
-    return [unit.motion_node for unit in result.units]
+    return [unit.motion for unit in result.units]
 
 
 def states(result, food):
@@ -66,7 +66,7 @@ def states(result, food):
 def test_a_whole_food_is_peeled_before_it_is_cut():
     result = planned("salad", SALAD, AVOCADO, ("tomato", "diced"), ("onion", "chopped"), ("avocado", "whole"))
     own = [u for u in result.units if any(node.label == "avocado" for node in u.input_nodes)]
-    assert own[0].motion_node == "peel"
+    assert own[0].motion == "peel"
     assert "whole" not in states(result, "avocado")
 
 

@@ -21,7 +21,7 @@ def planned(dish, *others):
     result = plan(snapshot, Recipe("soup", wanted), SETTINGS)
     assert fatal(result, snapshot) == []
     assert not any(KITCHEN.is_running(node) for node in result.kitchen)
-    return [planned.motion_node for planned in result.units]
+    return [planned.motion for planned in result.units]
 
 
 def test_what_another_video_turns_on_and_off_is_turned_on_and_off():

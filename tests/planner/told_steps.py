@@ -20,6 +20,6 @@ def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
         pairs = (one.rpartition(":")[::2] for one in asked)
         foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
         units = planner.plan(Recipe(dish_type, foods, "x", title)).units
-        return [({n.label for n in one.input_nodes}, one.motion_node, one.output_nodes) for one in units]
+        return [({n.label for n in one.input_nodes}, one.motion, one.output_nodes) for one in units]
 
     return plan

@@ -158,12 +158,12 @@ def test_nothing_is_on_at_the_end_and_what_is_on_was_turned_on(recipe):
     result = tree(recipe)
     power = {}
     for unit in result.units:
-        for node, things in zip(unit.output_nodes, unit.output_things, strict=True):
+        for node, *things in unit.made:
             row = tables().utensil(node.label)
             if row is not None and row.role == "appliance" and not row.always_on and {"on", "off"} & set(node.states):
-                power[things if row.power == "vessel" else things[0]] = "on" in node.states
+                power[tuple(things) if row.power == "vessel" else things[0]] = "on" in node.states
     assert not any(power.values())
-    turned = [unit.motion_node for unit in result.units if unit.motion_node in {"turn on", "turn off"}]
+    turned = [unit.motion for unit in result.units if unit.motion in {"turn on", "turn off"}]
     assert turned.count("turn on") == turned.count("turn off")
 
 
@@ -300,7 +300,7 @@ def test_whoever_has_all_that_a_tree_takes_gets_that_tree(recipe):
     assume(not full(result))
     kitchen, planner = in_kitchen(result.kitchen)
     found = planner.plan(recipe)
-    assert [unit.motion_node for unit in found.units] == [unit.motion_node for unit in result.units]
+    assert [unit.motion for unit in found.units] == [unit.motion for unit in result.units]
     assert fatal(found, SNAPSHOT, kitchen) == []
 
 

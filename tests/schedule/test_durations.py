@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model import Measures, ObjectNode, Sighting
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.shopping import shopping_list
@@ -32,6 +32,14 @@ def test_a_sighting_counts_once_and_time_does_not_run_backwards():
 
 def test_an_action_within_one_second_takes_about_one():
     assert Durations.of([("crack", Sighting("a", 1, None, 35.0, 35.0))]).by_motion["crack"].median == 1
+
+
+@pytest.mark.parametrize("motion", ["bake", "boil", "cook and stir", "cool down", "ferment"])
+def test_what_cooks_or_goes_on_by_itself_is_cut_short_in_videos_and_has_no_time_from_them(motion):
+    seen = [(motion, Sighting("a", 1, None, 0.0, 5.0)), ("chop", Sighting("a", 2, None, 5.0, 9.0))]
+    assert list(Durations.of(seen).by_motion) == ["chop"]
+    said = Durations.of(seen).of_step(motion, Measures((), 3600.0))
+    assert (said.median, said.sightings) == (3600, 0)
 
 
 def test_without_any_time_nothing_is_known():

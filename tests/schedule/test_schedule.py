@@ -9,12 +9,11 @@ from foons import units as any_units
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from foon_kg.formats.views.shown_tree import leaves_of
 from foon_kg.model import ObjectNode
 from foon_kg.model.errors import UsageError
+from foon_kg.model.tree import Mention, Step, TreeUnit, leaves_of
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import PlannedUnit
 from foon_kg.plans.schedule import UNTIMED, WITHOUT_HANDS, schedule
 from foon_kg.plans.step_order import earlier_steps
 
@@ -32,7 +31,7 @@ def step(motion, inputs, outputs):
     nodes = [
         tuple(ObjectNode(*one) if isinstance(one, tuple) else ObjectNode(one) for one in s) for s in (inputs, outputs)
     ]
-    return PlannedUnit(nodes[0], motion, nodes[1], "foon", ())
+    return TreeUnit(Step.of(nodes[0], motion, nodes[1]), "foon", ())
 
 
 def planned(units, hands=1, times=TIMES):
@@ -75,6 +74,23 @@ def test_what_bakes_by_itself_leaves_the_hands_free():
     assert [done.hands for done in plan.steps] == [0, None, 0] or [done.hands for done in plan.steps] == [None, 0, 0]
 
 
+def test_the_order_of_the_tree_is_kept_where_another_is_no_shorter():
+    units = [step(motion, [food], [(food, ("done",))]) for motion, food in (("mix", "a"), ("chop", "b"), ("mix", "c"))]
+    assert [done.place for done in planned(units).steps] == [0, 1, 2]
+
+
+def test_an_appliance_is_turned_off_as_soon_as_it_is_done():
+    stove = ("stove", ("off",)), ("stove", ("on",))
+    units = [
+        step("turn on", [stove[0]], [stove[1]]),
+        step("boil", [stove[1], "egg"], [stove[1], ("egg", ("cooked",))]),
+        *(step("chop", [food], [(food, ("chopped",))]) for food in "abcdef"),
+        step("turn off", [stove[1], ("egg", ("cooked",))], [stove[0], ("egg", ("cooked",))]),
+    ]
+    when = {done.place: done for done in planned(units).steps}
+    assert when[8].start - when[1].end < 8  # the hands end what they have begun
+
+
 def test_a_motion_that_nobody_timed_takes_as_long_as_a_usual_step_and_says_so():
     (done,) = planned([step("flambé", ["pear"], ["dessert"])]).steps
     assert (done.end, done.duration) == (7, None)
@@ -92,7 +108,7 @@ motions = st.sampled_from(["chop", "mix", "bake", "pour"])
 
 @st.composite
 def trees(draw):
-    return [PlannedUnit(unit.input_nodes, draw(motions), unit.output_nodes, "foon", ()) for unit in draw(units)]
+    return [TreeUnit(Step.of(unit.input_nodes, draw(motions), unit.output_nodes), "foon", ()) for unit in draw(units)]
 
 
 def at(plan, moment):
@@ -112,7 +128,7 @@ def test_every_schedule_can_be_carried_out(tree, hands):
         together = at(plan, done.start)
         busy = [other.hands for other in together if other.hands is not None]
         assert len(busy) == len(set(busy)) <= hands
-        assert all((other.hands is None) == (tree[other.place].motion_node in WITHOUT_HANDS) for other in together)
+        assert all((other.hands is None) == (tree[other.place].motion in WITHOUT_HANDS) for other in together)
         for label in {node.label for other in together for node in tree[other.place].input_nodes}:
             if KITCHEN.is_utensil(label):
                 users = [o for o in together if any(n.label == label for n in tree[o.place].input_nodes)]
@@ -123,13 +139,13 @@ def test_every_schedule_can_be_carried_out(tree, hands):
 def in_this_order(tree, order, hands):
     """How long it takes when the steps of ``order`` begin one by one, none before the one in front of it: an oracle."""
     before, leaves, running, clock = earlier_steps(tree), leaves_of(tuple(tree)), {}, 0.0
-    seconds = [TIMES.by_motion.get(unit.motion_node, TIMES.overall).median for unit in tree]
+    seconds = [TIMES.by_motion.get(unit.motion, TIMES.overall).median for unit in tree]
     labels = [{n.label for n in unit.input_nodes if KITCHEN.is_utensil(n.label)} for unit in tree]
 
     def may_start(i):
         now = [j for j, end in running.items() if end > clock]
-        handy = [j for j in now if tree[j].motion_node not in WITHOUT_HANDS]
-        free = tree[i].motion_node in WITHOUT_HANDS or len(handy) < hands
+        handy = [j for j in now if tree[j].motion not in WITHOUT_HANDS]
+        free = tree[i].motion in WITHOUT_HANDS or len(handy) < hands
         tools = all(
             sum(label in labels[j] for j in now) < max(1, sum(leaf.label == label for leaf in leaves))
             for label in labels[i]
@@ -149,7 +165,7 @@ def in_this_order(tree, order, hands):
 @settings(max_examples=40)
 @given(st.lists(st.tuples(any_units, motions), min_size=1, max_size=5), st.integers(1, 2))
 def test_a_schedule_that_says_it_is_the_shortest_is(rows, hands):
-    tree = [PlannedUnit(u.input_nodes, motion, u.output_nodes, "foon", ()) for u, motion in rows]
+    tree = [TreeUnit(Step.of(u.input_nodes, motion, u.output_nodes), "foon", ()) for u, motion in rows]
     plan = planned(tree, hands)
     best = min(in_this_order(tree, order, hands) for order in itertools.permutations(range(len(tree))))
     assert plan.length >= best
@@ -159,10 +175,13 @@ def test_a_schedule_that_says_it_is_the_shortest_is(rows, hands):
 
 def on_the_stove(vessel, stove="stove"):
     """What boils in a vessel on a stove that has the number 9."""
-    nodes = (ObjectNode("water"), ObjectNode(stove, ("on",), (), "under" if stove == "stove" else None, "pot"))
-    things = ((vessel + 10, vessel), (9, vessel if stove == "stove" else None))
-    made = (ObjectNode("water", ("boiling",)),)
-    return PlannedUnit(nodes, "boil", made, "foon", (), input_things=things, output_things=((vessel + 10, vessel),))
+    source = ObjectNode(stove, ("on",), (), "under" if stove == "stove" else None, "pot")
+    taken = (
+        Mention(ObjectNode("water"), vessel + 10, vessel),
+        Mention(source, 9, vessel if stove == "stove" else None),
+    )
+    made = (Mention(ObjectNode("water", ("boiling",)), vessel + 10, vessel),)
+    return TreeUnit(Step(taken, "boil", made), "foon", ())
 
 
 def test_a_stove_has_a_burner_for_each_vessel_and_an_oven_is_there_once():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -14,13 +15,14 @@ from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.views.schedule import schedule_view, summary
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.loaders import read_text
+from foon_kg.model import Measures
 from foon_kg.plans.durations import Duration, Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import Schedule, schedule
 
 FILE = demo_folder() / "greek_salad.txt"
 TREE = ShownTree.of_subgraph(read_text(FILE.read_text(encoding="utf-8"), FILE.stem, str(FILE)).subgraph)
-MOTIONS = sorted({unit.motion_node for unit in TREE.units})
+MOTIONS = sorted({unit.motion for unit in TREE.units})
 USUAL = Duration(median=7.0, low=6.0, high=8.0, sightings=3)
 
 
@@ -64,7 +66,7 @@ def test_where_nothing_was_timed_there_is_no_time_at_all():
 @given(st.sets(st.sampled_from(MOTIONS)))
 def test_a_time_is_told_only_where_all_before_it_was_timed(motions):
     plan = planned(motions)
-    rows = [line for line in printed(plan).splitlines() if re.search(r"\d [A-Z][A-Z-]+ ", line)]
+    rows = [line for line in printed(plan).splitlines() if re.search(r"\d [A-Z][a-z]+ ", line)]
     known = True
     for step, row in zip(plan.steps, rows, strict=True):
         earlier = [one for one in plan.steps if one.start < step.start]
@@ -78,7 +80,14 @@ def test_a_time_is_told_only_where_all_before_it_was_timed(motions):
 @pytest.mark.parametrize("hands", [1, 2])
 def test_what_was_timed_is_summed_without_what_was_not(hands):
     plan = schedule(TREE.units, TREE.kitchen, Durations({MOTIONS[0]: USUAL}, USUAL), Kitchen.default(), hands)
-    timed = sum(unit.motion_node == MOTIONS[0] for unit in TREE.units)
+    timed = sum(unit.motion == MOTIONS[0] for unit in TREE.units)
     told = summary(plan)
-    assert f"{len(TREE.units) - timed} of {len(TREE.units)} steps were never timed" in told
-    assert told.endswith(f"take {7 * timed // 60}:{7 * timed % 60:02} one after the other.")
+    assert f"nothing tells how long {len(TREE.units) - timed} of its {len(TREE.units)} steps take" in told
+    assert told.endswith(f"The others take {7 * timed // 60}:{7 * timed % 60:02} in all.")
+
+
+def test_what_a_recipe_says_is_the_time_of_a_step():
+    units = tuple(replace(unit, measures=Measures((), 1500.0)) for unit in TREE.units[:1])
+    plan = schedule(units, TREE.kitchen, Durations({}, None), Kitchen.default())
+    assert (plan.length, plan.untimed) == (1500, 0)
+    assert "25:00, as a recipe says" in printed(plan)

@@ -12,9 +12,10 @@ from foon_kg.formats.exports.sentences import sentence
 from foon_kg.loaders.muhai import read_muhai_text
 from foon_kg.model import UNMEASURED, KnownUnit, Measures
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import measured_words, with_measures
-from foon_kg.plans.result import PlannedUnit
 from foon_kg.store.snapshot import sightings_of
 
 BREAD = """(defparameter *recipe* '((get-kitchen ?k)
@@ -25,7 +26,7 @@ BREAD = """(defparameter *recipe* '((get-kitchen ?k)
  (bake ?bread ?k7 ?k6 ?y ?oven 60 minute 165 degrees-celsius)))"""
 SUBGRAPH = read_muhai_text(BREAD, "bread").subgraph
 RECORDED = [KnownUnit(unit, (seen,)) for unit, seen in sightings_of(SUBGRAPH)]
-PLANNED = [PlannedUnit.of(known.unit, "foon", ()) for known in RECORDED]
+PLANNED = [TreeUnit.of(known.unit, "foon", ()) for known in RECORDED]
 
 
 @pytest.mark.parametrize(
@@ -59,9 +60,13 @@ def test_steps_are_told_what_the_recorded_ones_say_each_amount_once():
     assert told[-2:] == [Measures(celsius=165), Measures(seconds=3600, celsius=165)]
 
 
+OTHERS = (("motion", "boil"), ("inputs", ()))
+
+
 def test_another_video_another_motion_and_other_things_say_nothing():
     assert with_measures(PLANNED, RECORDED, "cake") == tuple(PLANNED)
-    boiled, elsewhere = replace(PLANNED[-1], motion_node="boil"), replace(PLANNED[-1], input_nodes=())
+    step = PLANNED[-1].step
+    boiled, elsewhere = (replace(PLANNED[-1], step=replace(step, **{field: value})) for field, value in OTHERS)
     assert [one.measures.seconds for one in with_measures([boiled, elsewhere], RECORDED, "bread")] == [None, None]
 
 
@@ -75,5 +80,5 @@ def test_only_measures_are_added_and_none_twice(planned):
 
 def test_a_planned_step_is_read_back_with_its_measures():
     step = replace(PLANNED[-1], measures=Measures(("2 piece egg",), 30.0, -18.0))
-    assert PlannedUnit.from_json(Fields(step.to_json(), "step")) == step
-    assert "measures" not in PLANNED[-1].to_json()
+    assert unit_from_json(Fields(unit_to_json(step), "step")) == step
+    assert "measures" not in unit_to_json(PLANNED[-1])

@@ -6,9 +6,12 @@ import sys
 
 import pytest
 
+from foon_kg.formats.views.notebook import plan_html, steps_frame
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import UsageError
-from foon_kg.plans.result import Alternative, Assumption, PlannedUnit, PlanResult, ReferenceSummary, Substitution
+from foon_kg.model.tree import Step, TreeUnit
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 KOHLRABI, GRATED = ObjectNode("kohlrabi", ("whole",)), ObjectNode("kohlrabi", ("grated",), (), "in", "bowl")
 SALAD = ObjectNode("salad", ("mixed",), ("kohlrabi",))
@@ -18,8 +21,8 @@ PLAN = PlanResult(
     reference=ReferenceSummary(SALAD, 7, 0, exact=True),
     goal=SALAD,
     units=(
-        PlannedUnit((KOHLRABI,), "grate", (GRATED,), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
-        PlannedUnit((GRATED, CREAM), "toss", (SALAD,), "foon", ()),
+        TreeUnit(Step.of((KOHLRABI,), "grate", (GRATED,)), "adapted", (Sighting("carrot", 2, None, 5.0, 9.0),)),
+        TreeUnit(Step.of((GRATED, CREAM), "toss", (SALAD,)), "foon", ()),
     ),
     kitchen=(KOHLRABI, CREAM),
     substitutions=(Substitution("object", "kohlrabi", "kohlrabi", "carrot", 0.534, (Alternative("celery", 0.2),)),),
@@ -28,7 +31,7 @@ PLAN = PlanResult(
 
 
 def test_a_notebook_shows_steps_substitutions_and_assumptions():
-    html = PLAN._repr_html_()
+    html = plan_html(PLAN.to_json())
     assert "<b>Kohlrabi &amp; cream</b>" in html
     for told in ("grate", "toss", "~kohlrabi", "0.53", "like carrot", "or celery 0.20", "nothing makes it"):
         assert told in html
@@ -39,7 +42,7 @@ def test_a_notebook_shows_steps_substitutions_and_assumptions():
 
 def test_a_frame_has_a_row_a_step():
     pytest.importorskip("pandas", reason="pandas is not installed")
-    frame = PLAN.to_frame()
+    frame = steps_frame(PLAN.to_json())
     assert list(frame.index) == [1, 2]
     assert list(frame.columns) == ["motion", "inputs", "outputs", "origin", "video", "start", "end"]
     assert frame.loc[1, "inputs"] == ["kohlrabi (whole)"]
@@ -51,5 +54,5 @@ def test_a_frame_has_a_row_a_step():
 def test_without_pandas_it_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(UsageError, match="needs pandas") as raised:
-        PLAN.to_frame()
+        steps_frame(PLAN.to_json())
     assert "pip install pandas" in raised.value.hint

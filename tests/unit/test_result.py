@@ -10,18 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
+from foon_kg.model.tree import Mention, Step, TreeUnit
+from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine, ProgressStep
-from foon_kg.plans.result import (
-    Alternative,
-    Assumption,
-    PlanFailure,
-    PlannedUnit,
-    PlanResult,
-    ReferenceSummary,
-    Substitution,
-)
+from foon_kg.plans.result import PlanFailure, PlanResult, ReferenceSummary
 
 words = st.text(st.characters(codec="utf-8", exclude_characters="\x00"), min_size=1, max_size=8)
 confidences = st.floats(0, 1)
@@ -30,11 +25,11 @@ nodes = st.builds(
     ObjectNode, words, st.tuples(words) | st.just(()), st.lists(words, max_size=3).map(tuple), st.none() | words
 )
 sightings = st.builds(Sighting, words, st.integers(0, 99), st.none() | words, seconds, seconds)
+numbers = st.none() | st.integers(0, 9)
+sides = st.lists(st.builds(Mention, nodes, numbers, numbers), max_size=3).map(tuple)
 units = st.builds(
-    PlannedUnit,
-    st.lists(nodes, max_size=3).map(tuple),
-    words,
-    st.lists(nodes, max_size=3).map(tuple),
+    TreeUnit,
+    st.builds(Step, sides, words, sides),
     st.sampled_from(["foon", "adapted"]),
     st.lists(sightings, max_size=2).map(tuple),
 )
@@ -82,8 +77,8 @@ def small_result() -> PlanResult:
         reference=ReferenceSummary(salad, 2, 1, exact=True),
         goal=salad,
         units=(
-            PlannedUnit.of(chop, "foon", (Sighting("0001-a", 3, "https://example.org/a", 1.0, 2.0),)),
-            PlannedUnit.of(toss, "foon", (Sighting("0002-b", 0),)),
+            TreeUnit.of(chop, "foon", (Sighting("0001-a", 3, "https://example.org/a", 1.0, 2.0),)),
+            TreeUnit.of(toss, "foon", (Sighting("0002-b", 0),)),
         ),
         kitchen=(board, onion),
     )
@@ -134,24 +129,19 @@ def test_a_failure_has_no_units_and_keeps_what_the_error_said():
 
 def test_the_goal_is_marked_where_it_is_made_though_a_stove_is_turned_off_after_it():
     plan = small_result()
-    off = PlannedUnit((ObjectNode("stove", ("on",)),), "turn off", (ObjectNode("stove", ("off",)),), "foon", ())
+    off = TreeUnit(Step.of((ObjectNode("stove", ("on",)),), "turn off", (ObjectNode("stove", ("off",)),)), "foon", ())
     units = [note.unit for note in replace(plan, units=(*plan.units, off)).to_subgraph().annotations]
     assert [p.dish_type for unit in units for p in unit.outputs] == [None, "salad", None]
 
 
 def test_things_keep_their_numbers_and_steps_their_phase_and_grounding():
-    unit = replace(
-        PlannedUnit((chopped, board), "toss", (salad,), "adapted", (Sighting("0002-b", 0),)),
-        phase="finish",
-        grounding="like",
-        input_things=((1, 2), (3, None)),
-        output_things=((4, None),),
-    )
-    value = unit.to_json()
+    step = Step((Mention(chopped, 1, 2), Mention(board, 3)), "toss", (Mention(salad, 4),))
+    unit = TreeUnit(step, "adapted", (Sighting("0002-b", 0),), "like", "finish")
+    value = unit_to_json(unit)
     assert [node.get("thing") for node in value["input_nodes"]] == [1, 3]
     assert [node.get("container_thing") for node in value["input_nodes"]] == [2, None]
     assert (value["phase"], value["grounding"]) == ("finish", "like")
-    assert PlannedUnit.from_json(Fields(json.loads(json.dumps(value)), "unit")) == unit
+    assert unit_from_json(Fields(json.loads(json.dumps(value)), "unit")) == unit
     assert [one.identity for one in unit.taken] == [1, 3]
 
 

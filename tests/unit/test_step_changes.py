@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Participant, Sighting
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.plans.step_changes import step_changes
 
 
@@ -15,13 +15,9 @@ def known(place, inputs, motion, outputs):
     return KnownUnit(FunctionalUnit(sides[0], motion, sides[1]), (Sighting("video", place),))
 
 
-def planned(unit, **changed):
-    fields = {
-        "input_nodes": unit.unit.input_nodes,
-        "motion_node": unit.unit.motion,
-        "output_nodes": unit.unit.output_nodes,
-    }
-    return PlannedUnit(**{**fields, "origin": "foon", "seen_in": unit.seen_in, **changed})
+def planned(unit, step=None, **changed):
+    step = step or Step.of(unit.unit.input_nodes, unit.unit.motion, unit.unit.output_nodes)
+    return TreeUnit(**{"step": step, "origin": "foon", "seen_in": unit.seen_in, **changed})
 
 
 CARROT, GRATED = ObjectNode("carrot"), ObjectNode("carrot", ("grated",))
@@ -29,7 +25,7 @@ KOHLRABI, GRATED_KOHLRABI = ObjectNode("kohlrabi"), ObjectNode("kohlrabi", ("gra
 GRATE = known(0, [CARROT], "grate", [GRATED])
 SALT = known(1, [GRATED, ObjectNode("salt")], "sprinkle", [GRATED])
 TOSS = known(2, [GRATED], "toss", [ObjectNode("salad")])
-PEEL = PlannedUnit((KOHLRABI,), "peel", (KOHLRABI,), "foon", (Sighting("other", 4),))
+PEEL = TreeUnit(Step.of((KOHLRABI,), "peel", (KOHLRABI,)), "foon", (Sighting("other", 4),))
 
 
 def told(reference, final):
@@ -39,7 +35,7 @@ def told(reference, final):
 
 
 def test_steps_are_kept_changed_left_out_and_added():
-    grate = planned(GRATE, input_nodes=(KOHLRABI,), output_nodes=(GRATED_KOHLRABI,), origin="adapted")
+    grate = planned(GRATE, Step.of((KOHLRABI,), "grate", (GRATED_KOHLRABI,)), origin="adapted")
     assert told([GRATE, SALT, TOSS], [PEEL, grate, planned(TOSS)]) == [
         ("added", None, 1),
         ("changed", 1, 2),
@@ -49,7 +45,7 @@ def test_steps_are_kept_changed_left_out_and_added():
 
 
 def test_a_changed_step_says_what_is_gone_and_what_came():
-    shave = planned(GRATE, input_nodes=(KOHLRABI,), motion_node="shave", output_nodes=(GRATED_KOHLRABI,))
+    shave = planned(GRATE, Step.of((KOHLRABI,), "shave", (GRATED_KOHLRABI,)))
     (one,) = step_changes([GRATE], [shave])
     assert (one.gone, one.come) == (("carrot", "grate"), ("kohlrabi", "shave"))
 

@@ -21,7 +21,7 @@ from foon_kg.formats.exports.pddl_names import slug
 from foon_kg.formats.exports.pddl_things import has_numbers
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit
 
 _TREE = "TaskTree"
 _TEXTS = "std::vector<std::string>"
@@ -45,7 +45,7 @@ _PORTS = {
 
 
 def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> str:
-    """Answer a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
+    """Return a task tree as a behaviour tree; actions have a success rate where ``costs`` know their motion.
 
     Raises :class:`~foon_kg.model.errors.FormatError` for names with control characters, which no XML can hold.
     """
@@ -69,7 +69,7 @@ def write_behaviour_tree(tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> s
 
 
 def _action_names(motions: Iterable[str]) -> dict[str, str]:
-    """Answer an ID for each motion, which is never one of BehaviorTree.CPP's own actions (``Sleep``, ``Script``)."""
+    """Return an ID for each motion, which is never one of BehaviorTree.CPP's own actions (``Sleep``, ``Script``)."""
     names: dict[str, str] = {}
     for motion in motions:
         wanted = "".join(word.capitalize() for word in slug(motion).split("_")) + "Motion"
@@ -105,16 +105,16 @@ def _success(known: KnownUnit, costs: MotionCosts) -> dict[str, str]:
     return {"success_rate": f"{float(costs.success(motion)):g}"} if motion in costs.costs else {}
 
 
-def _add_conditions(sequence: ET.Element, unit: PlannedUnit) -> None:
+def _add_conditions(sequence: ET.Element, unit: TreeUnit) -> None:
     for one in unit.taken:
         attributes = {"ID": _CONDITION, "name": _instance(one.node.label), "object": xml_text(node_text(one.node))}
         attributes["thing"] = str(one.thing)
-        if one.container is not None:
-            attributes["container_thing"] = str(one.container)
+        if one.container_thing is not None:
+            attributes["container_thing"] = str(one.container_thing)
         ET.SubElement(sequence, "Condition", attributes)
 
 
-def _numbers(unit: PlannedUnit) -> dict[str, str]:
+def _numbers(unit: TreeUnit) -> dict[str, str]:
     """Return the numbers of all nodes, in the order of the nodes; here two things that look alike are two."""
     sides = {"input": unit.taken, "output": unit.made}
     told = {f"{name}_things": ";".join(str(one.thing) for one in side) for name, side in sides.items()}
@@ -132,10 +132,10 @@ def _listed(nodes: Iterable[ObjectNode]) -> str:
 
 
 def _literal(text: str) -> str:
-    """Answer ``text`` so that it is not taken for an entry of the blackboard, which stands in braces."""
+    """Return ``text`` so that it is not taken for an entry of the blackboard, which stands in braces."""
     return xml_text(text.replace("{", "%7B").replace("}", "%7D"))
 
 
 def _instance(text: str) -> str:
-    """Answer ``text`` in the characters that Groot and BehaviorTree.CPP allow in names of nodes."""
+    """Return ``text`` in the characters that Groot and BehaviorTree.CPP allow in names of nodes."""
     return "".join(c if c.isalnum() or c in " -_" else "_" for c in text)

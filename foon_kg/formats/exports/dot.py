@@ -19,7 +19,7 @@ _FOOD, _UTENSIL, _GOAL, _MOTION = "#8bc99b", "#d5ecdb", "#f2c14e", "#e06666"
 
 
 def write_dot(graph: BipartiteGraph) -> str:
-    """Answer ``graph`` as DOT: from the kitchen below to the goal above; thick lines where something moves."""
+    """Return ``graph`` as DOT: from the kitchen below to the goal above; thick lines where something moves."""
     lines = [f"digraph {_quoted(graph.name)} {{", *_HEAD]
     lines += (f"  {name} [{_object(node, graph)}];" for name, node in graph.objects.items())
     lines += (f"  {name} [{_motion(known)}];" for name, known in graph.units.items())
@@ -49,7 +49,7 @@ def _motion_attributes(known: KnownUnit) -> Iterator[str]:
 
 
 def _quoted(text: str) -> str:
-    r"""Answer ``text`` as a quoted string.
+    r"""Return ``text`` as a quoted string.
 
     A label shows a backslash only where there are two (``\N`` is an escape), and ``&lt;`` as a sign that it names.
     """

@@ -50,7 +50,7 @@ _SUBGRAPHS = {"foon": write_text, "json": write_json}
 def export_tree(
     tree: ExportedTree, form: str, amounts: Amounts | None = None, costs: MotionCosts = NO_COSTS
 ) -> tuple[ExportFile, ...]:
-    """Answer a task tree in the format called ``form``; its files are called after the tree.
+    """Return a task tree in the format called ``form``; its files are called after the tree.
 
     ``costs`` give the motions in GraphML and behaviour trees their success rates.
 
@@ -78,7 +78,7 @@ def _tree_text(tree: ExportedTree, form: str, amounts: Amounts | None, costs: Mo
 
 
 def export_foon(foon: Snapshot, form: str, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
-    """Answer a whole FOON in the format called ``form``; for PDDL, which has to know a goal, see ``foon_to_pddl``.
+    """Return a whole FOON in the format called ``form``; for PDDL, which has to know a goal, see ``foon_to_pddl``.
 
     ``costs`` are the weights of its motions, which GraphML and CSV have on motion nodes.
 
@@ -99,20 +99,20 @@ def export_foon(foon: Snapshot, form: str, costs: MotionCosts = NO_COSTS) -> tup
 
 
 def weights_file(costs: MotionCosts) -> ExportFile:
-    """Answer the weights of motions as the file that ``foon load weights`` reads; raises UsageError without any."""
+    """Return the weights of motions as the file that ``foon load weights`` reads; raises UsageError without any."""
     if not costs:
         raise UsageError("this FOON has no weights of motions", hint="Store some with: foon load weights FILE")
     return ExportFile("motion_cost.json", write_weights(costs))
 
 
 def pddl_files(name: str, written: PlanningProblem) -> tuple[ExportFile, ...]:
-    """Answer a planning problem as its files: the domain, the problem, and the plan where there is one."""
+    """Return a planning problem as its files: the domain, the problem, and the plan where there is one."""
     files = {"-domain.pddl": written.domain, "-problem.pddl": written.problem, ".plan": written.plan}
     return tuple(ExportFile(file_name(name) + ending, text) for ending, text in files.items() if text is not None)
 
 
 def file_name(name: str) -> str:
-    """Answer ``name`` as the name of a file on any system."""
+    """Return ``name`` as the name of a file on any system."""
     return _OUTSIDE_FILE_NAMES.sub("_", name).strip("._") or "tree"
 
 

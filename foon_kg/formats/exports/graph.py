@@ -9,8 +9,8 @@ from typing import Self
 from foon_kg.food.motion_costs import NO_COSTS, MotionCosts
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import KnownUnit, ObjectNode, Participant
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Mentioned, PlannedUnit
 from foon_kg.store.snapshot import Snapshot
 
 
@@ -43,7 +43,7 @@ class BipartiteGraph:
 
     @classmethod
     def of_tree(cls, tree: ExportedTree, costs: MotionCosts = NO_COSTS) -> Self:
-        """Answer the graph of a task tree; its motion nodes are numbered like its steps."""
+        """Return the graph of a task tree; its motion nodes are numbered like its steps."""
         goals = frozenset((tree.goal,)) if tree.goal is not None else frozenset[ObjectNode]()
         planned = tree.result.units if tree.result is not None else ()
         objects, edges = _drawn(tree.units, planned, tree.kitchen)
@@ -52,7 +52,7 @@ class BipartiteGraph:
 
     @classmethod
     def of_foon(cls, foon: Snapshot, costs: MotionCosts = NO_COSTS) -> Self:
-        """Answer the graph of a whole FOON; its motion nodes are in the order of their keys."""
+        """Return the graph of a whole FOON; its motion nodes are in the order of their keys."""
         objects, edges = _drawn(foon.units)
         goals = frozenset(goal.node for goal in foon.goals())
         at_hand = frozenset(filter(foon.kitchen.has, objects.values()))
@@ -68,23 +68,23 @@ def _numbered(units: Sequence[KnownUnit]) -> dict[str, KnownUnit]:
 
 
 def _drawn(
-    units: Sequence[KnownUnit], of_plan: Sequence[PlannedUnit] = (), more: Iterable[ObjectNode] = ()
+    units: Sequence[KnownUnit], of_plan: Sequence[TreeUnit] = (), more: Iterable[ObjectNode] = ()
 ) -> tuple[dict[str, ObjectNode], tuple[Edge, ...]]:
     """Return the object nodes of ``units`` and ``more``, and the edges; ``of_plan`` has the numbers of the things."""
     names: dict[tuple[ObjectNode, int | None], str] = {}
     edges: list[Edge] = []
 
-    def name(one: Mentioned) -> str:
+    def name(one: Mention) -> str:
         return names.setdefault((one.node, one.thing), f"o{len(names) + 1}")
 
     for place, known in enumerate(units):
         motion, unit = f"m{place + 1}", known.unit
-        planned = of_plan[place] if of_plan else PlannedUnit.of(unit, "foon", ())
+        planned = of_plan[place] if of_plan else TreeUnit.of(unit, "foon", ())
         takes, gives = _moving(unit.inputs), _moving(unit.outputs)
         edges += [Edge(name(one), motion, one.node in takes) for one in dict.fromkeys(planned.taken)]
         edges += [Edge(motion, name(one), one.node in gives) for one in dict.fromkeys(planned.made)]
     there = {node for node, _ in names}
     for node in more:
         if node not in there:
-            name(Mentioned(node))
+            name(Mention(node))
     return {named: node for (node, _), named in names.items()}, tuple(edges)

@@ -27,7 +27,7 @@ _FIELDS = {
 
 
 def write_graphml(graph: BipartiteGraph) -> str:
-    """Answer ``graph`` as GraphML. Lists (states, ingredients, where a unit was seen) are written as JSON.
+    """Return ``graph`` as GraphML. Lists (states, ingredients, where a unit was seen) are written as JSON.
 
     Motion nodes have a success rate where the motion has a weight.
 

@@ -11,7 +11,7 @@ _NOT_KEPT = re.compile("[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def xml_text(text: str) -> str:
-    """Answer ``text`` where XML keeps it; raises :class:`~foon_kg.model.errors.FormatError` where it does not."""
+    """Return ``text`` where XML keeps it; raises :class:`~foon_kg.model.errors.FormatError` where it does not."""
     if found := _NOT_KEPT.search(text):
         raise FormatError(
             f"{text!a} has the character U+{ord(found[0]):04X}, which XML cannot hold",
@@ -21,6 +21,6 @@ def xml_text(text: str) -> str:
 
 
 def xml_document(root: ET.Element) -> str:
-    """Answer a whole document, one element a line."""
+    """Return a whole document, one element a line."""
     ET.indent(root)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"

@@ -17,7 +17,7 @@ _PLAIN = frozenset(" ,.()-_+*'/!")
 
 
 def write_mermaid(graph: BipartiteGraph) -> str:
-    """Answer ``graph`` as a flowchart from the kitchen to the goal; thick arrows where something moves."""
+    """Return ``graph`` as a flowchart from the kitchen to the goal; thick arrows where something moves."""
     lines = ["---", f"title: {json.dumps(graph.name, ensure_ascii=False)}", "---", "flowchart TD", *_CLASSES]
     lines += _objects(graph)
     for name, known in graph.units.items():
@@ -34,5 +34,5 @@ def _objects(graph: BipartiteGraph) -> Iterator[str]:
 
 
 def _quoted(text: str) -> str:
-    """Answer ``text`` as a quoted label: what could mean anything to Mermaid, Markdown or HTML as its code point."""
+    """Return ``text`` as a quoted label: what could mean anything to Mermaid, Markdown or HTML as its code point."""
     return '"' + "".join(c if c.isalnum() or c in _PLAIN else f"#{ord(c)};" for c in text) + '"'

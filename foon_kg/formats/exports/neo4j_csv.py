@@ -78,7 +78,7 @@ MERGE (l)-[:LABEL_OF]->(f)
 
 
 def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[ExportFile, ...]:
-    """Answer the CSV files of a whole FOON with the weights of its motions, and a file of arguments for the import."""
+    """Return the CSV files of a whole FOON with the weights of its motions, and a file of arguments for the import."""
     nodes, edges = node_tables(foon), edge_tables(foon)
     nodes["Motion"] = [(*row, costs.costs.get(str(row[1]))) for row in nodes["Motion"]]
     places = {label: {row[0]: place for place, row in enumerate(rows)} for label, rows in nodes.items()}
@@ -94,7 +94,7 @@ def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[Expo
 
 
 def _table(costs: MotionCosts) -> str:
-    """Answer the part of a SET clause that keeps ``costs`` for motion nodes that come later."""
+    """Return the part of a SET clause that keeps ``costs`` for motion nodes that come later."""
     if not costs:
         return ""
     motions = sorted(costs.costs)

@@ -10,7 +10,7 @@ _MARKS = "%;,:(){}[]"
 
 
 def node_text(node: ObjectNode) -> str:
-    """Answer ``onion (chopped, peeled) {garlic} [on: cutting board]``; parts that say nothing are left out.
+    """Return ``onion (chopped, peeled) {garlic} [on: cutting board]``; parts that say nothing are left out.
 
     The characters that mean something here, and those that would end the line, are written in names as in an address
     (``%2C``): splitting at ``;`` and then at the brackets gives back what was written.
@@ -26,7 +26,7 @@ def node_text(node: ObjectNode) -> str:
 
 
 def unit_text(unit: FunctionalUnit) -> str:
-    """Answer what goes in, what is done and what comes out, on one line."""
+    """Return what goes in, what is done and what comes out, on one line."""
     inputs, outputs = ("; ".join(map(node_text, side)) for side in (unit.input_nodes, unit.output_nodes))
     return f"{inputs} -> {_name(unit.motion)}{'*' if unit.accepts_any else ''} -> {outputs}"
 

@@ -22,9 +22,10 @@ from typing import Self
 from foon_kg.formats.exports.notation import node_text, unit_text
 from foon_kg.formats.exports.pddl_names import comment, name_of, words_of
 from foon_kg.formats.exports.pddl_things import FOOD, UTENSIL, Action, Kitchenful, has_numbers
-from foon_kg.formats.exports.tree import ExportedTree, nodes_of
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import FunctionalUnit, ObjectNode
 from foon_kg.model.errors import FormatError, UsageError
+from foon_kg.model.tree import nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 
@@ -41,7 +42,7 @@ class PlanningProblem:
 
 
 def tree_to_pddl(tree: ExportedTree, kitchen: Kitchen | None = None) -> PlanningProblem:
-    """Answer the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
+    """Return the problem that a task tree solves: its units, its kitchen, its goal, and its order as a plan.
 
     Raises :class:`~foon_kg.model.errors.FormatError` for a tree that does not say what its goal is.
     """
@@ -103,7 +104,7 @@ def _written(action: Action) -> Iterator[str]:
 
 
 def foon_to_pddl(foon: Snapshot, goal: str, kitchen: Kitchen | None = None) -> PlanningProblem:
-    """Answer the problem of making a dish, called ``goal``, with all that a FOON knows and what ``kitchen`` has.
+    """Return the problem of making a dish, called ``goal``, with all that a FOON knows and what ``kitchen`` has.
 
     At hand is what the kitchen of a search has, and what the contract lets be a leaf (C6) where no unit makes it. Where
     several goal nodes have that label, any of them will do. Raises :class:`~foon_kg.model.errors.UsageError` where

@@ -12,23 +12,23 @@ _LONGEST = 60
 
 
 def slug(text: str) -> str:
-    """Answer ``text`` in the letters a to z, digits and ``_``; empty where nothing of it can be said in these."""
+    """Return ``text`` in the letters a to z, digits and ``_``; empty where nothing of it can be said in these."""
     folded = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode().lower()
     return _OUTSIDE.sub("_", folded)[:_LONGEST].strip("_")
 
 
 def name_of(prefix: str, text: str) -> str:
-    """Answer a name that begins with ``prefix``, which makes it unique and tells it from the words of PDDL."""
+    """Return a name that begins with ``prefix``, which makes it unique and tells it from the words of PDDL."""
     words = slug(text)
     return f"{prefix}_{words}" if words else prefix
 
 
 def words_of(node: ObjectNode) -> str:
-    """Answer all that a node says, as the words of a name."""
+    """Return all that a node says, as the words of a name."""
     holding = ("with", *node.ingredients) if node.ingredients else ()
     return " ".join((node.label, *node.states, *holding, node.relation or "", node.container or ""))
 
 
 def comment(text: str) -> str:
-    """Answer ``text`` as a comment to the end of the line."""
+    """Return ``text`` as a comment to the end of the line."""
     return "; " + " ".join("".join(c if c.isprintable() else " " for c in text).split())

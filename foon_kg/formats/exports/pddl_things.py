@@ -13,8 +13,9 @@ from dataclasses import dataclass, field, replace
 from foon_kg.food import tables
 from foon_kg.formats.exports.pddl_names import name_of, words_of
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Mentioned, PlannedUnit, PlanResult
+from foon_kg.plans.result import PlanResult
 
 FOOD, UTENSIL = "food", "utensil"
 
@@ -35,7 +36,7 @@ class Action:
     """A step: what has to hold before it, and what holds no more and what does after it."""
 
     name: str
-    unit: PlannedUnit
+    unit: TreeUnit
     needs: list[str] = field(default_factory=list)
     ends: list[str] = field(default_factory=list)
     makes: list[str] = field(default_factory=list)
@@ -61,7 +62,7 @@ class Kitchenful:
         digits = len(str(len(result.units)))
         self.actions: list[Action] = []
         for place, unit in enumerate(result.units):
-            action = Action(name_of(f"step_{place + 1:0{digits}}", unit.motion_node), unit)
+            action = Action(name_of(f"step_{place + 1:0{digits}}", unit.motion), unit)
             self._take(action, {thing for thing, taken in last.items() if taken == place})
             self._make(action)
             self.actions.append(action)
@@ -72,7 +73,7 @@ class Kitchenful:
         for one in action.unit.taken:
             thing = self.things[one.thing or 0]
             if thing.form is None:
-                thing.form, thing.place = _form(one), one.container
+                thing.form, thing.place = _form(one), one.container_thing
                 self.begin += self._facts(thing)
             action.needs += self._facts(thing)
             if thing.kind == FOOD and one.thing in for_the_last_time and one.thing not in made:
@@ -83,7 +84,7 @@ class Kitchenful:
         for one in action.unit.made:
             thing = self.things[one.thing or 0]
             action.ends += self._facts(thing)
-            thing.form, thing.place = _form(one), one.container
+            thing.form, thing.place = _form(one), one.container_thing
             action.makes += self._facts(thing)
         action.ends = [fact for fact in action.ends if fact not in action.makes]
 
@@ -106,7 +107,7 @@ class Kitchenful:
         return facts
 
 
-def _things(units: Sequence[PlannedUnit], kitchen: Kitchen) -> dict[int, Thing]:
+def _things(units: Sequence[TreeUnit], kitchen: Kitchen) -> dict[int, Thing]:
     """Return every thing by its number, also one in which others only are said to be."""
     things: dict[int, Thing] = {}
     for unit in units:
@@ -122,6 +123,6 @@ def _things(units: Sequence[PlannedUnit], kitchen: Kitchen) -> dict[int, Thing]:
     return things
 
 
-def _form(one: Mentioned) -> ObjectNode:
+def _form(one: Mention) -> ObjectNode:
     """Return a node without its place, where that is a thing of its own."""
-    return one.node if one.container is None else replace(one.node, relation=None, container=None)
+    return one.node if one.container_thing is None else replace(one.node, relation=None, container=None)

@@ -7,17 +7,19 @@ from urllib.parse import quote, urlsplit
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.substitution import handled
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen, is_place
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 _MARKUP = frozenset("\\`*_[]<>#|~&!")
 _IN_LINKS = "/:?=&%#+,;@~-._"
 
 
 def write_recipe(tree: ExportedTree, amounts: Mapping[RequiredIngredient, str] | None = None) -> str:
-    """Answer a recipe that a person can cook from.
+    """Return a recipe that a person can cook from.
 
     ``amounts`` says how much of an ingredient the recipe wants ("2 cups"), where that is known: a FOON does not.
     """
@@ -37,7 +39,7 @@ def _introduction(tree: ExportedTree) -> Iterator[str]:
 
 
 def _ingredients(tree: ExportedTree, kitchen: Kitchen, amounts: Mapping[RequiredIngredient, str]) -> Iterator[str]:
-    """Answer what the recipe asks for, in its order, then what else the kitchen has to have (water)."""
+    """Yield what the recipe asks for, in its order, then what else the kitchen has to have (water)."""
     wanted = tuple(dict.fromkeys(tree.recipe.ingredients)) if tree.recipe is not None else ()
     for one in wanted:
         words = ", ".join(filter(None, (one.object, one.state)))
@@ -67,7 +69,7 @@ def _notes(result: PlanResult) -> list[list[str]]:
 
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
-        return f"{one.required} {one.how} (confidence {one.confidence:.2f})"
+        return f"{one.required} {handled(one)} (confidence {one.confidence:.2f})"
     if one.kind == "state":
         said = f"{one.object} is {one.required}"
     else:
@@ -76,7 +78,7 @@ def _substituted(one: Substitution) -> str:
 
 
 def _link(sighting: Sighting) -> str:
-    """Answer a link to the second in which the step is seen, or the name of a video without an address."""
+    """Return a link to the second in which the step is seen, or the name of a video without an address."""
     source, start = sighting.source, sighting.start
     if source is None or not is_web_address(source):
         return f"({_plain(sighting.video)})"
@@ -93,7 +95,7 @@ def is_web_address(source: str) -> bool:
 
 
 def video_address(source: str, start: float | None) -> str:
-    """Answer the address of a video from the second ``start`` on."""
+    """Return the address of a video from the second ``start`` on."""
     if start is None:
         return source
     parts = urlsplit(source)
@@ -111,5 +113,5 @@ def _capital(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    """Answer ``text`` on one line, without anything that Markdown or HTML would take for markup."""
+    """Return ``text`` on one line, without anything that Markdown or HTML would take for markup."""
     return "".join(f"\\{c}" if c in _MARKUP else c for c in " ".join(text.split()))

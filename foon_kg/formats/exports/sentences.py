@@ -8,56 +8,110 @@ into the bowl), foods change where they are (chop the onion on the cutting board
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from functools import cached_property
+from functools import cached_property, lru_cache
 
-from foon_kg.food import motions, tables
+from foon_kg.food import motions
 from foon_kg.food.lists import word_list
+from foon_kg.formats.exports.phrases import (
+    in_words,
+    is_flat,
+    is_room,
+    joined_by,
+    motion_to,
+    resting_in,
+    stands_in,
+    the,
+    with_object,
+)
 from foon_kg.model import UNMEASURED, FunctionalUnit, Measures, ObjectNode
-from foon_kg.plans.kitchen import Kitchen, is_place
+from foon_kg.model.tree import TreeUnit
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import measured_words
 
-_SAID_AS = {"pick-and-place": "put", "place": "put", "put inside": "put", "insert": "put", "sit": "rest"}
-_AFTER_THE_OBJECT = frozenset({"in", "with", "into"})
-_PARTS = frozenset({"ends", "seeds", "skin", "slits"})
-_JOINED_BY = {"attach": "to", "detach": "from", "remove": "from", "take out": "from", "scrape": "from"}
-_FLAT = word_list("flat utensils")
-_SHAPES = {"leaf": "leaves"} | {
-    shape: shape for shape in ("chunks", "cubes", "halves", "leaves", "pieces", "powder", "slices", "strips", "wedges")
-}
-_IRREGULAR = {"freeze": "frozen", "grind": "ground", "tear": "torn", "break": "broken", "cut": "cut"}
 _PLACES = frozenset({"in", "inside", "on", "over", None})
 _FEW = 3
-_COGNATE = 3
 
 
-def sentence(unit: FunctionalUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
-    """Answer one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
-    said = _Reading(unit, kitchen).said() + measured_words(measures, unit.motion)
+MOST_SAID = 1 << 12
+"""For how many units it is kept how they are said: steps come again in many plans."""
+
+
+def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
+    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    said = _said(unit.input_nodes, unit.motion, unit.output_nodes, kitchen) + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
 
-def listed(names: Iterable[str]) -> str:
-    """Answer ``a, b and c``, each name once; nothing for no names."""
-    *first, last = dict.fromkeys(names) or ("",)
-    return f"{', '.join(first)} and {last}" if first else last
+@lru_cache(maxsize=MOST_SAID)
+def _said(inputs: tuple[ObjectNode, ...], motion: str, outputs: tuple[ObjectNode, ...], kitchen: Kitchen) -> str:
+    return _Reading(inputs, motion, outputs, kitchen).said()
 
 
 class _Reading:
-    """What ``unit`` changes, and the words for it."""
+    """What a unit changes, and the words for it."""
 
-    def __init__(self, unit: FunctionalUnit, kitchen: Kitchen) -> None:
+    def __init__(
+        self, inputs: tuple[ObjectNode, ...], motion: str, outputs: tuple[ObjectNode, ...], kitchen: Kitchen
+    ) -> None:
         self._kitchen = kitchen
-        self._verb, self._inputs, self._outputs = unit.motion, unit.input_nodes, unit.output_nodes
-        self._foods = [node for node in unit.input_nodes if kitchen.is_food(node)]
-        self._utensils = [node for node in unit.input_nodes if not kitchen.is_food(node)]
-        self._food_made = [node for node in unit.output_nodes if kitchen.is_food(node)]
-        self._changed = [node for node in unit.input_nodes if node not in unit.output_nodes]
+        self._verb, self._inputs, self._outputs = motion, inputs, outputs
+        self._foods = [node for node in inputs if kitchen.is_food(node)]
+        self._utensils = [node for node in inputs if not kitchen.is_food(node)]
+        self._food_made = [node for node in outputs if kitchen.is_food(node)]
+        self._changed = [node for node in inputs if node not in outputs]
 
     def said(self) -> str:
+        """Return the sentence as it begins in the middle of a text."""
+        if (likes := self._between_likes()) is not None:
+            return self._moving_between(*likes)
+        if (vessel := self._taken_out()) is not None:
+            return self._taking_out(vessel)
         if self._target is not None and self._brought:
-            return self._bringing(self._target)
+            return self._gives[0] + self._bringing(self._target)
+        return self._gives[0] + self._working()
+
+    def _working(self) -> str:
         cooks = self._food_made and any(node.ingredients for node in self._utensils)
         return self._changing() if self._foods or cooks else self._handling()
+
+    def _between_likes(self) -> tuple[ObjectNode, ObjectNode] | None:
+        """Return the vessel that is emptied into another one of its name, and that one, as they are before."""
+        for source in self._utensils:
+            for target in self._utensils:
+                if source is not target and source.label == target.label and self._emptied_into(source, target):
+                    return source, target
+        return None
+
+    def _emptied_into(self, source: ObjectNode, target: ObjectNode) -> bool:
+        after = [set(node.ingredients) for node in self._outputs if node.label == source.label]
+        moves = motions.transfers(self._verb) and {*source.ingredients, *target.ingredients} in after and set() in after
+        named = [food for food in self._foods if self._is_of(food, source)]
+        return bool(source.ingredients) and moves and (not target.ingredients or bool(named))
+
+    @staticmethod
+    def _is_of(food: ObjectNode, vessel: ObjectNode) -> bool:
+        """Return whether a food is what a vessel holds, or a part of that."""
+        return food.container == vessel.label and {*(food.ingredients or (food.label,))} <= {*vessel.ingredients}
+
+    def _moving_between(self, source: ObjectNode, target: ObjectNode) -> str:
+        named = [food.label for food in self._foods if self._is_of(food, source)]
+        names = self._without_parts(named or source.ingredients)
+        to = "the other" if target.ingredients else "an empty one"
+        said = with_object(self._verb, the(names) if len(names) <= _FEW else "everything")
+        way = motion_to(source.label, self._outputs)
+        return f"{said} from one {source.label} {way} {to}{self._with_tools({source.label})}"
+
+    def _taken_out(self) -> ObjectNode | None:
+        """Return the vessel with food in it that comes out of, or off, something else."""
+        if joined_by(self._verb) != "from" or not self._foods:
+            return None
+        left = [node for node in self._utensils if any(u.label == node.container for u in self._utensils)]
+        return next((node for node in left if not stands_in(node.label, node.container or "", self._outputs)), None)
+
+    def _taking_out(self, vessel: ObjectNode) -> str:
+        held = self._held_in(vessel)
+        said = f"the {vessel.label}" + (f" with {the(held)}" if 0 < len(held) <= _FEW else "")
+        return f"{with_object(self._verb, said)} from the {vessel.container}{self._with_tools({vessel.label})}"
 
     @cached_property
     def _target(self) -> ObjectNode | None:
@@ -66,12 +120,12 @@ class _Reading:
         return next(gaining, next((u for u in self._utensils if self._placed(u.label)), None))
 
     def _placed(self, place: str) -> set[str]:
-        """Answer the foods that are in ``place`` now and were elsewhere before."""
+        """Return the foods that are in ``place`` now and were elsewhere before."""
         before = {food.label: food.container for food in self._foods}
         return {n.label for n in self._food_made if n.container == place and before.get(n.label, place) != place}
 
     def _gained(self, after: ObjectNode) -> set[str]:
-        """Answer what a utensil holds that it did not hold before; one that nobody named before held nothing."""
+        """Return what a utensil holds that it did not hold before; one that nobody named before held nothing."""
         if self._kitchen.is_food(after):
             return set()
         return set(after.ingredients).difference(*(u.ingredients for u in self._utensils if u.label == after.label))
@@ -84,6 +138,7 @@ class _Reading:
         place = self._target.label
         gained = self._gained(self._target) | self._placed(place)
         known = [n.label for n in self._inputs if n.label in gained and n.container != place]
+        known += [n.label for n in self._foods if n.container != place and n.ingredients and gained >= {*n.ingredients}]
         known += [name for node in self._utensils for name in node.ingredients if name in gained]
         filled = any(node.ingredients for node in self._utensils if node.label == place)
         if known or filled or any(food.container == place for food in self._foods):
@@ -106,16 +161,32 @@ class _Reading:
         places |= {u.label for u in self._utensils if u.label != target.label and set(u.ingredients) & {*self._brought}}
         source = next(iter(places)) if len(places) == 1 else None
         if self._verb == "fill":
-            said = f"fill the {target.label} with {_the(self._brought)}"
+            said = f"fill the {target.label} with {the(self._brought)}"
         else:
-            said = _with_object(self._verb, _the(self._brought))
-        if source is not None and not _stands_in(target.label, source, self._inputs):
+            said = with_object(self._verb, the(self._brought))
+        if source is not None and not stands_in(target.label, source, self._inputs):
             said += f" from the {source}"
         if self._verb != "fill":
-            worked = _is_flat(target.label) and not motions.transfers(self._verb)  # cut on a board, and not onto it
-            way = _resting_in(target.label) if worked else _motion_to(target.label, self._outputs)
-            said += f" {way} the {target.label}"
-        return said + self._with_tools({target.label, *filter(None, places)}) + self._until()
+            said += f" {self._way_to(target, moved=source is not None)} the {target.label}"
+        return said + self._with_tools({target.label, *filter(None, places)}) + self._gives[1]
+
+    def _way_to(self, target: ObjectNode, *, moved: bool) -> str:
+        """Return how what is brought comes to its place: into it, onto it, or over the foods that are there."""
+        if not word_list("is smeared by").isdisjoint(self._verb.split()):
+            there = next((node for node in self._utensils if node.label == target.label), target)
+            under = [name for name in self._held_in(there) if name not in self._brought] if there is not target else []
+            if 0 < len(under) <= _FEW:
+                return f"over {the(under)} {resting_in(target.label)}"
+        worked = (
+            is_flat(target.label) and not moved and not motions.transfers(self._verb)
+        )  # cut on a board, not onto it
+        return resting_in(target.label) if worked else motion_to(target.label, self._outputs)
+
+    def _in_bath(self, names: list[str]) -> str:
+        """Return foods with the water that they are cooked in: ``the rice in the water``."""
+        bath = [name for name in names if motions.heats(self._verb) and self._kitchen.is_free(name)]
+        foods = [name for name in names if name not in bath]
+        return f"{the(foods)} in {the(bath)}" if bath and foods else the(names)
 
     def _changing(self) -> str:
         foods = self._foods_changed
@@ -126,15 +197,15 @@ class _Reading:
         fresh = [food.label for food in foods if food.label not in held]
         if len(held) > _FEW:
             fresh = [food.label for food in foods if food.label in fresh and food.container != where]
-            said = f"add {_the(fresh)}, then " if fresh else ""
-            said += _with_object(self._verb, "everything")
+            said = f"add {the(fresh)}, then " if fresh else ""
+            said += with_object(self._verb, "everything")
         else:
-            said = _with_object(self._verb, _the([*(held if foods[:1] else ()), *fresh] or held))
+            said = with_object(self._verb, self._in_bath([*(held if foods[:1] else ()), *fresh] or held))
         said += f" {self._relation(where)} the {where}" if where else ""
         used = {where or "", *(food.container or "" for food in self._foods)}
         known = {node.label for node in self._foods} | set(held)
         made = [node.label for node in self._food_made if node.label not in known]
-        return said + self._with_tools(used) + self._until() + (f" to make {_the(made)}" if made else "")
+        return said + self._with_tools(used) + self._gives[1] + (f" to make {the(made)}" if made else "")
 
     @cached_property
     def _foods_changed(self) -> list[ObjectNode]:
@@ -156,11 +227,11 @@ class _Reading:
         first = min(changed, key=rank)
         others = [node.label for node in self._inputs if node is not first]
         place = self._moved_to(first)
-        said = _with_object(self._verb, f"the {first.label}")
-        if self._verb in _JOINED_BY and others:
-            said += f" {_JOINED_BY[self._verb]} the {others[0]}"
+        said = with_object(self._verb, f"the {first.label}")
+        if (joined := joined_by(self._verb)) is not None and others:
+            said += f" {joined} the {others[0]}"
         elif place is not None and place in others:
-            said += f" {_motion_to(place, self._outputs)} the {place}"
+            said += f" {motion_to(place, self._outputs)} the {place}"
         elif first.container in others:
             said += f" {first.relation} the {first.container}" if first.relation in _PLACES else ""
         elif others and not self._verb.startswith("turn "):
@@ -168,13 +239,13 @@ class _Reading:
         return said + self._until_utensil(first)
 
     def _moved_to(self, node: ObjectNode) -> str | None:
-        """Answer where a utensil ends up, if it is in or on something else then."""
+        """Return where a utensil ends up, if it is in or on something else then."""
         after = [other for other in self._outputs if other.label == node.label and other.relation in _PLACES]
         return next((n.container for n in after if n.container and n.container != node.container), None)
 
     def _relation(self, container: str) -> str:
         relations = [n.relation for n in (*self._foods, *self._food_made) if n.container == container and n.relation]
-        return relations[0] if relations else _resting_in(container)
+        return relations[0] if relations else resting_in(container)
 
     def _with_tools(self, places: Collection[str]) -> str:
         if any(node.label == "faucet" for node in self._utensils):
@@ -182,13 +253,14 @@ class _Reading:
         taken = {node.container for node in self._inputs if node.container} | set(places)
         free = (node for node in self._utensils if not node.ingredients and node.container not in taken)
         tools = [node.label for node in free if node.label not in taken]
-        rooms = [label for label in tools if _is_room(label)]
-        said = f" in {_the(rooms)}" if rooms else ""
+        rooms = [label for label in tools if is_room(label)]
+        said = f" in {the(rooms)}" if rooms else ""
         tools = [label for label in tools if label not in rooms]
-        return said + (f" with {_the(tools)}" if tools else "")
+        return said + (f" with {the(tools)}" if tools else "")
 
-    def _until(self) -> str:
-        """Say in which states foods come out that they were not in, save those that the verb names (peel: peeled)."""
+    @cached_property
+    def _gives(self) -> tuple[str, str]:
+        """In which states foods come out that they were not in: an adverb, and words at the end."""
         found: list[str] = []
         for label in dict.fromkeys(node.label for node in self._food_made):
             after = [node for node in self._food_made if node.label == label]
@@ -196,59 +268,9 @@ class _Reading:
             known = {state for node in before for state in node.states}
             if len(after) == 1 and (before or motions.heats(self._verb)):
                 found += [state for state in after[0].states if state not in known]
-        return self._in_words(found)
+        return in_words(self._verb, found)
 
     def _until_utensil(self, node: ObjectNode) -> str:
         after = [state for other in self._outputs if other.label == node.label for state in other.states]
         told = [s for s in after if s not in node.states and s not in {"empty", "closed", "off", "on", "open"}]
-        return self._in_words(told)
-
-    def _in_words(self, states: Iterable[str]) -> str:
-        words = self._verb.split()
-        if words[-1] in _PARTS:
-            return ""
-        roots = {_IRREGULAR.get(word, word)[:_COGNATE] for word in words}
-        told = [state for state in states if not is_place(state) and (" " in state or state[:_COGNATE] not in roots)]
-        shapes = [state for state in told if state in _SHAPES]
-        rest = [state for state in told if state not in _SHAPES]
-        return (f" into {listed(_SHAPES[shape] for shape in shapes)}" if shapes else "") + (
-            f" until {listed(rest)}" if rest else ""
-        )
-
-
-def _the(labels: Iterable[str]) -> str:
-    return f"the {listed(labels)}"
-
-
-def _with_object(verb: str, thing: str) -> str:
-    """Answer ``cut the onion in half``, ``cut off the ends of the onion``, ``put the onion``."""
-    words = _SAID_AS.get(verb, verb).split()
-    if len(words) > 1 and words[-1] in _PARTS:
-        between = "in" if words[-1] == "slits" else "of"
-        return f"{' '.join(words[:-1])} {'' if between == 'in' else 'the '}{words[-1]} {between} {thing}"
-    if len(words) > 1 and words[1] in _AFTER_THE_OBJECT:
-        return f"{words[0]} {thing} {' '.join(words[1:])}"
-    return f"{' '.join(words)} {thing}"
-
-
-def _stands_in(inner: str, outer: str, nodes: Iterable[ObjectNode]) -> bool:
-    return any(node.label == inner and node.container == outer for node in nodes)
-
-
-def _is_flat(label: str) -> bool:
-    return bool(label) and label.rsplit(maxsplit=1)[-1] in _FLAT
-
-
-def _is_room(label: str) -> bool:
-    """Say whether a utensil is an appliance in which things stand: an oven, a fridge."""
-    row = tables().utensil(label)
-    return row is not None and row.role == "appliance" and row.holds == "in"
-
-
-def _motion_to(label: str, after: Iterable[ObjectNode]) -> str:
-    relations = {node.relation for node in after if node.container == label}
-    return "onto" if "on" in relations or (_is_flat(label) and "in" not in relations) else "into"
-
-
-def _resting_in(label: str) -> str:
-    return "on" if _is_flat(label) else "in"
+        return in_words(self._verb, told)[1]

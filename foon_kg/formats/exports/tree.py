@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Self
 
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode, Recipe, Subgraph
+from foon_kg.model.tree import nodes_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import sightings_of
@@ -30,17 +31,17 @@ class ExportedTree:
 
     @classmethod
     def of_plan(cls, result: PlanResult) -> Self:
-        """Answer the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
+        """Return the tree of a plan result. Its JSON knows neither the stars of motions nor which nodes move."""
         subgraph = result.to_subgraph()
         units = tuple(
-            KnownUnit(annotation.unit, planned.seen_in)
+            KnownUnit(annotation.unit, planned.sightings)
             for annotation, planned in zip(subgraph.annotations, result.units, strict=True)
         )
         return cls(subgraph.name, units, result.kitchen, result.goal, subgraph, result)
 
     @classmethod
     def of_subgraph(cls, subgraph: Subgraph, kitchen: Kitchen) -> Self:
-        """Answer the tree that a FOON file tells, each unit seen where the file has it.
+        """Return the tree that a FOON file tells, each unit seen where the file has it.
 
         A file names no kitchen: the tree starts from its leaves, and from the empty utensils at rest that it also puts
         back later, as ``foon check`` reads it.
@@ -68,13 +69,8 @@ class ExportedTree:
         return nodes_of(known.unit for known in self.units)
 
 
-def nodes_of(units: Iterable[FunctionalUnit]) -> tuple[ObjectNode, ...]:
-    """Answer every object node of ``units`` once, in the order of appearance."""
-    return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
-
-
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
-    """Answer what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
+    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
     made = {node for unit in units for node in unit.output_nodes if node not in unit.input_nodes}
     taken = dict.fromkeys(node for unit in units for node in unit.input_nodes)
     return tuple(n for n in taken if n not in made or (not kitchen.is_food(n) and kitchen.has(n)))

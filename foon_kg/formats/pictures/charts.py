@@ -24,7 +24,7 @@ _EXACTLY = 1e-9
 
 
 def curve_chart(curves: Mapping[str, Mapping[int, float]], title: str, across: str, up: str) -> str:
-    """Answer a chart of one curve a name: shares (0 to 1) by threshold (per cent)."""
+    """Return a chart of one curve a name: shares (0 to 1) by threshold (per cent)."""
     root = _picture(_WIDTH, _HEIGHT + 22, title)
     _axes(root, across, up)
     for place, (name, curve) in enumerate(curves.items()):
@@ -41,7 +41,7 @@ def curve_chart(curves: Mapping[str, Mapping[int, float]], title: str, across: s
 
 
 def histogram_chart(counts: Sequence[int], title: str, across: str) -> str:
-    """Answer a chart of ``counts`` in bins of equal width from 0 to 1, the number of each above its bar."""
+    """Return a chart of ``counts`` in bins of equal width from 0 to 1, the number of each above its bar."""
     root = _picture(_WIDTH, _HEIGHT, title)
     most, width = max([*counts, 1]), (_WIDTH - _LEFT - _RIGHT) / len(counts)
     for place, count in enumerate(counts):
@@ -57,7 +57,7 @@ def histogram_chart(counts: Sequence[int], title: str, across: str) -> str:
 
 
 def interval_chart(rows: Sequence[tuple[str, Interval]], title: str) -> str:
-    """Answer a chart of means with their intervals, one row a name.
+    """Return a chart of means with their intervals, one row a name.
 
     It begins at 0, or where all of them are in its upper half just below the least.
     """
@@ -118,7 +118,7 @@ def _write(root: ET.Element, x: float, y: float, text: str, *, anchor: str = "mi
 
 
 def _marks(least: float, most: float) -> Iterator[float]:
-    """Answer round shares from ``least``, itself round, to ``most``: not more than fit beside one another."""
+    """Return round shares from ``least``, itself round, to ``most``: not more than fit beside one another."""
     step = next(step for step in _STEPS if most - least <= _MOST_MARKS * step)
     return (least + place * step for place in range(int((most - least) / step + _EXACTLY) + 1))
 

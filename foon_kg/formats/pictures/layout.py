@@ -155,7 +155,7 @@ class _Part:
         return cls(layers, tuple(sorted(links)), known, len(sizes))
 
     def width(self, across: Mapping[int, float]) -> float:
-        """Answer how wide the part is when its boxes stand so far to the right."""
+        """Return how wide the part is when its boxes stand so far to the right."""
         return max(across[n] + self.sizes[n][0] / 2 for n in across) - self._start(across)
 
     def _start(self, across: Mapping[int, float]) -> float:
@@ -164,7 +164,7 @@ class _Part:
     def placed(
         self, across: Mapping[int, float], left: float, top: float, heights: Sequence[float]
     ) -> tuple[dict[int, Point], dict[int, Point], Size]:
-        """Answer the middle of each box, from where to where down its layer reaches, and the size of the part.
+        """Return the middle of each box, from where to where down its layer reaches, and the size of the part.
 
         ``heights`` has the height of each of its layers.
         """
@@ -181,7 +181,7 @@ class _Part:
         return [max(self.sizes[n][1] for n in layer) for layer in self.layers]
 
     def across(self) -> dict[int, float]:
-        """Answer how far to the right every box stands: sweep down and up until the layers lie well."""
+        """Return how far to the right every box stands: sweep down and up until the layers lie well."""
         above: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
         below: dict[int, list[tuple[int, float]]] = {n: [] for n in self.sizes}
         for upper, lower in self.links:
@@ -218,7 +218,7 @@ class _Part:
         return [gap(one, other) for one, other in itertools.pairwise(layer)]
 
     def ways(self, places: Mapping[int, Point], reach: Mapping[int, Point]) -> dict[tuple[int, int], tuple[Point, ...]]:
-        """Answer the points of every arrow: where it leaves its layer, enters and leaves each other, and arrives."""
+        """Return the points of every arrow: where it leaves its layer, enters and leaves each other, and arrives."""
         following = {upper: lower for upper, lower in self.links if upper >= self.boxes}
         ways = {}
         for upper, lower in self.links:
@@ -233,7 +233,7 @@ class _Part:
 
 
 def _settle(wishes: Sequence[float], weights: Sequence[float], gaps: Sequence[float]) -> list[float]:
-    """Answer the places closest to ``wishes`` (weighted squares) that keep the order and at least these ``gaps``."""
+    """Return the places closest to ``wishes`` (weighted squares) that keep the order and at least these ``gaps``."""
     offsets = [0.0, *itertools.accumulate(gaps)]
     blocks: list[list[float]] = []  # mean, weight, length
     for wish, weight, offset in zip(wishes, weights, offsets, strict=True):

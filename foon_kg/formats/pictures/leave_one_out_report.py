@@ -40,7 +40,7 @@ def leave_one_out_report(
     kitchen: Kitchen,
     planned: Callable[[VideoFigures], PlanResult],
 ) -> str:
-    """Answer the text of an HTML file: tables, charts, and the worst videos with both their trees.
+    """Return the text of an HTML file: tables, charts, and the worst videos with both their trees.
 
     ``planned`` makes the tree of a video once more, from the others: the figures do not hold them.
     """
@@ -72,7 +72,7 @@ def leave_one_out_report(
 
 
 def worst(videos: Sequence[VideoFigures]) -> tuple[VideoFigures, ...]:
-    """Answer the videos with a tree that have least in common with it: units, then graph, then by name."""
+    """Return the videos with a tree that have least in common with it: units, then graph, then by name."""
 
     def rank(video: VideoFigures) -> tuple[object, ...]:
         ours = video.overlaps[OURS]

@@ -13,7 +13,7 @@ _MOST_PIXELS = 60_000_000
 
 
 def png_of(svg: str, scale: float = 2.0) -> bytes:
-    """Answer ``svg`` as a PNG, on white, ``scale`` times as large where that is not too large."""
+    """Return ``svg`` as a PNG, on white, ``scale`` times as large where that is not too large."""
     root = ET.fromstring(svg)  # noqa: S314 - a picture that this program has just drawn
     pixels = float(root.get("width", "1")) * float(root.get("height", "1"))
     fitting = (_MOST_PIXELS / pixels) ** 0.5

@@ -40,7 +40,7 @@ class _Piece:
 
 
 def progress_svg(tree: ShownTree, width: float = WIDTH) -> str:
-    """Answer the text of an SVG file, ``width`` pixels wide, with the progress line of every ingredient of ``tree``."""
+    """Return the text of an SVG file, ``width`` pixels wide, with the progress line of every ingredient of ``tree``."""
     sheet = _Sheet(tree, width)
     bands = [sheet.band(line) for line in tree.lines]
     title = f"Progress of each ingredient: {tree.title}"

@@ -26,7 +26,7 @@ _MOST_CHANGES = 10
 
 
 def page(title: str, parts: Iterable[str]) -> str:
-    """Answer the text of an HTML file."""
+    """Return the text of an HTML file."""
     style = resources.files("foon_kg.formats.pictures").joinpath("report.css").read_text(encoding="utf-8")
     return (
         f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -38,17 +38,17 @@ def page(title: str, parts: Iterable[str]) -> str:
 
 
 def section(name: str, title: str, *parts: str) -> str:
-    """Answer a part of the page under a title; ``name`` is where a link leads to it."""
+    """Return a part of the page under a title; ``name`` is where a link leads to it."""
     return f'<section id="{name}">\n<h2>{words(title)}</h2>\n{"".join(parts)}</section>\n'
 
 
 def paragraph(text: str) -> str:
-    """Answer a paragraph of plain text."""
+    """Return a paragraph of plain text."""
     return f"<p>{words(text)}</p>\n"
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "") -> str:
-    """Answer a table of cells that are HTML already; ``kind`` is ``words`` where they are no figures."""
+    """Return a table of cells that are HTML already; ``kind`` is ``words`` where they are no figures."""
     top = "".join(f'<th scope="col">{words(name)}</th>' for name in head)
     body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>\n" for row in rows)
     marked = f' class="{kind}"' if kind else ""
@@ -56,25 +56,25 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "") ->
 
 
 def charts(*figures: tuple[str, str]) -> str:
-    """Answer charts beside one another, each with what it shows in words."""
+    """Return charts beside one another, each with what it shows in words."""
     shown = (f"<figure>{svg}<figcaption>{words(told)}</figcaption></figure>\n" for svg, told in figures)
     return f'<div class="charts">\n{"".join(shown)}</div>\n'
 
 
 def unfolded(summary: str, *parts: str, is_open: bool = False) -> str:
-    """Answer what is shown when its summary (HTML already) is clicked."""
+    """Return what is shown when its summary (HTML already) is clicked."""
     return f"<details{' open' if is_open else ''}>\n<summary>{summary}</summary>\n{''.join(parts)}</details>\n"
 
 
 def tree_picture(tree: ShownTree, kitchen: Kitchen, name: str) -> str:
-    """Answer a tree as a picture; ``name`` keeps its arrow heads apart from those of other pictures of the page."""
+    """Return a tree as a picture; ``name`` keeps its arrow heads apart from those of other pictures of the page."""
     svg = tree_svg(tree, kitchen).replace('id="way-end"', f'id="way-end-{name}"')
     svg = svg.replace("url(#way-end)", f"url(#way-end-{name})")
     return f'<div class="tree" tabindex="0" role="group" aria-label="{words(tree.title)}">{svg}</div>\n'
 
 
 def comparison_section(comparison: Comparison) -> str:
-    """Answer what changed since another evaluation, and whether that is more than chance."""
+    """Return what changed since another evaluation, and whether that is more than chance."""
     difference = comparison.difference
     told = (
         f"{comparison.verdict}: {100 * difference.mean:+.1f} points [{100 * difference.low:+.1f}, "
@@ -89,7 +89,7 @@ def comparison_section(comparison: Comparison) -> str:
 
 
 def agreement_section(agreement: Agreement) -> str:
-    """Answer how far people and the rule agree."""
+    """Return how far people and the rule agree."""
     kappa = "not defined" if agreement.kappa is None else f"{agreement.kappa:.2f}"
     told = (
         f"Linearly weighted Cohen's kappa {kappa}; the same score for {per_cent(agreement.same)} of "
@@ -102,7 +102,7 @@ def agreement_section(agreement: Agreement) -> str:
 
 
 def left_out_section(left_out: Sequence[LeftOut]) -> str:
-    """Answer the dish types that the FOON knows too little of; nothing where there are none."""
+    """Return the dish types that the FOON knows too little of; nothing where there are none."""
     if not left_out:
         return ""
     rows = [(words(dish.dish_type or "no dish type"), str(dish.goals), str(dish.asked)) for dish in left_out]
@@ -110,7 +110,7 @@ def left_out_section(left_out: Sequence[LeftOut]) -> str:
 
 
 def without_tree_section(asked: str, failed: Sequence[tuple[str, str, str]]) -> str:
-    """Answer for each that has no tree its name, its dish and why; nothing where there are none."""
+    """Return for each that has no tree its name, its dish and why; nothing where there are none."""
     if not failed:
         return ""
     rows = [tuple(map(words, one)) for one in failed]
@@ -118,7 +118,7 @@ def without_tree_section(asked: str, failed: Sequence[tuple[str, str, str]]) -> 
 
 
 def words(text: str) -> str:
-    """Answer text as HTML."""
+    """Return text as HTML."""
     return escape(writable(text))
 
 

@@ -13,11 +13,11 @@ from typing import Literal
 
 from foon_kg.formats.views.words import shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Mention, TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Mentioned, PlannedUnit
 
 _KITCHEN = -1
-_Stage = tuple[int, Mentioned]
+_Stage = tuple[int, Mention]
 """A thing as the unit at this place left it, or as it lies in the kitchen."""
 
 
@@ -34,7 +34,7 @@ class MotionBox:
     """A motion in the picture: the ``number`` of its step (from 1), and the ``tools`` that are folded into it."""
 
     number: int
-    unit: PlannedUnit
+    unit: TreeUnit
     tools: tuple[str, ...]
 
 
@@ -46,8 +46,8 @@ class Scene:
     arrows: tuple[tuple[int, int], ...]
 
 
-def scene_of(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
-    """Answer the scene of a tree whose ``units`` are in the order of execution.
+def scene_of(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen, *, folded: bool = True) -> Scene:
+    """Return the scene of a tree whose ``units`` are in the order of execution.
 
     ``folded`` leaves out what a person does not look for: utensils are named within the motion, vessels whose foods
     stand beside them and leftovers that nothing takes are not there. A unit always keeps an arrow to what follows.
@@ -93,17 +93,17 @@ def foods_of(scene: Scene, kitchen: Kitchen) -> tuple[frozenset[str], ...]:
     return tuple(map(of_box, scene.boxes))
 
 
-def _taken(unit: PlannedUnit) -> tuple[Mentioned, ...]:
-    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.taken))
+def _taken(unit: TreeUnit) -> tuple[Mention, ...]:
+    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.taken))
 
 
-def _made(unit: PlannedUnit) -> tuple[Mentioned, ...]:
-    return tuple(dict.fromkeys(one._replace(container=None) for one in unit.made))
+def _made(unit: TreeUnit) -> tuple[Mention, ...]:
+    return tuple(dict.fromkeys(one._replace(container_thing=None) for one in unit.made))
 
 
-def _takings(units: Sequence[PlannedUnit]) -> list[dict[Mentioned, int]]:
-    """Answer for every unit which unit made each of its inputs last."""
-    made: dict[Mentioned, int] = {}
+def _takings(units: Sequence[TreeUnit]) -> list[dict[Mention, int]]:
+    """Return for every unit which unit made each of its inputs last."""
+    made: dict[Mention, int] = {}
     takings = []
     for place, unit in enumerate(units):
         takings.append({one: made.get(one, _KITCHEN) for one in _taken(unit)})
@@ -111,7 +111,7 @@ def _takings(units: Sequence[PlannedUnit]) -> list[dict[Mentioned, int]]:
     return takings
 
 
-def _shown_inputs(unit: PlannedUnit, kitchen: Kitchen) -> list[Mentioned]:
+def _shown_inputs(unit: TreeUnit, kitchen: Kitchen) -> list[Mention]:
     shown = [node for node in shown_inputs(unit.input_nodes) if not _is_tool(node, kitchen)]
     return [one for one in _taken(unit) if one.node in shown]
 
@@ -121,9 +121,9 @@ def _is_tool(node: ObjectNode, kitchen: Kitchen) -> bool:
 
 
 def _keep_connected(
-    units: Sequence[PlannedUnit],
-    takings: Sequence[dict[Mentioned, int]],
-    shown: list[list[Mentioned]],
+    units: Sequence[TreeUnit],
+    takings: Sequence[dict[Mention, int]],
+    shown: list[list[Mention]],
     goal: ObjectNode,
 ) -> None:
     """Show a folded node where it is the only way on from a unit: a stove is turned on for somebody."""
@@ -139,11 +139,11 @@ def _keep_connected(
 
 @dataclass
 class _Drawing:
-    units: Sequence[PlannedUnit]
+    units: Sequence[TreeUnit]
     goal: ObjectNode
     kitchen: Kitchen
-    takings: Sequence[dict[Mentioned, int]]
-    shown: Sequence[Sequence[Mentioned]]
+    takings: Sequence[dict[Mention, int]]
+    shown: Sequence[Sequence[Mention]]
     boxes: list[ObjectBox | MotionBox] = field(default_factory=list)
     arrows: list[tuple[int, int]] = field(default_factory=list)
     made: dict[_Stage, int] = field(default_factory=dict)
@@ -164,7 +164,7 @@ class _Drawing:
         self.motions.append(motion)
         self.arrows += [(box, motion) for box in inputs]
 
-    def _input(self, place: int, one: Mentioned) -> int:
+    def _input(self, place: int, one: Mention) -> int:
         maker = self.takings[place][one]
         if maker == _KITCHEN:
             return self._add(ObjectBox(one.node, "kitchen"))
@@ -187,11 +187,11 @@ class _Drawing:
     def _made_later(self, place: int) -> bool:
         return any(self.goal in unit.output_nodes for unit in self.units[place + 1 :])
 
-    def _taken(self, place: int, one: Mentioned) -> bool:
+    def _taken(self, place: int, one: Mention) -> bool:
         later = range(place + 1, len(self.units))
         return any(self.takings[i].get(one) == place and one in self.shown[i] for i in later)
 
-    def _made(self, maker: int, one: Mentioned) -> int:
+    def _made(self, maker: int, one: Mention) -> int:
         stage = (maker, one)
         if stage not in self.made:
             last = one.node == self.goal and not self._made_later(maker)

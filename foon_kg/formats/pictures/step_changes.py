@@ -28,7 +28,7 @@ _DASHED = "5 3"
 
 
 def step_changes_svg(tree: ShownTree, changes: Sequence[StepChange]) -> str:
-    """Answer the text of an SVG file with the steps of both trees in two columns, joined where they are the same."""
+    """Return the text of an SVG file with the steps of both trees in two columns, joined where they are the same."""
     heights = [_ROW + (_NOTE if names(one) else 0) + 6 for one in changes]
     width = 2 * _EDGE + 2 * _COLUMN + _GAP
     root = picture(width, _HEAD + sum(heights) + _EDGE, f"Reference and final tree: {tree.title}")
@@ -51,7 +51,7 @@ def _draw(root: ET.Element, one: StepChange, top: float) -> None:
         _draw_step(root, one, _PAINT[one.change][0], (_EDGE, top), words)
     if one.after is not None:
         number, unit = one.after
-        words = (f"{number} {unit.motion_node}", handled(unit.input_nodes))
+        words = (f"{number} {unit.motion}", handled(unit.input_nodes))
         _draw_step(root, one, _PAINT[one.change][1], (right, top), words)
     if one.before is not None and one.after is not None:
         line = {"d": f"M{_EDGE + _COLUMN:.0f} {top + _ROW / 2:.1f}H{right:.0f}", "stroke-width": 1.3}

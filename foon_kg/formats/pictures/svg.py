@@ -67,12 +67,12 @@ class Line:
 
 
 def text_width(text: str, size: float = 12.0) -> float:
-    """Answer about how wide ``text`` is in a common sans serif font of this ``size``, in pixels."""
+    """Return about how wide ``text`` is in a common sans serif font of this ``size``, in pixels."""
     return size * sum(0.34 if c in _NARROW else 0.84 if c in _WIDE else 0.59 if c < "\u2e80" else 1.0 for c in text)
 
 
 def picture(width: float, height: float, title: str) -> ET.Element:
-    """Answer an empty picture with its paper, its name and its colours in the dark."""
+    """Return an empty picture with its paper, its name and its colours in the dark."""
     box = f"0 0 {number(width)} {number(height)}"
     root = ET.Element("svg", xmlns=_NAMESPACE, viewBox=box, width=number(width), height=number(height), role="img")
     root.set("font-family", FONT)
@@ -83,7 +83,7 @@ def picture(width: float, height: float, title: str) -> ET.Element:
 
 
 def dark_colours() -> str:
-    """Answer the style sheet that turns every colour to its dark one where the reader prefers the dark."""
+    """Return the style sheet that turns every colour to its dark one where the reader prefers the dark."""
     rules = [f".{kind}{{fill:{dark}}}" for kind, (_, dark) in _FILL.items()]
     rules += [f".{kind}{{stroke:{dark}}}" for kind, (_, dark) in _STROKE.items()]
     return f"@media (prefers-color-scheme: dark){{{''.join(rules)}}}"
@@ -126,20 +126,20 @@ def wrapped(text: str, width: float, size: float, most: int = 3) -> list[str]:
 
 
 def height_of(lines: Sequence[Line]) -> float:
-    """Answer how high lines are, one under the other."""
+    """Return how high lines are, one under the other."""
     return sum(line.size * 1.25 for line in lines)
 
 
 def number(value: float) -> str:
-    """Answer a number as SVG has it, to a tenth of a pixel."""
+    """Return a number as SVG has it, to a tenth of a pixel."""
     return f"{value:.1f}".removesuffix(".0")
 
 
 def writable(text: str) -> str:
-    """Answer ``text`` with what XML cannot hold (control characters) replaced by a sign for it."""
+    """Return ``text`` with what XML cannot hold (control characters) replaced by a sign for it."""
     return _UNWRITABLE.sub("\ufffd", text)
 
 
 def as_text(root: ET.Element) -> str:
-    """Answer the picture as the text of an SVG file."""
+    """Return the picture as the text of an SVG file."""
     return ET.tostring(root, encoding="unicode") + "\n"

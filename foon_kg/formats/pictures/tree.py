@@ -23,8 +23,8 @@ from foon_kg.formats.pictures.svg import (
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN
 from foon_kg.model import ObjectNode
+from foon_kg.model.claims import Substitution
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Substitution
 
 _TEXT_WIDTH = 150.0
 _EDGE = 24.0
@@ -43,9 +43,12 @@ _LEGEND = (
 )
 
 
-def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Answer the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
-    return as_text(_Picture.of(tree, kitchen, folded=folded).drawn())
+def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True, headed: bool = True) -> str:
+    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``.
+
+    Its title and legend are left out where it is not ``headed``: a page that moves the picture tells them beside it.
+    """
+    return as_text(_Picture.of(tree, kitchen, folded=folded, head=_HEAD if headed else _EDGE).drawn())
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,10 @@ class _Picture:
     layout: Layout
     phases: Sequence[int]
     foods: Sequence[frozenset[str]]
+    head: float
 
     @classmethod
-    def of(cls, tree: ShownTree, kitchen: Kitchen, *, folded: bool) -> _Picture:
+    def of(cls, tree: ShownTree, kitchen: Kitchen, *, folded: bool, head: float) -> _Picture:
         scene = scene_of(tree.units, tree.goal, kitchen, folded=folded)
         words = _Words(tree, set())
         texts = [words.of_motion(box) if isinstance(box, MotionBox) else words.of_object(box) for box in scene.boxes]
@@ -67,17 +71,21 @@ class _Picture:
         phases = phases_of(scene)
         layout = banded(sizes, scene.arrows, phases) if len(set(phases)) > 1 else None
         foods = foods_of(scene, kitchen)
-        return cls(tree, scene, texts, sizes, layout or layered(sizes, scene.arrows), phases if layout else (), foods)
+        placed = layout or layered(sizes, scene.arrows)
+        return cls(tree, scene, texts, sizes, placed, phases if layout else (), foods, head)
 
     def drawn(self) -> ET.Element:
         width, height = self.layout.size
-        wide = max(width, _legend_width(self.tree), text_width(self.tree.title, 18)) + 2 * _EDGE
-        root = picture(wide, height + _HEAD + _EDGE, f"Task tree: {self.tree.title}")
+        headed = self.head == _HEAD
+        told = max(_legend_width(self.tree), text_width(self.tree.title, 18)) if headed else 0.0
+        wide = max(width, told) + 2 * _EDGE
+        root = picture(wide, height + self.head + _EDGE, f"Task tree: {self.tree.title}")
         _arrow_head(root)
-        write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
-        _draw_legend(root, self.tree)
+        if headed:
+            write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
+            _draw_legend(root, self.tree)
         self._draw_bands(root, wide)
-        stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {_HEAD})")
+        stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {self.head:g})")
         for arrow in self.scene.arrows:
             self._draw_arrow(stage, arrow)
         for place in range(len(self.scene.boxes)):
@@ -87,7 +95,7 @@ class _Picture:
     def _draw_bands(self, root: ET.Element, wide: float) -> None:
         """Draw what is made ready, cooked and served as bands from side to side, each with its name."""
         ends = [
-            (phase, y + _HEAD - height / 2, y + _HEAD + height / 2)
+            (phase, y + self.head - height / 2, y + self.head + height / 2)
             for phase, (_, y), (_, height) in zip(
                 self.phases, self.layout.middles, self.sizes, strict=bool(self.phases)
             )
@@ -124,8 +132,8 @@ class _Picture:
     def _told(self, box: ObjectBox | MotionBox) -> str:
         if isinstance(box, ObjectBox):
             return str(box.node)
-        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.seen_in))
-        return f"{box.number}. {box.unit.motion_node}" + (f" (seen in {seen})" if seen else "")
+        seen = ", ".join(dict.fromkeys(one.video for one in box.unit.sightings))
+        return f"{box.number}. {box.unit.motion}" + (f" (seen in {seen})" if seen else "")
 
 
 @dataclass(frozen=True)
@@ -167,13 +175,13 @@ class _Words:
         return [Line(line, "aside", 11) for line in wrapped(f"with {names}", _TEXT_WIDTH, 11)]
 
     def of_motion(self, box: MotionBox) -> list[Line]:
-        lines = [Line(f"{box.number} {box.unit.motion_node}", "verb", 13, bold=True)]
+        lines = [Line(f"{box.number} {box.unit.motion}", "verb", 13, bold=True)]
         if box.tools:
             tools = wrapped(", ".join(box.tools), _TEXT_WIDTH, 10.5, most=2)
             lines += [Line(line, "aside", 10.5) for line in tools]
         labels = {node.label for node in box.unit.input_nodes}
         for one in self.tree.substitutions:
-            if (one.kind, one.required) == ("motion", box.unit.motion_node) and one.object in labels:
+            if (one.kind, one.required) == ("motion", box.unit.motion) and one.object in labels:
                 lines += self._once(one)
         return lines
 
@@ -205,7 +213,7 @@ def _name_foods(drawn: ET.Element, foods: Collection[str]) -> None:
 
 
 def _curve(points: Sequence[Point]) -> str:
-    """Answer a path that leaves and enters every point straight down."""
+    """Return a path that leaves and enters every point straight down."""
     path, (x, y) = [f"M{number(points[0][0])} {number(points[0][1])}"], points[0]
     for to_x, to_y in points[1:]:
         if to_y - y < _NOTHING:
@@ -228,7 +236,7 @@ def _arrow_head(root: ET.Element) -> None:
 
 
 def _legend(tree: ShownTree) -> Sequence[tuple[str, str]]:
-    """Answer what a reader of this tree meets; FOON text is as it is."""
+    """Return what a reader of this tree meets; FOON text is as it is."""
     origins = {unit.origin for unit in tree.units}
     there = {
         "kitchen": True,

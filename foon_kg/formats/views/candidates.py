@@ -17,7 +17,7 @@ _MOST_VIDEOS = 2
 
 
 def candidates_view(goal: Goal, found: Enumeration, exact: ReferenceTree) -> RenderableType:
-    """Answer the best of the trees that were found with their scores, when looking ended, and what the search says."""
+    """Return the best of the trees that were found with their scores, when looking ended, and what the search says."""
     parts: list[RenderableType] = [Text.assemble("The reference trees of ", node_words(goal.node)), _table(found)]
     if found.found[MOST_SHOWN:]:
         parts.append(Text(f"… and {len(found.found) - MOST_SHOWN} more (--json has them all)", ASIDE))
@@ -36,7 +36,7 @@ def _table(found: Enumeration) -> Table:
 
 
 def _videos(tree: ReferenceTree) -> str:
-    """Answer from how many units of which videos a tree is made, each unit counted for the first that has it."""
+    """Return from how many units of which videos a tree is made, each unit counted for the first that has it."""
     counts = Counter(known.seen_in[0].video for known in tree.units if known.seen_in)
     ranked = sorted(counts.items(), key=lambda row: (-row[1], row[0]))
     rest = f", {len(ranked) - _MOST_VIDEOS} more" if ranked[_MOST_VIDEOS:] else ""

@@ -17,7 +17,7 @@ _GOES_ON = "is there as it is; loading it again changes nothing"
 
 
 def difference_view(one: VideoDifference, *, units: bool) -> RenderableType:
-    """Answer what one video changes; with ``units`` each of them, not only how many."""
+    """Return what one video changes; with ``units`` each of them, not only how many."""
     counts = (
         (len(one.added), "new"),
         (len(one.shared), "known from other videos"),
@@ -39,7 +39,7 @@ def difference_view(one: VideoDifference, *, units: bool) -> RenderableType:
 
 
 def difference_json(one: VideoDifference) -> dict[str, object]:
-    """Answer the same as one object of JSON."""
+    """Return the same as one object of JSON."""
     return {
         "video": one.name,
         "status": str(one.status),

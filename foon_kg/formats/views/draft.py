@@ -16,7 +16,7 @@ _FEW = 0.25
 
 
 def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: bool = False) -> RenderableType:
-    """Answer the rows of ``draft`` in their order, or the least sure first, and what is missing to execute it."""
+    """Return the rows of ``draft`` in their order, or the least sure first, and what is missing to execute it."""
     rows = sorted(draft.rows, key=_sureness) if worst_first else draft.rows
     lines: list[RenderableType] = []
     for row in rows:
@@ -33,7 +33,7 @@ def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: boo
 
 
 def draft_json(draft: DraftFile, missing: Sequence[Missing]) -> dict[str, object]:
-    """Answer the same as one object of JSON."""
+    """Return the same as one object of JSON."""
     return {
         "file": draft.path,
         "rows": [

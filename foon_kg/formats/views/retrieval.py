@@ -16,7 +16,7 @@ _LEVELS = {1: "objects alone", 2: "objects with their states", 3: "objects with 
 
 
 def retrieval_view(tree: RetrievalResult) -> RenderableType:
-    """Answer what the tree makes, how good it is, its steps and what has to be in the kitchen."""
+    """Return what the tree makes, how good it is, its steps and what has to be in the kitchen."""
     kitchen = in_a_row(map(node_words, tree.kitchen), " · ")
     return Group(_header(tree), _section("Steps", _steps(tree)), _section("Kitchen", kitchen))
 

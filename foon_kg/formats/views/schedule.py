@@ -8,17 +8,19 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.shown_tree import ShownTree
-from foon_kg.formats.views.words import ASIDE, handled, motion_words, node_words
+from foon_kg.formats.views.words import ASIDE, node_words
 from foon_kg.model import ObjectNode
 from foon_kg.plans.durations import Duration
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import Schedule, ScheduledStep
 
 HANDS = ("cyan", "yellow", "magenta", "blue")
 
 
 def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
-    """Answer a table of the steps by their start: when, whose hands, what, and how sure the time is."""
+    """Return a table of the steps by their start: when, whose hands, what, and how sure the time is."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, collapse_padding=True, pad_edge=False)
     timed = plan.known_until > 0
     for title, justify in (("from", "right"), ("to", "right")) if timed else ():
@@ -32,12 +34,12 @@ def schedule_view(tree: ShownTree, plan: Schedule) -> RenderableType:
     return Group(*parts, *([Text(CAUTION, ASIDE)] if plan.untimed < len(plan.steps) else []))
 
 
-CAUTION = "Times are the medians of what videos show. Videos cut short what cooks by itself."
+CAUTION = "Times are the medians of what videos show. They cut short what cooks, rises or cools: that has no time here."
 UNKNOWN = "unknown"
 
 
 def summary(plan: Schedule) -> str:
-    """Answer in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
+    """Return in a sentence how long the schedule is, and how good; where steps were never timed, that nobody knows."""
     if plan.untimed:
         return _untimed(plan)
     pairs = "one pair of hands" if plan.hands == 1 else f"{plan.hands} pairs of hands"
@@ -50,9 +52,9 @@ def _untimed(plan: Schedule) -> str:
     if plan.untimed == count:
         return f"How long it takes is unknown: no video of this FOON times any of its {count} steps."
     alone = sum(step.duration.median for step in plan.steps if step.duration is not None)
+    untimed = f"{plan.untimed} of its {count} steps"
     return (
-        f"How long it takes is unknown: {plan.untimed} of {count} steps were never timed; "
-        f"the others take {clock(alone)} one after the other."
+        f"How long it takes is unknown: nothing tells how long {untimed} take. The others take {clock(alone)} in all."
     )
 
 
@@ -61,17 +63,19 @@ def _when(plan: Schedule, seconds: float) -> str:
 
 
 def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> RenderableType:
-    """Answer what to buy, one food a line."""
+    """Return what to buy, one food a line."""
     return Group(*(node_words(food, unseen) for food in foods))
 
 
 def clock(seconds: float) -> str:
-    """Answer a time as minutes and seconds: 1:05."""
+    """Return a time as minutes and seconds: 1:05."""
     return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
 
 
 def seen_words(duration: Duration) -> str:
-    """Answer how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    """Return how often a motion was seen, and for how long mostly: ``14 times, 3 to 20 s``."""
+    if not duration.sightings:
+        return f"{clock(duration.median)}, as a recipe says"
     times = "once" if duration.sightings == 1 else f"{duration.sightings} times"
     low, high = f"{duration.low:.0f}", f"{duration.high:.0f}"
     return f"{times}, {low if low == high else f'{low} to {high}'} s"
@@ -84,8 +88,8 @@ def _hands(step: ScheduledStep) -> Text:
 
 
 def _step(tree: ShownTree, step: ScheduledStep) -> Text:
-    unit = tree.units[step.place]
-    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+    said = sentence(tree.units[step.place].as_unit(), Kitchen.default())
+    return Text.assemble((f"{step.place + 1} ", ASIDE), said.rstrip("."))
 
 
 def _seen(duration: Duration | None) -> Text:

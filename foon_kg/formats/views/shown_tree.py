@@ -6,10 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
+from foon_kg.formats.views.lives import lives
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
+from foon_kg.model.claims import Substitution
+from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, progress_lines
-from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 
 @dataclass(frozen=True)
@@ -21,7 +24,7 @@ class ShownTree:
     """
 
     title: str
-    units: tuple[PlannedUnit, ...]
+    units: tuple[TreeUnit, ...]
     goal: ObjectNode
     kitchen: tuple[ObjectNode, ...]
     lines: tuple[ProgressLine, ...]
@@ -39,7 +42,7 @@ class ShownTree:
         source = subgraph.sources[0] if subgraph.sources else None
         units = tuple(
             replace(
-                PlannedUnit.of(
+                TreeUnit.of(
                     note.unit, "foon", (Sighting(subgraph.name, i, source, note.timing.start, note.timing.end),)
                 ),
                 measures=note.measures,
@@ -51,6 +54,10 @@ class ShownTree:
         goal = marked[-1] if marked else subgraph.annotations[-1].unit.output_nodes[0]
         leaves = leaves_of(units)
         return cls(subgraph.name, units, goal, leaves, _lines_of_leaves(units, goal, leaves))
+
+    def told_once(self) -> Self:
+        """Return it with what several foods become part of in a line of its own."""
+        return replace(self, lines=lives(self.lines))
 
     @property
     def substitutions(self) -> tuple[Substitution, ...]:
@@ -64,18 +71,8 @@ class ShownTree:
         return {one.object: one for one in sorted(found, key=lambda one: one.confidence)}
 
 
-def leaves_of(units: tuple[PlannedUnit, ...]) -> tuple[ObjectNode, ...]:
-    """Answer the inputs that no earlier unit outputs, in the order in which they are first taken."""
-    made: set[ObjectNode] = set()
-    leaves: dict[ObjectNode, None] = {}
-    for unit in units:
-        leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in made))
-        made.update(unit.output_nodes)
-    return tuple(leaves)
-
-
 def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
-    """Answer the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
+    """Return the progress lines with the mixtures named that each food became part of: JSON has no field for them."""
     if any(step.object for line in result.progress_lines for step in line.steps):
         return result.progress_lines
     kitchen = Kitchen.default().with_foods(wanted.object for wanted in result.recipe.ingredients)
@@ -86,7 +83,7 @@ def _named_lines(result: PlanResult) -> tuple[ProgressLine, ...]:
 
 
 def _lines_of_leaves(
-    units: tuple[PlannedUnit, ...], goal: ObjectNode, leaves: tuple[ObjectNode, ...]
+    units: tuple[TreeUnit, ...], goal: ObjectNode, leaves: tuple[ObjectNode, ...]
 ) -> tuple[ProgressLine, ...]:
     kitchen = Kitchen.default()
     foods = dict.fromkeys(node.label for node in leaves if kitchen.is_food(node) and not kitchen.is_free(node.label))

@@ -18,7 +18,7 @@ _MOST_NAMES = 5
 
 
 def step_changes_view(tree: ShownTree, changes: Sequence[StepChange]) -> RenderableType:
-    """Answer the steps of both trees side by side, and what is in the one but not in the other."""
+    """Return the steps of both trees side by side, and what is in the one but not in the other."""
     table = Table(box=None, padding=(0, 1), header_style=ASIDE, pad_edge=False, collapse_padding=True)
     for title in ("", "reference", "this tree", ""):
         table.add_column(title)
@@ -29,13 +29,13 @@ def step_changes_view(tree: ShownTree, changes: Sequence[StepChange]) -> Rendera
 
 
 def totals(changes: Sequence[StepChange]) -> str:
-    """Answer how many steps were kept, changed, left out and added."""
+    """Return how many steps were kept, changed, left out and added."""
     count = Counter(one.change for one in changes)
     return ", ".join(f"{count[change]} {change}" for change in ("kept", "changed", "left out", "added")) + "."
 
 
 def names(one: StepChange) -> str:
-    """Answer what a changed step lost and won, as in ``- lettuce  + endive``."""
+    """Return what a changed step lost and won, as in ``- lettuce  + endive``."""
     signs = ((sign, some) for sign, some in (("-", one.gone), ("+", one.come)) if some)
     return "  ".join(
         f"{sign} {', '.join(some[:_MOST_NAMES])}{' …' * (len(some) > _MOST_NAMES)}" for sign, some in signs
@@ -56,4 +56,4 @@ def _after(one: StepChange) -> Text:
     if one.after is None:
         return Text()
     number, unit = one.after
-    return Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion_node), " ", handled(unit.input_nodes))
+    return Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))

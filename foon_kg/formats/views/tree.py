@@ -12,6 +12,8 @@ from rich.table import Table
 from rich.text import Text
 
 from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.substitution import done_like, handled
+from foon_kg.formats.views.lives import lives
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
     ALARM,
@@ -29,23 +31,25 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.claims import Substitution
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
-from foon_kg.plans.result import PlannedUnit, PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 WIDE = 140
 """From so many columns on, what belongs to the steps stands beside them."""
 
 
 def plan_view(result: PlanResult) -> RenderableType:
-    """Answer the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
+    """Return the whole of a plan: what it makes, the steps, the kitchen, what was substituted or assumed, the lines."""
     return tree_view(ShownTree.of_result(result))
 
 
 def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     """Return the same of any tree, as far as it is known; its steps as sentences, or ``as_units`` of the FOON."""
     unseen = frozenset(tree.unseen)
-    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in tree.kitchen), " · "))]
+    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))]
     if tree.substitutions:
         rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
     if tree.result and tree.result.assumptions:
@@ -53,7 +57,7 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     if tree.result and tree.result.passed_over:
         rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
     if tree.lines:
-        rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
+        rest.append(_section("Progress of each ingredient", _progress(lives(tree.lines), unseen)))
     if unseen and not as_units:
         rest.append(Padding(Text(f"{UNSEEN_SIGN} no video of this FOON has it", ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
@@ -61,8 +65,16 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
 
 
+def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
+    """Yield what has to be there; a packet is told by what is sold in it."""
+    within = {(node.label, node.container) for node in kitchen}
+    for node in kitchen:
+        if not node.ingredients or not all((food, node.label) in within for food in node.ingredients):
+            yield node
+
+
 def progress_view(tree: ShownTree) -> RenderableType:
-    """Answer the progress line of every ingredient."""
+    """Return the progress line of every ingredient."""
     return _progress(tree.lines, frozenset(tree.unseen))
 
 
@@ -85,7 +97,7 @@ class _Beside:
 
 
 def dish_name(recipe: Recipe) -> str:
-    """Answer what to call a recipe: its title, else its id, else its dish type."""
+    """Return what to call a recipe: its title, else its id, else its dish type."""
     return recipe.title or recipe.id or recipe.dish_type
 
 
@@ -110,7 +122,9 @@ def _asked(wanted: RequiredIngredient) -> Text:
 
 def _reference(result: PlanResult) -> Text:
     reference = result.reference
-    proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
+    proven = (
+        "proven: no shorter way, and none that takes more of them" if reference.exact else "the best one found in time"
+    )
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
     seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
     if reference.draft_confidence is None:
@@ -127,13 +141,13 @@ def _plain_header(tree: ShownTree) -> RenderableType:
     return table
 
 
-def _sentences(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+def _sentences(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     """Return each step as a sentence for a cook."""
     kitchen = Kitchen.default()
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     for number, unit in enumerate(units, start=1):
-        text = Text(_marked(sentence(unit.as_unit(), kitchen, unit.measures), unseen))
+        text = Text(_marked(sentence(unit, kitchen, unit.measures), unseen))
         text.highlight_words([f"{UNSEEN_SIGN}{name}" for name in unseen], UNSEEN, case_sensitive=False)
         table.add_row(str(number), _with_source(text, unit))
     return table
@@ -148,7 +162,7 @@ def _marked(told: str, unseen: frozenset[str]) -> str:
     return told
 
 
-def _with_source(text: Text, unit: PlannedUnit) -> Text:
+def _with_source(text: Text, unit: TreeUnit) -> Text:
     if unit.origin == "foon" or not unit.seen_in:
         return text
     alone = unit.grounding == "motion" and any(map(Kitchen.default().is_food, unit.input_nodes))
@@ -156,7 +170,7 @@ def _with_source(text: Text, unit: PlannedUnit) -> Text:
     return text.append(f"  [{how} {unit.seen_in[0].video}]", ASIDE)
 
 
-def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
+def _units(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     told: set[tuple[str, tuple[str, ...]]] = set()
@@ -165,8 +179,8 @@ def _units(units: Sequence[PlannedUnit], unseen: frozenset[str]) -> Table:
     return table
 
 
-def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
-    """Answer what goes in, what is done and what comes out; what something holds is told once (``told``)."""
+def _step(unit: TreeUnit, unseen: frozenset[str], told: set[tuple[str, tuple[str, ...]]]) -> Text:
+    """Return what goes in, what is done and what comes out; what something holds is told once (``told``)."""
 
     def words(node: ObjectNode) -> Text:
         contents = (node.label, node.ingredients)
@@ -176,7 +190,7 @@ def _step(unit: PlannedUnit, unseen: frozenset[str], told: set[tuple[str, tuple[
 
     taken = in_a_row(map(words, shown_inputs(unit.input_nodes)), " + ")
     made = in_a_row(map(words, shown_outputs(unit.output_nodes)), " + ")
-    return _with_source(Text.assemble(taken, " → ", motion_words(unit.motion_node), " → ", made), unit)
+    return _with_source(Text.assemble(taken, " → ", motion_words(unit.motion), " → ", made), unit)
 
 
 def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
@@ -189,11 +203,11 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 def _substitution(one: Substitution) -> Text:
     if one.for_want:
-        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {one.how}", ALARM))
+        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {handled(one)}", ALARM))
     if one.kind == "object":
-        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {one.how}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {handled(one)}")
     else:
-        text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
+        text = Text(done_like(one))
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
     return text.append(f"  or {others}", ASIDE) if others else text
 
@@ -217,7 +231,7 @@ def _line(line: ProgressLine, unseen: frozenset[str]) -> RenderableType:
 
 
 def _stages(line: ProgressLine) -> Iterator[Text]:
-    """Answer each stage and the motion that ends it; what the food has become part of is named where that changes."""
+    """Yield each stage and the motion that ends it; what the food has become part of is named where that changes."""
     name = line.ingredient
     for step in line.steps:
         stage = stage_words(step.states, step.relation, step.container)

@@ -23,7 +23,7 @@ EMPTY = "empty"
 
 
 def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool = True) -> Text:
-    """Answer ``onion (chopped, on cutting board)``; a food of ``unseen`` is marked as one that FOON has not seen so."""
+    """Return ``onion (chopped, on cutting board)``; a food of ``unseen`` is marked as one that FOON has not seen so."""
     words = [Text(state, STATE) for state in node.states]
     words += _contents(node, unseen) if contents else []
     words += _place(node.relation, node.container)
@@ -32,22 +32,22 @@ def node_words(node: ObjectNode, unseen: Collection[str] = (), *, contents: bool
 
 
 def food_words(label: str, unseen: Collection[str] = ()) -> Text:
-    """Answer the name of a food or utensil."""
+    """Return the name of a food or utensil."""
     return Text(UNSEEN_SIGN + label, UNSEEN) if label in unseen else Text(label)
 
 
 def stage_words(states: Sequence[str], relation: str | None, container: str | None) -> Text:
-    """Answer ``chopped, on cutting board``: how and where something is."""
+    """Return ``chopped, on cutting board``: how and where something is."""
     return in_a_row([Text(state, STATE) for state in states] + _place(relation, container), ", ")
 
 
 def motion_words(motion: str) -> Text:
-    """Answer a motion as it stands between what it takes and what it makes."""
+    """Return a motion as it stands between what it takes and what it makes."""
     return Text(motion.upper(), MOTION)
 
 
 def in_a_row(words: Iterable[Text], between: str) -> Text:
-    """Answer ``words`` with something plain between them, each in its own colour."""
+    """Return ``words`` with something plain between them, each in its own colour."""
     return Text(between).join(words)
 
 
@@ -63,7 +63,7 @@ def shown_outputs(nodes: Sequence[ObjectNode]) -> list[ObjectNode]:
 
 
 def handled(inputs: Sequence[ObjectNode]) -> str:
-    """Answer what a step with these ``inputs`` is about: the foods, and what holds some; where none are, everything."""
+    """Return what a step with these ``inputs`` is about: the foods, and what holds some; where none are, everything."""
     kitchen = Kitchen.default()
     nodes = shown_inputs(inputs)
     foods = [node for node in nodes if kitchen.is_food(node) or kitchen.foods_in(node)]

@@ -26,10 +26,15 @@ class Bringing:
         """Return a unit that brings one food; none where nobody knows where to."""
         nodes, scene = self.maker.nodes, self.maker.scene
         told = nodes.utensil_place(action)
-        before = nodes.there(mention, like, evidence, away_from=told)
+        before = nodes.there(mention, like, evidence, away_from=told, brought=True)
         target = nodes.target(action, mention, like, before, evidence)
         tools = nodes.tools(action, like, [target or "", before.container or ""])
         left, gone = nodes.sources([before]) if before.container != target else ([], [])
+        if target is None and before.container in _containers(like):
+            target = before.container  # thrown away once more
+        if target is not None and target == before.container:
+            into = nodes.vessel(target)
+            return [self.maker.unit(action, motion, [into, before], [into, before], evidence)]
         if target is None:
             after = replace(before, relation=None, container=None)
             return [self.maker.unit(action, motion, [*left, before, *tools], [*gone, after], evidence)]
@@ -55,3 +60,7 @@ class Bringing:
         if onto.container is not None and self.maker.nodes.in_utensil(onto):
             scene.focus = onto.container
         return [onto, *inputs], [covered, *gone]
+
+
+def _containers(like: Precedents) -> tuple[str | None, ...]:
+    return (like.place_after()[0][1],) if like.rows else ()

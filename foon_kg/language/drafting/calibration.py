@@ -18,7 +18,7 @@ _LEAST = 0.005
 
 
 def probability(evidence: float, *, parsed: bool) -> float:
-    """Answer how likely a unit is right in its motion, its main object and all the states of that object.
+    """Return how likely a unit is right in its motion, its main object and all the states of that object.
 
     ``evidence`` is the product of the shares that speak for it, 0 to 1; ``parsed`` says that it was told in sentences.
 

@@ -11,13 +11,15 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.words import words
 from foon_kg.language.drafting.calibration import probability
 from foon_kg.language.drafting.drafts import Draft, DraftUnit, LeftOut
+from foon_kg.language.drafting.hands import brings_back, takes
 from foon_kg.language.drafting.larder import Larder
 from foon_kg.language.drafting.naming import rename, renamed
 from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.referents import Referents
 from foon_kg.language.drafting.scene import Scene
-from foon_kg.language.drafting.units import UnitDrafter
+from foon_kg.language.drafting.told_states import done
+from foon_kg.language.drafting.units import COVERED, UnitDrafter
 from foon_kg.language.drafting.verbs import Reading
 from foon_kg.model import DISH_TYPES, Annotation, FunctionalUnit, Participant
 from foon_kg.model.names import canonical
@@ -32,11 +34,13 @@ _ROOM = word_list("belongs to the room")
 """What belongs to the room and not to the dish; no FOON has it."""
 _CHILL = "refrigerate"
 _PREPARES_A_VESSEL = frozenset({"coat", "cover"})
+_INTO = frozenset({"in", "into", "inside", "on", "onto"})
+_PUT_IT = re.compile(r"[\w-]+\s+(?:(?:it|them|this|that)\s+)?(?:in|into|inside|on|onto)\s", re.IGNORECASE)
 _RELATIONS = re.compile(r"\b(?:attached to|covered with|covered|below|under|over|with|from|on|in)\b")
 
 
 def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | None = None) -> Draft:
-    """Answer the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
+    """Return the draft of ``narration`` (its ``actions``); ``dish_type`` marks the last thing made as the goal.
 
     Every action gives units, or is left out and told why. The same narration and FOON give the same draft.
     """
@@ -52,7 +56,7 @@ def draft(narration: Narration, precedents: FoonPrecedents, *, dish_type: str | 
 
 
 def _calibrated(row: DraftUnit | LeftOut, *, parsed: bool) -> DraftUnit | LeftOut:
-    """Answer ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
+    """Return ``row`` with a probability, in hundredths, in place of the shares that speak for it."""
     if isinstance(row, LeftOut):
         return row
     return replace(row, confidence=round(probability(row.confidence, parsed=parsed), 2))
@@ -68,6 +72,7 @@ class _Drafter:
         self._precedents = precedents
         self._kitchen = precedents.kitchen
         self._scene = Scene(precedents.kitchen)
+        self._free = free
         self._units = UnitDrafter(NodeDrafter(precedents, self._scene), free=free)
         self._referents = Referents(precedents, self._scene, title if free else None, larder=larder)
 
@@ -81,28 +86,48 @@ class _Drafter:
                 self._scene.coming.setdefault(name, changing[0])
 
     def rows(self, action: NarratedAction) -> Sequence[DraftUnit | LeftOut]:
-        """Answer the units of one action."""
+        """Return the units of one action."""
+        if (held := self._taken(action)) is not None:
+            return (held,)
         reading = self._precedents.verbs.reading(action.verb)
+        self._look_at_fixtures(action, reading)
         if not reading.motions and self._keeps_cold(action):
             action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         if not reading.motions:
-            if action.origin and action.objects:  # it is held until somebody says where it is put
-                origin = self._known_as(plain_name(action.origin))
-                self._scene.taken[canonical(self._known_as(plain_name(action.objects[0].name)))] = origin
             return (LeftOut(action.said, f"{reading.why}: left out", action.timing),)
         if len(action.objects) > _MOST_OBJECTS:
             reason = f"{len(action.objects)} objects are no one action: left out"
             return (LeftOut(action.said, reason, action.timing),)
-        plain = self._plain(action)
+        plain = self._put_there(self._plain(action), reading)
         if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
             reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
             return (LeftOut(action.said, reason, action.timing),)
-        drafted = tuple(row if _changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
+        drafted = tuple(row if self._changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
         return drafted or (
             LeftOut(action.said, f"nobody says what “{action.verb}” is done to: left out", action.timing),
         )
 
+    def _taken(self, action: NarratedAction) -> LeftOut | None:
+        """Hold what an action takes; it gives a unit when somebody says where it is put, or does something with it."""
+        if not (action.objects and takes(action.verb)):
+            return None
+        if self._free and self._precedents.verbs.reading(action.verb).motions:
+            return None  # of recipes: a cake is taken out of the oven
+        origin = self._known_as(plain_name(action.origin)) if action.origin else None
+        names = [self._known_as(plain_name(one.name)) for one in action.objects]
+        for name in names:
+            self._scene.hands.take(name, origin)
+        return LeftOut(action.said, f"{names[0]} is held until it is put somewhere: left out", action.timing)
+
+    def _look_at_fixtures(self, action: NarratedAction, reading: Reading) -> None:
+        does = tables().motion(next(iter(reading.motions), "")).does
+        for one in action.objects if not does.isdisjoint({"open", "close"}) else ():
+            self._scene.hands.see(self._known_as(plain_name(one.name)), opened="open" in does)
+
     def _drafted(self, action: NarratedAction, reading: Reading) -> Sequence[DraftUnit]:
+        if not action.places and brings_back(action.verb, action.said):
+            homes = [self._scene.hands.place_of(one.name) for one in action.objects[:1]]
+            action = replace(action, places=tuple(Place("in", home) for home in homes if home is not None))
         places = self._referents.places(action)
         action, reading = self._with_appliances(replace(action, places=places), reading)
         places = action.places
@@ -113,7 +138,8 @@ class _Drafter:
             objects = tuple(replace(one, name=name) if one.name == label else one for one in objects)
             places = tuple(replace(one, name=name) if one.name == label else one for one in places)
         self._referents.called.clear()
-        if not objects or (not action.objects and not places and all(map(motions.transfers, reading.motions))):
+        unsaid = not action.objects and not places and action.verb not in COVERED
+        if not objects or (unsaid and all(map(motions.transfers, reading.motions))):
             return ()
         foods = [one for one in objects if not self._kitchen.is_utensil(one.name)]
         motion = self._precedents.motion(reading.motions, objects[0].name)
@@ -126,6 +152,11 @@ class _Drafter:
         doubts = (*doubts, *([reading.why] if reading.why else ()))
         action = replace(action, objects=tuple(foods or objects), places=places)
         return self._units.units(action, motion, reading.confidence, doubts)
+
+    def _changes(self, row: DraftUnit) -> bool:
+        """Whether anything is otherwise after a unit than before it, or a food is by itself no more."""
+        before, after = (set(side) for side in (row.annotation.unit.input_nodes, row.annotation.unit.output_nodes))
+        return not after <= before or any(self._kitchen.is_food(node) for node in before - after)
 
     def _keeps_cold(self, action: NarratedAction) -> bool:
         """Whether something is kept in what cools."""
@@ -145,7 +176,7 @@ class _Drafter:
         if not named or (all(self._kitchen.is_utensil(one.name) for one in action.objects) and action.objects):
             return action, reading
         row, motion = rows[named[0]], next(iter(reading.motions), "")
-        if row is not None and row.source == "cold" and not tables().motion(motion).source:
+        if self._free and row is not None and row.source == "cold" and not tables().motion(motion).source:
             action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         elif not tables().motion(motion).source:
             return action, reading
@@ -157,27 +188,30 @@ class _Drafter:
         return known not in self._precedents.labels and not {known, known.split()[-1]}.isdisjoint(_ROOM)
 
     def _plain(self, action: NarratedAction) -> NarratedAction:
-        """Answer ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
+        """Return ``action`` with names that a table of units can hold, and with utensils where utensils belong."""
         objects = [Mention(self._known_as(plain_name(one.name)), one.states) for one in action.objects]
         objects = [one for one in objects if one.name]
         instruments = list(filter(None, (self._known_as(plain_name(name)) for name in action.instruments)))
-        foods = [name for name in instruments if not self._kitchen.is_utensil(name)]  # fill a bowl with water
+        tools = {name for name in instruments if self._kitchen.is_utensil(name) or self._is_of_the_room(name)}
+        foods = [name for name in instruments if name not in tools]  # fill a bowl with water
         objects += [Mention(name) for name in foods]
         utensils = [one.name for one in objects if self._kitchen.is_utensil(one.name)]
         if len(utensils) < len(objects):
             objects = [one for one in objects if one.name not in utensils]
         else:
             utensils, objects = utensils[1:], objects[:1]
-        tools = [name for name in utensils if self._precedents.is_tool(name)]
+        used = [name for name in utensils if self._precedents.is_tool(name)]
+        if objects and all(self._is_of_the_room(one.name) for one in objects):
+            objects = [Mention(name) for name in map(self._switched, action.places) if name] or objects
         places = [Place(place.relation, self._known_as(plain_name(place.name))) for place in action.places]
-        places += [Place("", name) for name in utensils if name not in tools]
+        places += [Place("", name) for name in utensils if name not in used]
         return replace(
             action,
             objects=tuple(objects),
             places=tuple(place for place in places if place.name),
             origin=plain_name(action.origin or "") or None,
             product=plain_name(action.product or "") or None,
-            instruments=(*(name for name in instruments if name not in foods), *tools),
+            instruments=(*(name for name in instruments if name not in foods), *used),
         )
 
     def _known_as(self, name: str) -> str:
@@ -185,20 +219,44 @@ class _Drafter:
         words = name.split()
         ends = (" ".join(words[place:]) for place in range(1, len(words)))
         if self._kitchen.is_utensil(name) or canonical(name) in self._precedents.labels:
-            return name
+            return self._precedents.appliance(name)
         listed = tables().foods.is_listed(singular(name))
         return name if listed else next((end for end in ends if self._kitchen.is_utensil(end)), name)
 
+    def _put_there(self, action: NarratedAction, reading: Reading) -> NarratedAction:
+        """Return an action of a table whose only noun is where a thing is put: "put it on the shelf"."""
+        _, _, particle = action.verb.replace("-", " ").partition(" ")
+        objects = action.objects
+        if self._free or len(objects) != 1 or action.places or particle not in _INTO:
+            return action
+        if _PUT_IT.match(action.said) is None:
+            return action
+        row = tables().utensil(objects[0].name)
+        if row is None or row.role not in {"vessel", "place"} or not motions.transfers(reading.motions[0]):
+            return action
+        held = self._scene.hands.latest()
+        named = () if held is None else (Mention(held),)
+        return replace(action, objects=named, places=(Place(particle, objects[0].name),))
 
-def _changes(row: DraftUnit) -> bool:
-    """Whether anything is otherwise after a unit than before it."""
-    unit = row.annotation.unit
-    return not {one.node for one in unit.outputs} <= {one.node for one in unit.inputs}
+    def _switched(self, place: Place) -> str | None:
+        """Return the appliance that is meant where "the heat on the oven" is turned off."""
+        name = self._known_as(plain_name(place.name))
+        row = tables().utensil(name)
+        return name if row is not None and row.role == "appliance" else None
 
 
 def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
-    reason = f"nothing is said that {row.annotation.unit.motion} would change: left out"
-    return LeftOut(action.said, reason, action.timing)
+    """Return why a unit is left out that changes nothing, as far as anybody knows."""
+    unit, name = row.annotation.unit, action.objects[0].name if action.objects else ""
+    node = next((one for one in unit.output_nodes if canonical(one.label) == canonical(name)), None)
+    told = done(action.verb)
+    reason = f"nothing is said that {unit.motion} would change"
+    if node is not None and motions.transfers(unit.motion):
+        known = f"{node.label} is {node.relation} the {node.container} already"
+        reason = known if node.container else f"nobody says where {node.label} comes from or goes to"
+    elif node is not None and told in node.states:
+        reason = f"{node.label} is {told} already"
+    return LeftOut(action.said, f"{reason}: left out", action.timing)
 
 
 def _dish_of(name: str) -> str:
@@ -208,7 +266,7 @@ def _dish_of(name: str) -> str:
 
 
 def plain_name(name: str) -> str:
-    """Answer ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
+    """Return ``name`` without what no label can have: brackets, marks, articles, and words that begin a place.
 
     >>> plain_name("the [red] onion; DROP")
     'red onion DROP'

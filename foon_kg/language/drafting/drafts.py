@@ -53,7 +53,7 @@ class Draft:
         return tuple(row for row in self.rows if isinstance(row, LeftOut))
 
     def subgraph(self) -> Subgraph:
-        """Answer the units as a subgraph, without confidences and doubts."""
+        """Return the units as a subgraph, without confidences and doubts."""
         return Subgraph(self.name, tuple(unit.annotation for unit in self.units))
 
 

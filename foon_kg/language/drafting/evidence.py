@@ -39,12 +39,12 @@ class Evidence:
             self.doubts.append(doubt)
 
     def product(self) -> float:
-        """Answer all shares multiplied."""
+        """Return all shares multiplied."""
         return prod(self.shares)
 
 
 def as_one(units: Sequence[DraftUnit]) -> DraftUnit:
-    """Answer one unit for several that follow each other: what they take from outside, and what is left of them."""
+    """Return one unit for several that follow each other: what they take from outside, and what is left of them."""
     inputs, outputs = dict[Participant, None](), dict[Participant, None]()
     for draft in units:
         unit = draft.annotation.unit

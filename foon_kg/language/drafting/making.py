@@ -19,7 +19,7 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, T
 from foon_kg.model.narration import NarratedAction
 
 _COOKS = frozenset({"heat", "warm"})
-TURN_ON = "turn on"
+TURN_ON, TURN_OFF = "turn on", "turn off"
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.evidence import IMPLIED, SOMETHING, UNSEEN, Evidence
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
 from foon_kg.language.drafting.scene import Scene, emptied, filled
-from foon_kg.language.drafting.told_states import done
+from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
@@ -24,7 +24,7 @@ class NodeDrafter:
     scene: Scene
 
     def like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
-        """Answer what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
+        """Return what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
         like = self.precedents.of(motion, mention.name)
         evidence.shares.append(like.likeness)
         evidence.doubts += [like.doubt] if like.doubt else []
@@ -38,19 +38,25 @@ class NodeDrafter:
         *,
         at: str | None = None,
         away_from: str | None = None,
+        brought: bool = False,
     ) -> ObjectNode:
-        """Answer a food as it is now; one that comes for the first time, as the FOON has it before such an action."""
+        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action.
+
+        What is ``brought`` leaves the hand, and comes from where it was taken.
+        """
+        origin = self.origin(mention.name, evidence) if brought else None
         known = self.scene.foods.get(mention.name)
         if known is not None:
+            if origin is not None and known.container is None and self.precedents.kitchen.is_utensil(origin):
+                known = replace(known, relation=self.precedents.relation(origin), container=origin)
             evidence.weigh_states(self.scene.sure.get(mention.name, 1.0))
             return known
         states, (relation, container) = self._start(mention, like, evidence)
-        origin = self.scene.taken.pop(canonical(mention.name), None)
         if origin is not None and self.precedents.kitchen.is_utensil(origin):
             relation, container = self.precedents.relation(origin), origin
         elif at is not None:
             relation, container = self.precedents.relation(at), at
-        elif container is not None and (container == away_from or self._in_use(container) or _cooks(container)):
+        elif container is not None and (container == away_from or self._in_use(container) or _prepares(container)):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
@@ -84,6 +90,13 @@ class NodeDrafter:
             return states, (None, None)
         return mention.states or known[0], known[1]
 
+    def origin(self, name: str, evidence: Evidence) -> str | None:
+        """Return where a thing that is put was taken from; ``None`` where nobody said so, and where it is known."""
+        origin, guessed = self.scene.hands.put(name)
+        if origin is not None and guessed:
+            evidence.weigh(IMPLIED, f"nobody says from where the {name} is taken: from the {origin}, which was open")
+        return origin
+
     def _in_use(self, container: str) -> bool:
         return bool(self.scene.held(container)) and not self.precedents.kitchen.is_storage(container)
 
@@ -97,7 +110,7 @@ class NodeDrafter:
     def become(
         self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
     ) -> tuple[str, ...]:
-        """Answer the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        """Return the states of a food after an action: those that the narration tells instead of those of the FOON."""
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
@@ -106,25 +119,25 @@ class NodeDrafter:
             so = word_list("is so by cooling" if known.source == "cold" else "is so by waiting")
             states, share = tuple(dict.fromkeys((*states, *sorted(so)))), UNSEEN
         if set(states) == set(before.states) and (told := done(action.verb)):
-            states, share = (*states, told), UNSEEN
+            states, share = with_state(states, told), UNSEEN
         evidence.weigh_states(share, f"{before.label} taken to become {listed(states)}")
         return states
 
     def vessel(self, name: str) -> ObjectNode:
-        """Answer a utensil as it is now."""
+        """Return a utensil as it is now."""
         known = self.scene.utensils.get(name)
         if known is None:  # nobody said of it before that it is one
             known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
         return known
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
-        """Answer the instruments that are told, else those of the FOON; none of ``besides``."""
+        """Return the instruments that are told, else those of the FOON; none of ``besides``."""
         names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
 
     def sources(self, foods: Iterable[ObjectNode]) -> tuple[list[ObjectNode], list[ObjectNode]]:
-        """Answer the vessels that foods leave, each once, before and after."""
+        """Return the vessels that foods leave, each once, before and after."""
         leaving: dict[str, list[str]] = {}
         for food in foods:
             if food.container is not None and self.in_utensil(food):
@@ -135,12 +148,12 @@ class NodeDrafter:
     def target(
         self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
     ) -> str | None:
-        """Answer where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        """Return where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
         for place in action.places:
             label = self._place_called(place.name)
             if label != mention.name:
                 return label if self.precedents.kitchen.is_utensil(label) else self._food_place(label)
-        focus = self.scene.focus
+        focus = self.scene.focus if "discard" not in tables().motion(action.verb).does else None
         if focus is not None and focus != before.container and self.scene.held(focus):
             evidence.weigh(SOMETHING - 0.05, f"nobody says where to: taken as the {focus}")
             return focus
@@ -159,7 +172,7 @@ class NodeDrafter:
         return label
 
     def utensil_place(self, action: NarratedAction) -> str | None:
-        """Answer the first place that is told and that is a utensil."""
+        """Return the first place that is told and that is a utensil."""
         for place in action.places:
             label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
@@ -173,7 +186,7 @@ class NodeDrafter:
         return self.precedents.labels.get(known, known)
 
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Answer the utensil that holds one of the objects; none where they all come for the first time."""
+        """Return the utensil that holds one of the objects; none where they all come for the first time."""
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
         return next((at for at in held if at is not None and at in self.scene.utensils), None)
 
@@ -187,12 +200,15 @@ def _runs_water(name: str) -> bool:
     return row is not None and row.source == "water"
 
 
-def _cooks(container: str) -> bool:
-    """Whether a vessel stands over the heat: no food begins there, though the FOON has it so before such an action."""
+def _prepares(container: str) -> bool:
+    """Whether a vessel is for mixing or cooking: no food begins there, though the FOON has it so before such an action.
+
+    Foods begin in what they are sold in, where they are put away, and on boards and plates.
+    """
     row = tables().utensil(container)
-    return row is not None and "cook" in row.can
+    return row is not None and row.role == "vessel" and row.can != {"hold"}
 
 
 def listed(states: Sequence[str]) -> str:
-    """Answer states in words."""
+    """Return states in words."""
     return ", ".join(states) if states else "it is"

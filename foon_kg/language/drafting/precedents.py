@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TypeVar
 
+from foon_kg.food import singular, tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.told_states import done
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
@@ -27,6 +29,7 @@ _ALIKE = 0.3  # below this another food says no more than any
 _FEW = 3
 _ANY = 0.5
 _NOWHERE: Place = (None, None)
+_LIES_ON = word_list("things lie on it")
 
 T = TypeVar("T", bound=Hashable)
 
@@ -56,12 +59,12 @@ class Precedents:
     doubt: str = ""
 
     def before(self) -> tuple[States, float]:
-        """Answer the commonest states before, and their share: of the rows in which it was not so before already."""
+        """Return the commonest states before, and their share: of the rows in which it was not so before already."""
         first = [row for row in self.rows if done(row.motion) not in row.before] or self.rows
         return _commonest((row.before, row.weight) for row in first)
 
     def after(self, before: States) -> tuple[States, float]:
-        """Answer the states after, of rows that begin alike where there are such, and their share."""
+        """Return the states after, of rows that begin alike where there are such, and their share."""
         alike = [row for row in self.rows if set(row.before) == set(before)]
         if alike:
             return _commonest((row.after, row.weight) for row in alike)
@@ -77,16 +80,16 @@ class Precedents:
         return any(set(row.before) == set(before) for row in self.rows)
 
     def place_before(self) -> tuple[Place, float]:
-        """Answer the commonest place before."""
+        """Return the commonest place before."""
         return _commonest((row.place_before, row.weight) for row in self.rows)
 
     def place_after(self) -> tuple[Place, float]:
-        """Answer the commonest place to which the object is brought; nowhere if it never is."""
+        """Return the commonest place to which the object is brought; nowhere if it never is."""
         brought = [row for row in self.rows if row.place_after not in (row.place_before, _NOWHERE)]
         return _commonest((row.place_after, row.weight) for row in brought) if brought else (_NOWHERE, _ANY)
 
     def tools(self) -> tuple[str, ...]:
-        """Answer the tools, those that most of the rows have together."""
+        """Return the tools, those that most of the rows have together."""
         return _commonest((row.tools, row.weight) for row in self.rows)[0] if self.rows else ()
 
     @property
@@ -136,13 +139,13 @@ class FoonPrecedents:
         return tuple(sorted({node.label for node in self._nodes}))
 
     def motion(self, candidates: Sequence[str], label: str) -> str:
-        """Answer which of ``candidates`` (not empty) the FOON does most often with ``label``, else the first."""
+        """Return which of ``candidates`` (not empty) the FOON does most often with ``label``, else the first."""
         counts = {motion: sum(row.weight for row in self._of(motion, label)) for motion in candidates}
         best = max(counts.values())
         return next(motion for motion in candidates if counts[motion] == best)
 
     def of(self, motion: str, label: str) -> Precedents:
-        """Answer what the FOON knows of ``motion`` done to ``label``; no rows where it never saw the motion."""
+        """Return what the FOON knows of ``motion`` done to ``label``; no rows where it never saw the motion."""
         own = self._of(motion, label)
         if own:
             return Precedents(own)
@@ -172,13 +175,13 @@ class FoonPrecedents:
         return sum(found) * 2 > len(found)
 
     def nearest(self, label: str) -> Neighbour | None:
-        """Answer the known food most like ``label``, if any is like it."""
+        """Return the known food most like ``label``, if any is like it."""
         foods = sorted(name for name in self.labels.values() if not self.kitchen.is_utensil(name))
         found = food_similarity().nearest(label, foods, limit=1) if foods else ()
         return found[0] if found and found[0].confidence >= _ALIKE else None
 
     def start(self, label: str) -> tuple[States, Place] | None:
-        """Answer the commonest start of a food (as the shop sells it), ``None`` where the FOON does not have it."""
+        """Return the commonest start of a food (as the shop sells it), ``None`` where the FOON does not have it."""
         nodes = [
             (node, count)
             for node, count in self._nodes.items()
@@ -192,15 +195,16 @@ class FoonPrecedents:
         return states, place
 
     def relation(self, container: str) -> str:
-        """Answer the word that the FOON puts before ``container``; "in" for one that it does not know."""
+        """Return the word that the FOON puts before ``container``; "in" for one that it does not know."""
         counts: Counter[str] = Counter()
         for node, count in self._nodes.items():
             if node.container == container and node.relation in {"in", "on"}:
                 counts[node.relation] += count
-        return _commonest(counts.items())[0] if counts else "in"
+        lies = "on" if singular(container).split()[-1:][0] in _LIES_ON else "in"
+        return _commonest(counts.items())[0] if counts else lies
 
     def empty(self, vessel: str) -> States:
-        """Answer the commonest states of ``vessel`` while it is empty."""
+        """Return the commonest states of ``vessel`` while it is empty."""
         found = [
             (node.states, count)
             for node, count in self._nodes.items()
@@ -211,6 +215,17 @@ class FoonPrecedents:
         ]
         return _commonest(found)[0] if found else ()
 
+    def appliance(self, name: str) -> str:
+        """Return what the FOON calls an appliance of just this group, its stove for a hob; else ``name`` itself."""
+        row = tables().utensil(name)
+        if row is None or row.role != "appliance" or canonical(name) in self.labels:
+            return name
+        alike = [known for known in self.labels.values() if _in_group(known, row.group)]
+        return min(alike, key=lambda label: (-self._seen(label), label)) if alike else name
+
+    def _seen(self, label: str) -> int:
+        return sum(count for node, count in self._nodes.items() if node.label == label)
+
     def is_tool(self, utensil: str) -> bool:
         """Whether foods are worked on with ``utensil`` rather than kept in it."""
         name = canonical(utensil)
@@ -219,7 +234,7 @@ class FoonPrecedents:
         return tool > kept
 
     def bringing(self, label: str) -> str:
-        """Answer the motion that most often brings ``label``, else any food, from one place to another."""
+        """Return the motion that most often brings ``label``, else any food, from one place to another."""
         rows = [
             row for rows in self._by_motion.values() for row in rows if row.food and row.place_after != row.place_before
         ]
@@ -228,7 +243,7 @@ class FoonPrecedents:
         return _commonest(found)[0] if found else "place"
 
     def vessel_of(self, motion: str) -> str | None:
-        """Answer the vessel in which the motion is most often done, if in any."""
+        """Return the vessel in which the motion is most often done, if in any."""
         found = [
             (row.place_before[1], row.weight)
             for row in self._by_motion.get(motion, ())
@@ -237,14 +252,14 @@ class FoonPrecedents:
         return _commonest(found)[0] if found else None
 
     def _of(self, motion: str, label: str) -> tuple[Seen, ...]:
-        """Answer the rows of one object; those in which it only stands by count where there are no others."""
+        """Return the rows of one object; those in which it only stands by count where there are no others."""
         name = canonical(label)
         rows = tuple(row for row in self._by_motion.get(motion, ()) if canonical(row.label) == name)
         return tuple(row for row in rows if (row.before, row.place_before) != (row.after, row.place_after)) or rows
 
 
 def _rows(known: KnownUnit, kitchen: Kitchen) -> Iterator[Seen]:
-    """Answer a row for every food of a unit, and for every utensil that is not the same after it."""
+    """Yield a row for every food of a unit, and for every utensil that is not the same after it."""
     unit = known.unit
     tools = _tools(unit, kitchen)
     for node in unit.input_nodes:
@@ -268,11 +283,16 @@ def _rows(known: KnownUnit, kitchen: Kitchen) -> Iterator[Seen]:
 
 
 def _tools(unit: FunctionalUnit, kitchen: Kitchen) -> tuple[str, ...]:
-    """Answer the utensils that hold nothing and in which nothing is, before or after."""
+    """Return the utensils that hold nothing and in which nothing is, before or after."""
     containers = {node.container for node in (*unit.input_nodes, *unit.output_nodes)}
     holding = {node.label for node in (*unit.input_nodes, *unit.output_nodes) if node.ingredients}
     utensils = {node.label for node in unit.input_nodes if kitchen.is_utensil(node.label) and node.container is None}
     return tuple(sorted(utensils - containers - holding))
+
+
+def _in_group(label: str, group: str) -> bool:
+    row = tables().utensil(label)
+    return row is not None and row.group == group
 
 
 def _outside(node: ObjectNode) -> tuple[States, str | None, str | None]:
@@ -290,7 +310,7 @@ def _change(row: Seen) -> tuple[States, States]:
 
 
 def _commonest(found: Iterable[tuple[T, float]]) -> tuple[T, float]:
-    """Answer the value of greatest weight, ties by how it is written, and its share after one more hit and one miss."""
+    """Return the value of greatest weight, ties by how it is written, and its share after one more hit and one miss."""
     counts: defaultdict[T, float] = defaultdict(float)
     for value, weight in found:
         counts[value] += weight
@@ -304,7 +324,7 @@ def _share(rows: Sequence[Seen], test: Callable[[Seen], bool]) -> float:
 
 
 def _third(motion: str) -> str:
-    """Answer the motion as what a unit does: peels, washes."""
+    """Return the motion as what a unit does: peels, washes."""
     first, *rest = motion.split(" ")
     if first.endswith("y") and first[-2:-1] not in "aeiou":
         return " ".join([f"{first[:-1]}ies", *rest])

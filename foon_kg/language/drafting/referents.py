@@ -121,7 +121,10 @@ class Referents:
         return motions.transfers(motion) or motions.mixes(motion)
 
     def _is_bought(self, name: str) -> bool:
-        """Whether the FOON has a thing of this name, and no mixture is waiting for one."""
+        """Whether the FOON has a thing of this name, and no mixture is waiting for one; soy sauce is always bought."""
+        words = canonical(name).split()
+        if len(words) > 1 and words[-1] != MIXTURE and tables().foods.is_listed(singular(name)):
+            return True
         return canonical(name) in self.precedents.labels and not any(
             made.endswith(MIXTURE) for made in self.scene.made()
         )

@@ -23,12 +23,12 @@ class Missing:
 
 
 def unresolved(draft: DraftFile, sure: float = SURE) -> tuple[DraftRow, ...]:
-    """Answer the rows that are no units, and those with doubts and less than ``sure`` confidence, in their order."""
+    """Return the rows that are no units, and those with doubts and less than ``sure`` confidence, in their order."""
     return tuple(row for row in draft.rows if row.annotation is None or (row.doubts and row.confidence < sure))
 
 
 def missing(draft: DraftFile, kitchen: Kitchen) -> tuple[Missing, ...]:
-    """Answer the inputs with which the units cannot be executed in their order (contract, C1 and C6)."""
+    """Return the inputs with which the units cannot be executed in their order (contract, C1 and C6)."""
     return tuple(_missing(draft, kitchen))
 
 

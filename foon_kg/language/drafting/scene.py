@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.language.drafting.hands import Hands
 from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
@@ -14,6 +15,7 @@ from foon_kg.plans.kitchen import Kitchen
 MIXTURE = "mixture"
 EMPTY = "empty"
 EVERYTHING = word_list("speaks of everything")
+_ROOM = word_list("belongs to the room")
 PRONOUNS = frozenset({"it", "them", "this", "these", "that", "those"})
 
 
@@ -33,10 +35,10 @@ class Scene:
     last: tuple[str, ...] = ()
     sure: dict[str, float] = field(default_factory=dict)
     coming: dict[str, str] = field(default_factory=dict)
-    taken: dict[str, str] = field(default_factory=dict)
+    hands: Hands = field(default_factory=Hands)
 
     def called(self, name: str) -> str | None:
-        """Answer the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.
+        """Return the food or utensil of the scene that ``name`` speaks of, ``None`` where it is none of them.
 
         The same name, else the only one that ends in it ("onion" for the red onion).
         """
@@ -50,11 +52,11 @@ class Scene:
         return None
 
     def held(self, vessel: str) -> tuple[str, ...]:
-        """Answer what is in ``vessel``."""
+        """Return what is in ``vessel``."""
         return self.utensils[vessel].ingredients if vessel in self.utensils else ()
 
     def at_hand(self) -> tuple[str, ...]:
-        """Answer what an action without an object is done to: all in the vessel of the last one, else its foods."""
+        """Return what an action without an object is done to: all in the vessel of the last one, else its foods."""
         held = tuple(food for food in self.held(self.focus or "") if food in self.foods)
         last = tuple(food for food in self.last if food in self.foods)
         return held if set(last) <= set(held) else last
@@ -90,12 +92,23 @@ class Scene:
 
 
 def filled(vessel: ObjectNode, foods: Sequence[str]) -> ObjectNode:
-    """Answer ``vessel`` with ``foods`` in it as well."""
+    """Return ``vessel`` with ``foods`` in it as well; a cupboard holds so much that nobody counts it."""
+    if _is_fixture(vessel.label):
+        return vessel
     states = tuple(state for state in vessel.states if state != EMPTY)
-    return replace(vessel, states=states, ingredients=(*vessel.ingredients, *foods))
+    held = dict.fromkeys((*vessel.ingredients, *foods))
+    return replace(vessel, states=states, ingredients=tuple(held))
 
 
 def emptied(vessel: ObjectNode, foods: Sequence[str]) -> ObjectNode:
-    """Answer ``vessel`` without ``foods``; it is empty when they were all."""
+    """Return ``vessel`` without ``foods``; it is empty when they were all."""
+    if _is_fixture(vessel.label):
+        return vessel
     left = tuple(food for food in vessel.ingredients if food not in foods)
     return replace(vessel, states=vessel.states if left else (*vessel.states, EMPTY), ingredients=left)
+
+
+def _is_fixture(label: str) -> bool:
+    """Whether things are put away there rather than prepared: cupboards, counters, fridges."""
+    row = tables().utensil(label)
+    return label.rsplit(maxsplit=1)[-1] in _ROOM or (row is not None and row.source == "cold" and row.can == {"hold"})

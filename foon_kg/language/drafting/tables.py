@@ -28,12 +28,12 @@ BETWEEN_DOUBTS = " | "
 
 
 def is_draft(text: str) -> bool:
-    """Answer whether ``text`` is a table of units with confidences and doubts."""
+    """Return whether ``text`` is a table of units with confidences and doubts."""
     return is_video_table(text) and {"confidence", "doubt"} <= set(columns_of(text))
 
 
 def is_draft_file(path: Path) -> bool:
-    """Answer whether ``path`` is the file of a draft; no for what cannot be read."""
+    """Return whether ``path`` is the file of a draft; no for what cannot be read."""
     if path.suffix.lower() != ".csv" or not path.is_file():
         return False
     try:
@@ -43,7 +43,7 @@ def is_draft_file(path: Path) -> bool:
 
 
 def write_draft(draft: Draft) -> str:
-    """Answer the table of ``draft``; a unit that no table can say is written as one that is left out."""
+    """Return the table of ``draft``; a unit that no table can say is written as one that is left out."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow((*UNIT_COLUMNS, *DRAFT_COLUMNS))
@@ -54,7 +54,7 @@ def write_draft(draft: Draft) -> str:
 
 
 def read_draft(path: Path) -> DraftFile:
-    """Answer the draft in ``path``; raises :class:`~foon_kg.model.errors.ReadError` where it is none."""
+    """Return the draft in ``path``; raises :class:`~foon_kg.model.errors.ReadError` where it is none."""
     try:
         text = decode(read_bytes(path))
     except UnreadableFile as unreadable:
@@ -97,7 +97,7 @@ def _with_doubts(path: Path, told: Sequence[TableRow], result: ReadResult) -> Dr
 
 
 def _confidence(path: Path, line: int, text: str) -> float:
-    """Answer a confidence; an empty one is that of a row which a person wrote."""
+    """Return a confidence; an empty one is that of a row which a person wrote."""
     try:
         value = float(text) if text else 1.0
     except ValueError:
@@ -124,14 +124,14 @@ def _unit_cells(row: DraftUnit) -> tuple[str, ...] | None:
 
 
 def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
-    """Answer the cells of a row that is no unit: its time, and why."""
+    """Return the cells of a row that is no unit: its time, and why."""
     timing = row.timing if isinstance(row, LeftOut) else row.annotation.timing
     reason = row.reason if isinstance(row, LeftOut) else f"a table cannot say: {row.annotation.unit.motion}"
     return (*_times(timing), "", "", "", "", "0.00", _one_line(reason))
 
 
 def thing(one: Participant) -> str:
-    """Answer how a table writes a participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
+    """Return how a table writes a participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
     node: ObjectNode = one.node
     text = ("*" if one.moving else "") + node.label
     text += f" ({'; '.join(node.states)})" if node.states else ""

@@ -7,18 +7,23 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from foon_kg.food import motions, tables
+from foon_kg.food.lists import word_list
 from foon_kg.language.drafting.bringing import Bringing
 from foon_kg.language.drafting.drafts import DraftUnit
-from foon_kg.language.drafting.evidence import IMPLIED, UNSEEN, Evidence, as_one
-from foon_kg.language.drafting.making import TURN_ON, Maker
+from foon_kg.language.drafting.evidence import Evidence, as_one
+from foon_kg.language.drafting.handling import Handling
+from foon_kg.language.drafting.making import Maker
 from foon_kg.language.drafting.mixing import Mixing
-from foon_kg.language.drafting.nodes import NodeDrafter, listed
+from foon_kg.language.drafting.nodes import NodeDrafter
 from foon_kg.language.drafting.precedents import FoonPrecedents, Precedents
-from foon_kg.language.drafting.scene import EMPTY, Scene, emptied, filled
-from foon_kg.language.drafting.told_states import done
+from foon_kg.language.drafting.scene import Scene, emptied, filled
 from foon_kg.model import Annotation, ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Place
 
+COVERED = word_list("covers with")
+"""Verbs by which something comes onto their objects, where it is told with what."""
+
+_SEASONS = word_list("only seasons")
 _AWAY = frozenset({"into", "onto", "to"})
 
 
@@ -57,14 +62,18 @@ class UnitDrafter:
         return Mixing(self._maker)
 
     @cached_property
+    def _handling(self) -> Handling:
+        return Handling(self._maker)
+
+    @cached_property
     def _bringing(self) -> Bringing:
         return Bringing(self._maker)
 
     def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
-        """Answer the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
+        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
         evidence = Evidence([sure], list(doubts))
         if self.precedents.kitchen.is_utensil(action.objects[0].name):
-            return (self._handled(action, motion, evidence),)
+            return (self._handling.unit(action, motion, evidence),)
         if self._mixes(action, motion):
             return self._mixing.unit(action, motion, evidence)
         source = self._maker.source_of(action, motion)
@@ -91,11 +100,19 @@ class UnitDrafter:
             everything = self._mixing.members(action, at)
             said = {one.name: one for one in action.objects}
             action = replace(action, objects=tuple(said.get(name, Mention(name)) for name in everything))
-        together = motions.mixes(motion) or motions.heats(motion) or self._lie_together(action, motion)
+        covered = self._is_covered(action, motion)
+        if covered:
+            motion = action.verb
+            evidence.doubts.append(f"nobody says what “{action.verb}” is done with")
+        together = (
+            motions.mixes(motion)
+            or motions.heats(motion)
+            or self._lie_together(action, stays=covered or not motions.transfers(motion))
+        )
         if len(action.objects) > 1 and together:
             return (self._changed_together(action, motion, evidence),)
         found: list[DraftUnit] = []
-        brings = motions.transfers(motion)
+        brings = motions.transfers(motion) and not covered
         for mention in action.objects:
             own = Evidence(list(evidence.shares), list(evidence.doubts))
             like = self.nodes.like(motion, mention, own)
@@ -131,7 +148,7 @@ class UnitDrafter:
     def _changed(
         self, action: NarratedAction, mention: Mention, motion: str, like: Precedents, evidence: Evidence
     ) -> list[DraftUnit]:
-        """Answer a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
+        """Return a unit that changes a food where it is, and the unit that nobody told which brings it there or away.
 
         It is brought there before, and away after ("slice it into a bowl"). What it is dipped into or rolled in takes
         part, and is on it then.
@@ -179,7 +196,7 @@ class UnitDrafter:
         return [self.nodes.there(Mention(name), Precedents(()), Evidence()) for name in dict.fromkeys(names)]
 
     def _changed_together(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
-        """Answer one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
+        """Return one unit that changes several foods of one vessel (stir, fry): each becomes what it would alone."""
         at = self.nodes.utensil_place(action) or self.nodes.common_vessel(action)
         vessel = [self.nodes.vessel(at)] if at is not None else []
         befores, afters, leaving = (list[ObjectNode]() for _ in range(3))
@@ -205,34 +222,16 @@ class UnitDrafter:
         used = [self.nodes.vessel(name) for name in said]
         return self._maker.unit(action, motion, [*vessel, *left, *befores, *used], [*held, *afters, *gone], evidence)
 
-    def _lie_together(self, action: NarratedAction, motion: str) -> bool:
+    def _is_covered(self, action: NarratedAction, motion: str) -> bool:
+        """Whether the objects are what something comes onto that nobody names: "season to taste"."""
+        if action.places or action.verb not in COVERED or not motions.transfers(motion):
+            return False
+        foods, names = tables().foods, [one.name for one in action.objects]
+        there = all(name in self.scene.foods for name in names)
+        return there and not all(foods.food(name).is_a(*_SEASONS) for name in names)
+
+    def _lie_together(self, action: NarratedAction, *, stays: bool) -> bool:
         """Whether all objects are in one vessel already and stay there: what is done is done to them at once."""
         foods = [self.scene.foods.get(one.name) for one in action.objects]
         at = {food.container if food is not None else None for food in foods}
-        return len(at) == 1 and None not in at and not motions.transfers(motion)
-
-    def _handled(self, action: NarratedAction, motion: str, evidence: Evidence) -> DraftUnit:
-        """Answer a unit that changes a utensil: opened, washed, greased, turned on, put somewhere."""
-        mention = action.objects[0]
-        row = tables().utensil(mention.name)
-        heats = tables().motion(motion).does <= {"warm", "heat"} and row is not None and row.source == "heat"
-        motion = TURN_ON if heats else motion  # heat the oven
-        like = self.nodes.like(motion, mention, evidence)
-        before = self.scene.utensils.get(mention.name)
-        if before is None:
-            before = ObjectNode(mention.name, like.before()[0] if like.rows else self.precedents.empty(mention.name))
-        states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
-        if heats or motion == TURN_ON:
-            states, share = ("on",), max(share, IMPLIED)
-        elif set(states) == set(before.states) and (told := done(action.verb)) is not None:
-            states = (*(state for state in states if state != EMPTY), told)
-        evidence.weigh(share, f"{mention.name} taken to become {listed(states)}" if states else "")
-        held = (state for state in states if state != EMPTY or not before.ingredients)
-        after = replace(before, states=tuple(dict.fromkeys((*held, *action.results))))
-        place = self.nodes.utensil_place(action)
-        others: list[ObjectNode] = []
-        if place is not None and place != mention.name:
-            others = [self.nodes.vessel(place)]
-            after = replace(after, relation=self.precedents.relation(place), container=place)
-        tools = self.nodes.tools(action, like, [place or "", mention.name])
-        return self._maker.unit(action, motion, [*others, before, *tools], [*others, after], evidence)
+        return len(at) == 1 and None not in at and stays

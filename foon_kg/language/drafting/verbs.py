@@ -49,7 +49,7 @@ class Verbs:
         return words in self._by_words or words in _table()
 
     def reading(self, verb: str) -> Reading:
-        """Answer the motions that ``verb`` may stand for ("put-down", "Peeling", "scoop and pour")."""
+        """Return the motions that ``verb`` may stand for ("put-down", "Peeling", "scoop and pour")."""
         said = " ".join(_words(verb))
         if not said:
             return Reading((), why="there is no verb in it")
@@ -95,7 +95,7 @@ class Verbs:
         return Reading(motions, BY_TABLE)
 
     def _alike(self, said: str) -> Reading:
-        """Answer the motion of one word whose vector is nearest, where it is near."""
+        """Return the motion of one word whose vector is nearest, where it is near."""
         single = [motion for motion in self.motions if len(_words(motion)) == 1]
         if single:
             vectors = food_vectors()
@@ -138,7 +138,7 @@ def _stems(text: str) -> str:
 
 @lru_cache(maxsize=1)
 def _table() -> dict[str, tuple[str, ...]]:
-    """Answer the motions of every verb of the table; a verb at several lines has those of all, in their order."""
+    """Return the motions of every verb of the table; a verb at several lines has those of all, in their order."""
     text = files("foon_kg.data").joinpath("verbs.txt").read_text(encoding="utf-8")
     table: dict[str, tuple[str, ...]] = {}
     for line in text.splitlines():

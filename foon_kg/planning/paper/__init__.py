@@ -13,13 +13,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model.claims import Assumption
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
+from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.planning.paper.final import construct_final_task_tree, made_for
 from foon_kg.planning.paper.reference import MOST_PATHS, Knowledge, identify_goal_node, retrieve_reference_task_tree
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import progress_lines
-from foon_kg.plans.result import Assumption, PlannedUnit, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 from foon_kg.similarity import Similarity, cosine_similarity
 
 __all__ = ["MOST_PATHS", "plan_by_the_paper"]
@@ -55,7 +57,7 @@ def plan_by_the_paper(
     knowledge = Knowledge.of(units, Kitchen.default().with_foods(foods), vocabulary, similarity)
     reference = retrieve_reference_task_tree(knowledge, goal.node, foods, most_paths)
     final = construct_final_task_tree(knowledge, reference, made)
-    leaves = tuple(_leaves(final.units))
+    leaves = leaves_of(final.units)
     tree = [unit.as_unit() for unit in final.units]
     return PlanResult(
         recipe=replace(recipe, dish_type=recipe.dish_type or goal.dish_type),
@@ -69,15 +71,7 @@ def plan_by_the_paper(
     )
 
 
-def _leaves(units: Sequence[PlannedUnit]) -> Iterator[ObjectNode]:
-    """Yield, once each, the inputs that no earlier unit outputs."""
-    there = set[ObjectNode]()
-    for unit in units:
-        yield from (node for node in unit.input_nodes if node not in there)
-        there.update(unit.input_nodes, unit.output_nodes)
-
-
-def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[PlannedUnit], kitchen: Kitchen) -> Iterator[Assumption]:
+def _assumptions(leaves: Sequence[ObjectNode], units: Sequence[TreeUnit], kitchen: Kitchen) -> Iterator[Assumption]:
     for node in leaves:
         taker = next(unit for unit in units if node in unit.input_nodes)
         fault = kitchen.leaf_fault(node, [other for other in taker.input_nodes if other != node])

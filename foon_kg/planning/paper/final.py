@@ -6,12 +6,13 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import ObjectNode, RequiredIngredient
+from foon_kg.model.claims import Alternative, Substitution, SubstitutionKind
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import Neighbour, Vocabulary
 from foon_kg.model.names import canonical
+from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.planning.paper.reference import Knowledge
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Alternative, PlannedUnit, Substitution, SubstitutionKind
 from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, retrieve
 from foon_kg.similarity import Similarity
 
@@ -33,7 +34,7 @@ class FinalTree:
     """The units that make ``goal``, in the order of execution, and what was substituted in them."""
 
     goal: ObjectNode
-    units: tuple[PlannedUnit, ...] = ()
+    units: tuple[TreeUnit, ...] = ()
     substitutions: tuple[Substitution, ...] = ()
 
 
@@ -69,20 +70,20 @@ def construct_final_task_tree(
     Raises NoTreeError where nothing is left of the tree.
     """
     kitchen, goal = knowledge.kitchen, reference.goal
-    units = [PlannedUnit.of(known.unit, "foon", known.seen_in) for known in reference.units]
+    units = [TreeUnit.of(known.unit, "foon", known.seen_in) for known in reference.units]
     nodes = {node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)}
     there = {(canonical(node.label), state) for node in nodes for state in (*node.states, "")}
     place = _connecting(units, goal, kitchen)
-    before, substitutions = list[PlannedUnit](), list[Substitution]()
+    before, substitutions = list[TreeUnit](), list[Substitution]()
     for want, food in made.items():
         if (canonical(want.object), want.state) not in there:
             subtree = _subtree(knowledge, want, food)
             before += subtree.units
             substitutions += subtree.substitutions
             units, goal = _connected(units, place, subtree.goal, goal, kitchen)
-    distinct = dict[object, PlannedUnit]()
+    distinct = dict[object, TreeUnit]()
     for unit in (*before, *units):
-        distinct.setdefault((unit.input_nodes, unit.motion_node, unit.output_nodes), unit)
+        distinct.setdefault(unit.step, unit)
     whole = FinalTree(goal, tuple(distinct.values()), tuple(dict.fromkeys(substitutions)))
     return _without_others(whole, {canonical(want.object) for want in made}, kitchen)
 
@@ -117,19 +118,19 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
     except NoWayError:
         return FinalTree(bare)
     rows = [(-row.count, row.motion) for row in knowledge.vocabulary.motions if row.state == want.state]
-    found, units = list(food.substitutions), list[PlannedUnit]()
+    found, units = list(food.substitutions), list[TreeUnit]()
     for known in tree.units:
-        unit = PlannedUnit.of(known.unit, "foon", known.seen_in)
+        unit = TreeUnit.of(known.unit, "foon", known.seen_in)
         now = _changed(unit, lambda node: _renamed(node, want, food))
-        if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion_node:
-            now = replace(now, motion_node=min(rows)[1])
-            like = _nearest(now.motion_node, [unit.motion_node], knowledge.similarity)
-            found.append(_substitution("motion", want, now.motion_node, like))
+        if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion:
+            now = replace(now, step=replace(now.step, motion=min(rows)[1]))
+            like = _nearest(now.motion, [unit.motion], knowledge.similarity)
+            found.append(_substitution("motion", want, now.motion, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
 
 
-def _gives(unit: PlannedUnit, food: MadeFood) -> bool:
+def _gives(unit: TreeUnit, food: MadeFood) -> bool:
     """Whether ``unit`` is what brings ``food`` into its state."""
     before, after = (
         any(node.label == food.label and food.state in node.states for node in side)
@@ -150,16 +151,16 @@ def _renamed(node: ObjectNode, want: RequiredIngredient, food: MadeFood) -> Obje
     )
 
 
-def _changed(unit: PlannedUnit, change: Callable[[ObjectNode], ObjectNode | None]) -> PlannedUnit:
+def _changed(unit: TreeUnit, change: Callable[[ObjectNode], ObjectNode | None]) -> TreeUnit:
     """Return ``unit`` with each node changed, or left out where the change is ``None``."""
     inputs, outputs, moving = (
         tuple(dict.fromkeys(new for node in nodes if (new := change(node)) is not None))
         for nodes in (unit.input_nodes, unit.output_nodes, unit.moving)
     )
-    return replace(unit, input_nodes=inputs, output_nodes=outputs, moving=frozenset(moving))
+    return replace(unit, step=Step.of(inputs, unit.motion, outputs), moving=frozenset(moving))
 
 
-def _connecting(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen) -> int:
+def _connecting(units: Sequence[TreeUnit], goal: ObjectNode, kitchen: Kitchen) -> int:
     """Return the place of the unit that foods are connected to: see :func:`construct_final_task_tree`."""
     places = range(len(units) - 1, -1, -1)
     several = [place for place in places if sum(map(kitchen.is_food, units[place].input_nodes)) > 1]
@@ -169,8 +170,8 @@ def _connecting(units: Sequence[PlannedUnit], goal: ObjectNode, kitchen: Kitchen
 
 
 def _connected(
-    units: Sequence[PlannedUnit], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
-) -> tuple[list[PlannedUnit], ObjectNode]:
+    units: Sequence[TreeUnit], place: int, food: ObjectNode, goal: ObjectNode, kitchen: Kitchen
+) -> tuple[list[TreeUnit], ObjectNode]:
     """Return ``units`` with ``food`` as one more input of the unit at ``place``, and the goal that comes of it.
 
     Each product or filled vessel that this unit makes, and that is made of those, has it among its ingredients.
@@ -185,12 +186,13 @@ def _connected(
                     having[node] = replace(node, ingredients=(*node.ingredients, food.label))
         now = _changed(unit, lambda node: having.get(node, node))
         if len(result) == place:
-            now = replace(now, input_nodes=(*now.input_nodes, food), moving=now.moving | {food})
+            step = Step.of((*now.input_nodes, food), now.motion, now.output_nodes)
+            now = replace(now, step=step, moving=now.moving | {food})
         result.append(now)
     return result, having.get(goal, goal)
 
 
-def _is_product(node: ObjectNode, unit: PlannedUnit, kitchen: Kitchen) -> bool:
+def _is_product(node: ObjectNode, unit: TreeUnit, kitchen: Kitchen) -> bool:
     """Whether an output is a food that no input is called or has among its ingredients: dough, broth."""
     names = {name for other in unit.input_nodes for name in (other.label, *other.ingredients)}
     return kitchen.is_food(node) and node.label not in names
@@ -217,7 +219,7 @@ def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen
         return now if holds or stays(node.label) or node == tree.goal else None
 
     goal = bare(tree.goal) or tree.goal
-    needed, units = {goal}, list[PlannedUnit]()
+    needed, units = {goal}, list[TreeUnit]()
     for unit in reversed(tree.units):
         now = _changed(unit, bare)
         fresh = set(now.output_nodes) - set(now.input_nodes)

@@ -85,7 +85,7 @@ class _Fetch:
         self._learn_forms(fresh)
 
     def unsearched(self, goals: Collection[ObjectNode]) -> list[ObjectNode]:
-        """Answer the object nodes that may be needed for ``goals`` and behind which nobody looked, sorted."""
+        """Return the object nodes that may be needed for ``goals`` and behind which nobody looked, sorted."""
         needed, seen = list(goals), set(goals)
         for form in needed:  # grows while it is read
             for unit, inputs in self.makers[form]:

@@ -23,7 +23,7 @@ _MOST_DIGITS = 600
 
 
 def efforts(rates: Collection[Fraction], units: int) -> dict[Fraction, int]:
-    """Answer an effort for each of ``rates`` (above 0, at most 1) so that sums of efforts order products of rates.
+    """Return an effort for each of ``rates`` (above 0, at most 1) so that sums of efforts order products of rates.
 
     For any two collections of at most ``units`` of them, with repetition, the one with the greater product has the
     lesser sum, and products are equal where sums are. Rates over a common denominator D have products A/D**units with
@@ -45,7 +45,7 @@ def efforts(rates: Collection[Fraction], units: int) -> dict[Fraction, int]:
 
 
 def coprime_base(numbers: Iterable[int]) -> list[int]:
-    """Answer whole numbers above 1 without common factors such that each of ``numbers`` is a product of their powers.
+    """Return whole numbers above 1 without common factors such that each of ``numbers`` is a product of their powers.
 
     By common divisors, without factoring into primes (Bach, Driscoll, Shallit: Factor refinement, 1993).
     """

@@ -28,15 +28,15 @@ class RetrievalView(Protocol):
     """What a classic retrieval asks of a FOON (part of it as a ``KnowledgeView`` has it)."""
 
     def vocabulary(self) -> Vocabulary:
-        """Answer the words that the FOON knows."""
+        """Return the words that the FOON knows."""
         ...
 
     def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
-        """Answer every object node with one of ``labels``, sorted."""
+        """Return every object node with one of ``labels``, sorted."""
         ...
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
-        """Answer every unit that may take part in making ``nodes`` or ``foods``."""
+        """Return every unit that may take part in making ``nodes`` or ``foods``."""
         ...
 
 
@@ -76,7 +76,7 @@ class GoalSought:
         )
 
     def candidates(self, view: RetrievalView) -> tuple[ObjectNode, ...]:
-        """Answer the object nodes of the FOON that fit, sorted; raises NoTreeError where there is none."""
+        """Return the object nodes of the FOON that fit, sorted; raises NoTreeError where there is none."""
         called = view.called([self.label])
         found = tuple(node for node in called if self.fits(node))
         if found:
@@ -92,7 +92,7 @@ class GoalSought:
         return str(ObjectNode(self.label, self.states, self.ingredients, None, self.container))
 
     def to_json(self) -> JsonObject:
-        """Answer the ``asked`` field of a result."""
+        """Return the ``asked`` field of a result."""
         return {
             "label": self.label,
             "states": list(self.states),

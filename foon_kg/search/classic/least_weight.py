@@ -76,7 +76,7 @@ class _Search:
 
     @classmethod
     def among(cls, reduced: Reduced, best: int, of: Core, weigh: Weigh, deadline: Deadline) -> Self:
-        """Answer a search among what may be in a tree no heavier than ``best``, a set of the steps of ``of``."""
+        """Return a search among what may be in a tree no heavier than ``best``, a set of the steps of ``of``."""
         weight = _weight_of(weigh(of), best)
         while True:
             weights = weigh(reduced.core)
@@ -123,12 +123,12 @@ class _Search:
         return True
 
     def bound(self) -> int:
-        """Answer what no tree can be lighter than: the best found, or anything still to be tried."""
+        """Return what no tree can be lighter than: the best found, or anything still to be tried."""
         needed = (Outlook.of(self.reduced, partial).needed for partial in self.untried)
         return min([self.value[0], *(_weight_of(self.weights, steps) for steps in needed)])
 
     def _options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Answer what may be chosen for the waiting nodes; nothing where no tree from here is better than the best."""
+        """Return what may be chosen for the waiting nodes; nothing where no tree from here is better than the best."""
         weight, steps = self.value
         needed = _weight_of(self.weights, outlook.needed)
         if needed > weight or (needed == weight and -outlook.needed >= steps) or self._seen_better(partial, outlook):

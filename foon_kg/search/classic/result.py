@@ -9,7 +9,8 @@ from fractions import Fraction
 from foon_kg.model import Annotation, FunctionalUnit, KnownUnit, ObjectNode, Participant, Subgraph
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json
-from foon_kg.plans.result import PlannedUnit
+from foon_kg.model.tree import TreeUnit, leaves_of
+from foon_kg.model.tree_json import unit_to_json
 from foon_kg.search.classic.goal import GoalSought
 
 
@@ -21,8 +22,8 @@ class RetrievedUnit:
     success: Fraction | None
 
     def to_json(self) -> JsonObject:
-        """Answer one of the ``units`` of a result."""
-        unit = PlannedUnit.of(self.known.unit, "foon", self.known.seen_in).to_json()
+        """Return one of the ``units`` of a result."""
+        unit = unit_to_json(TreeUnit.of(self.known.unit, "foon", self.known.seen_in))
         return {**unit, "success": None if self.success is None else float(self.success)}
 
 
@@ -50,15 +51,10 @@ class RetrievalResult:
     @property
     def kitchen(self) -> tuple[ObjectNode, ...]:
         """What has to be there before the first step, in the order of first use."""
-        made: set[ObjectNode] = set()
-        leaves: dict[ObjectNode, None] = {}
-        for step in self.units:
-            leaves.update((node, None) for node in step.known.unit.input_nodes if node not in made)
-            made.update(step.known.unit.output_nodes)
-        return tuple(leaves)
+        return leaves_of(step.known.unit for step in self.units)
 
     def to_json(self) -> JsonObject:
-        """Answer the result as ``foon retrieve --json`` prints it."""
+        """Return the result as ``foon retrieve --json`` prints it."""
         return {
             "asked": self.sought.to_json(),
             "goal": node_to_json(self.goal),
@@ -75,7 +71,7 @@ class RetrievalResult:
         }
 
     def to_subgraph(self) -> Subgraph:
-        """Answer the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
+        """Return the tree as a subgraph, for FOON text: no other end product than the goal is marked in it."""
         last = len(self.units) - 1
         units = [
             _marked(step.known.unit, self.goal if place == last else None) for place, step in enumerate(self.units)

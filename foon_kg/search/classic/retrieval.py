@@ -23,7 +23,7 @@ def retrieve_tree(
     *,
     time_limit: float | None = 10.0,
 ) -> RetrievalResult:
-    """Answer the best tree, by the criterion of ``sought``, for any object node of the FOON that fits it.
+    """Return the best tree, by the criterion of ``sought``, for any object node of the FOON that fits it.
 
     A tree chooses one producer for each object node that is needed and not at hand, well-founded; a unit that serves
     several counts once; the goal is made by a unit even where the kitchen has it. Where two trees are as good, that

@@ -38,7 +38,7 @@ class _Efforts:
 
     @classmethod
     def of(cls, problem: SearchProblem, costs: MotionCosts) -> _Efforts:
-        """Answer the efforts of the units in the problem's index, whose success rates are above 0."""
+        """Return the efforts of the units in the problem's index, whose success rates are above 0."""
         index = problem.index
         longest = min(len(index.units), index.at_hand.count(False) + len(problem.targets))  # one producer a node
         rates = [costs.success(known.unit.motion) for known in index.units]
@@ -48,16 +48,16 @@ class _Efforts:
         return cls([effort[rate] * beside + 1 for rate in rates], steepest, effort[steepest] * beside)
 
     def weigh(self, core: Core) -> list[int]:
-        """Answer the weight of each step of a core without gaps."""
+        """Return the weight of each step of a core without gaps."""
         return [self.of_unit[unit] for unit in core.units]
 
     def success(self, weight: int) -> float:
-        """Answer the success rate, rounded, of a tree that weighs ``weight``."""
+        """Return the success rate, rounded, of a tree that weighs ``weight``."""
         return math.exp(math.log(self.steepest) * (weight / self.scale)) if self.scale else 1.0
 
 
 def likeliest_tree(problem: SearchProblem, costs: MotionCosts, deadline: Deadline) -> LikeliestTree | None:
-    """Answer the tree of greatest success for one of the targets; ``None`` where nothing makes any.
+    """Return the tree of greatest success for one of the targets; ``None`` where nothing makes any.
 
     Of equal success rates, exactly, the tree with the fewest units is the best, then that with the lexicographically
     least sorted keys of its units, then the least target. No unit of the index may have the success rate 0.

@@ -17,7 +17,7 @@ from foon_kg.store.snapshot import distinct_by_name
 
 
 def differences(connection: Connection, subgraphs: Iterable[Subgraph]) -> tuple[VideoDifference, ...]:
-    """Answer for each of ``subgraphs`` what loading it would change now; each is compared with the graph as it is.
+    """Return for each of ``subgraphs`` what loading it would change now; each is compared with the graph as it is.
 
     Raises ReadError where two of them have one name and differ, GraphError where the database fails.
     """
@@ -27,7 +27,7 @@ def differences(connection: Connection, subgraphs: Iterable[Subgraph]) -> tuple[
 
 
 def losses(connection: Connection, names: Sequence[str]) -> tuple[VideoDifference, ...]:
-    """Answer for each of the named videos what taking it out alone would take away.
+    """Return for each of the named videos what taking it out alone would take away.
 
     Raises :class:`~foon_kg.model.errors.UsageError` where the graph has no such video.
     """
@@ -55,7 +55,7 @@ def _differences(
 
 
 def unknown_videos(names: Sequence[str]) -> UsageError:
-    """Answer the error that says that the graph does not have these videos."""
+    """Return the error that says that the graph does not have these videos."""
     return UsageError(
         f"the graph has no video “{'”, “'.join(sorted(names))}”",
         hint="A video is named like its file, without the ending: foon cypher 'MATCH (v:Video) RETURN v.name'.",

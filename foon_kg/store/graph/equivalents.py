@@ -41,7 +41,7 @@ def equivalents(
 
 
 def find_equivalents(ask: Ask, names: Iterable[str], limit: int) -> dict[str, tuple[Neighbour, ...]] | None:
-    """Answer the ``limit`` best known foods of each name; ``None`` where they are of other word lists.
+    """Return the ``limit`` best known foods of each name; ``None`` where they are of other word lists.
 
     A food of which nothing is known has no point: nothing speaks for it where its name is not equal.
 
@@ -68,7 +68,7 @@ def _asked(name: str, about: Question) -> dict[str, Any]:
 
 
 def _best(rows: Sequence[EquivalentsRow], limit: int) -> tuple[tuple[Neighbour, ...], ...]:
-    """Answer the best foods of each row, out of all that any of them names: one product for all."""
+    """Return the best foods of each row, out of all that any of them names: one product for all."""
     known = {name for row in rows for name in row.equal}
     known.update(name for row in rows for name, is_food, _ in row.nearest if is_food)
     return nearest_of_each(food_similarity(), [row.name for row in rows], sorted(known), limit)

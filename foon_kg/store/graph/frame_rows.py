@@ -20,12 +20,12 @@ _SET = "set"
 
 
 def text_of(frame: Frame) -> str:
-    """Answer a text from which :func:`frame_of` makes the same frame."""
+    """Return a text from which :func:`frame_of` makes the same frame."""
     return json.dumps(_plain(frame), ensure_ascii=False, separators=(",", ":"))
 
 
 def frame_of(text: str) -> Frame:
-    """Answer the frame that :func:`text_of` wrote."""
+    """Return the frame that :func:`text_of` wrote."""
     frame = _value(json.loads(text))
     if not isinstance(frame, Frame):
         raise TypeError("the text is not that of a frame")
@@ -52,7 +52,7 @@ def _value(plain: Any) -> Any:  # noqa: ANN401 - any value that JSON has, and an
 
 
 def frame_row(frame: Frame) -> dict[str, Any]:
-    """Answer a frame as ``cypher/load_frames.cypher`` takes it: stages by number, and what hangs on which."""
+    """Return a frame as ``cypher/load_frames.cypher`` takes it: stages by number, and what hangs on which."""
     outline = Outline.of(Layout.of(frame, tables()), tables())
     flat = _Flat()
     main = flat.add(frame.line)
@@ -85,7 +85,7 @@ class _Flat:
         self.slots: list[dict[str, Any]] = []
 
     def add(self, line: Line) -> list[int]:
-        """Add a line, and answer the numbers of its stages."""
+        """Add a line, and return the numbers of its stages."""
         return [self._add_stage(stage) for stage in line.stages]
 
     def _add_stage(self, stage: Stage) -> int:
@@ -105,7 +105,7 @@ def _properties(part: Stage | Slot, but: str = "") -> dict[str, Any]:
 
 
 def slot_foods(frames: Iterable[Frame]) -> set[str]:
-    """Answer the foods that join somewhere."""
+    """Return the foods that join somewhere."""
     return {slot.food for frame in frames for slot in frame.line.all_slots()}
 
 
@@ -131,7 +131,7 @@ class Joins:
                             self.beside[slot.kind, other.kind] += weight
 
     def rows(self) -> dict[str, list[dict[str, Any]]]:
-        """Answer the parameters of ``cypher/count_joins.cypher``."""
+        """Return the parameters of ``cypher/count_joins.cypher``."""
         return {
             "posts": [
                 {"kind": KIND + kind, "dish_type": dish_type, **_post(post), "count": count}
@@ -151,7 +151,7 @@ class Joins:
         }
 
     def matters(self) -> set[str]:
-        """Answer the kinds that are counted, as matters."""
+        """Return the kinds that are counted, as matters."""
         return {KIND + kind for kind, _, _ in self.posts}
 
 

@@ -74,7 +74,7 @@ def ask_freely(
     limit: int = ROW_LIMIT,
     timeout: float = TIME_LIMIT,
 ) -> Answer:
-    """Run ``text`` once, without retries, and answer at most ``limit`` rows.
+    """Run ``text`` once, without retries, and return at most ``limit`` rows.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``),
     GraphError where the text is no Cypher, fails, takes longer than ``timeout`` seconds (``timeout``; the server is

@@ -26,7 +26,7 @@ class KeptRows:
     edition: str
 
     def read(self, statement: Statement[Row], parameters: Mapping[str, Any]) -> list[Row] | None:
-        """Answer the rows that are kept for ``statement``, ``None`` where there are none."""
+        """Return the rows that are kept for ``statement``, ``None`` where there are none."""
         body = kept.find(_FOLDER, self._asked(statement, parameters))
         return None if body is None else [statement.row(*values) for values in json.loads(body)]
 
@@ -37,7 +37,7 @@ class KeptRows:
         kept.keep(_FOLDER, self._asked(statement, parameters), body)
 
     def _asked(self, statement: Statement[Row], parameters: Mapping[str, Any]) -> str:
-        """Answer what is asked; a statement with other columns asks something else."""
+        """Return what is asked; a statement with other columns asks something else."""
         return json.dumps([self.edition, statement.name, _columns(statement), parameters], sort_keys=True)
 
 

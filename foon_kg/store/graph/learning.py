@@ -30,7 +30,7 @@ class Ask(Protocol):
     """Runs a statement in the transaction."""
 
     def __call__(self, statement: Statement[Row], **parameters: object) -> list[Row]:
-        """Answer its rows."""
+        """Return its rows."""
         ...
 
 
@@ -104,7 +104,7 @@ class Learner:
             yield from ((operator, matter) for matter in done)
 
     def _evidence(self, pairs: set[Pair]) -> dict[Pair, Seen]:
-        """Answer the evidence for ``pairs``: what was kept, with what is new; found out anew where some of it went."""
+        """Return the evidence for ``pairs``: what was kept, with what is new; found out anew where some of it went."""
         found: dict[Pair, Seen] = {pair: ([], []) for pair in pairs}
         lost: set[Pair] = set()
         for row in self._ask(cypher.EVIDENCE, pairs=_by_operator(pairs)):
@@ -156,17 +156,17 @@ def _by_operator(pairs: Iterable[Pair]) -> list[dict[str, Any]]:
 
 
 def _first(sightings: Iterable[SightingValue]) -> list[str]:
-    """Answer the first sightings by video and position, as the graph keeps them."""
+    """Return the first sightings by video and position, as the graph keeps them."""
     by_place = {(sighting[0], sighting[1]): sighting for sighting in sightings}
     return [_sighting_text(by_place[place]) for place in sorted(by_place)[:MOST_SIGHTINGS]]
 
 
 def _sighting_text(value: SightingValue) -> str:
-    """Answer a sighting as the graph keeps it: the values of a ``Sighting`` as JSON."""
+    """Return a sighting as the graph keeps it: the values of a ``Sighting`` as JSON."""
     return json.dumps(list(value), ensure_ascii=False, separators=(",", ":"))
 
 
 def _sighting_value(text: str) -> SightingValue:
-    """Answer the sighting that was written as ``text``."""
+    """Return the sighting that was written as ``text``."""
     video, position, source, start, end = json.loads(text)
     return video, position, source, start, end

@@ -18,7 +18,7 @@ _LEARNT_BY = (
 
 
 def methods_key() -> str:
-    """Answer a hash of all that decides what is learnt of a FOON: the code that learns, and the tables of cooking."""
+    """Return a hash of all that decides what is learnt of a FOON: the code that learns, and the tables of cooking."""
     own = (os.environ.get(variable, "") for variable in (FOODS_VARIABLE, UTENSILS_VARIABLE))
     return content_key(_program_key(), *(Path(path).read_text(encoding="utf-8") if path else "" for path in own))
 

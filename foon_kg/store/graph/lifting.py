@@ -45,12 +45,12 @@ class Lifted:
 
 @lru_cache(maxsize=1 << 12)
 def operator_key(way: Way) -> str:
-    """Answer the content hash under which the graph keeps an operator."""
+    """Return the content hash under which the graph keeps an operator."""
     return content_key(way[0], way[1])
 
 
 def lifted(unit: FunctionalUnit) -> Lifted:
-    """Answer what ``unit`` says, whoever wrote it first."""
+    """Return what ``unit`` says, whoever wrote it first."""
     alone = Operators((in_plain_order(KnownUnit(unit, _SOMEWHERE)),), tables())
     ((way, seen),) = alone.evidence.items()
     acts = alone.acts.get(way)
@@ -102,7 +102,7 @@ class Tally:
                 self.appliances[key, appliance] += weight * number
 
     def rows(self) -> dict[str, list[dict[str, Any]]]:
-        """Answer the parameters of ``cypher/count_operators.cypher``; what is done to what apart."""
+        """Return the parameters of ``cypher/count_operators.cypher``; what is done to what apart."""
         return {
             "operators": [
                 {"operator": operator, "count": count}
@@ -117,7 +117,7 @@ class Tally:
         }
 
     def matters(self) -> set[str]:
-        """Answer every matter that is counted."""
+        """Return every matter that is counted."""
         found = {matter for _, matter in self.done} | {matter for matter, _ in self.states}
         return found | {matter for _, matter, _ in self.brings}
 
@@ -128,12 +128,12 @@ def _add(counter: Counter[tuple[str, str]], keys: Iterable[tuple[str, str]], wei
 
 
 def _rows(counter: Mapping[Names, int], *names: str) -> list[dict[str, Any]]:
-    """Answer a row for each key that has a count, in their order."""
+    """Return a row for each key that has a count, in their order."""
     return [{**dict(zip(names, key, strict=True)), "count": counter[key]} for key in sorted(counter) if counter[key]]
 
 
 def matter_rows(matters: Iterable[str]) -> dict[str, list[Any]]:
-    """Answer the parameters of ``cypher/load_matters.cypher``."""
+    """Return the parameters of ``cypher/load_matters.cypher``."""
     names = sorted(set(matters))
     foods = [name for name in names if not name.startswith((KIND, FORM)) and name != ANYTHING]
     return {

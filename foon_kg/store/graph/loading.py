@@ -38,11 +38,11 @@ class LoadReport:
     unchanged: tuple[str, ...] = ()
 
     def __len__(self) -> int:
-        """Answer how many videos it is about."""
+        """Return how many videos it is about."""
         return len(self.inserted) + len(self.replaced) + len(self.unchanged)
 
     def __add__(self, other: LoadReport) -> LoadReport:
-        """Answer both reports as one."""
+        """Return both reports as one."""
         return LoadReport(
             self.inserted + other.inserted, self.replaced + other.replaced, self.unchanged + other.unchanged
         )

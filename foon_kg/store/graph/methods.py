@@ -22,20 +22,20 @@ from foon_kg.store.graph.rows import EvidenceValue, FramesRow, MatterValue, Meth
 
 
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
-    """Answer what was learnt of a FOON."""
+    """Return what was learnt of a FOON."""
     methods = Methods(operators_of(row), frames_of(row.frames), tuple(goals))
     vars(methods)["posts"] = posts_of(row)  # they were counted when the frames were learnt
     return methods
 
 
 def frames_of(texts: Iterable[str]) -> tuple[Frame, ...]:
-    """Answer the frames of some texts, in the order of methods."""
+    """Return the frames of some texts, in the order of methods."""
     frames = map(frame_of, texts)
     return tuple(sorted(frames, key=lambda frame: (frame.video, frame.goal.sort_key, frame.dish_type)))
 
 
 def operators_of(row: MethodsRow) -> Operators:
-    """Answer the operators, with all their evidence."""
+    """Return the operators, with all their evidence."""
     found = Operators((), tables())
     sightings = _Sightings()
     ways: list[Way] = [(motion, tuple(tools)) for motion, tools in row.operators]
@@ -88,7 +88,7 @@ def _attest(evidence: Evidence, matter: str, units: int, seen: list[Sighting]) -
 
 
 def posts_of(row: MethodsRow | MethodsCommonRow) -> Posts:
-    """Answer where foods of each kind join, from the counts of the graph."""
+    """Return where foods of each kind join, from the counts of the graph."""
     posts = Posts((), tables())
     for kind, dish_type, work, heated, joins, count in row.posts:
         post: Post = (work, heated, joins)
@@ -123,14 +123,14 @@ class LearntDishes:
         )
 
     def layout(self, key: str) -> Layout:
-        """Answer the places of a frame."""
+        """Return the places of a frame."""
         found = self._layouts.find(key)
         if found is None:
             found = self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
         return found
 
     def goal_of(self, frame: Frame) -> Goal:
-        """Answer the goal that a frame is of, with the videos that show a way to it."""
+        """Return the goal that a frame is of, with the videos that show a way to it."""
         videos = self._videos[frame.goal.key, frame.dish_type]
         return Goal(frame.goal, frame.dish_type, frame.goal.ingredients, tuple(sorted(videos)))
 
@@ -143,11 +143,11 @@ class MethodsInPart(Methods):
         vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes)
 
     def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
-        """Answer the places of the frames of some keys, in that order."""
+        """Return the places of the frames of some keys, in that order."""
         return [self._dishes.layout(key) for key in keys]
 
     def goal_of(self, frame: Frame) -> Goal:
-        """Answer the goal that a frame is of."""
+        """Return the goal that a frame is of."""
         return self._dishes.goal_of(frame)
 
     @property
@@ -186,7 +186,7 @@ class CommonMethods:
         return found
 
     def operators_with(self, matters: Iterable[MatterValue]) -> Operators:
-        """Answer the operators with what is done to ``matters``, and how each of these is brought and found."""
+        """Return the operators with what is done to ``matters``, and how each of these is brought and found."""
         matters = list(matters)
         shared, found = self._shared, Operators((), tables())
         found.giving, found.onto = shared.giving, shared.onto
@@ -210,5 +210,5 @@ class CommonMethods:
         return found
 
     def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes) -> Methods:
-        """Answer the methods of a question."""
+        """Return the methods of a question."""
         return MethodsInPart(self.operators_with(matters), self.posts, dishes)

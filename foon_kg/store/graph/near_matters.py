@@ -35,7 +35,7 @@ class KnownMatters:
     kinds: set[str] = field(default_factory=set)
 
     def for_foods(self, foods: Collection[str], ask: Ask) -> list[MatterValue] | None:
-        """Answer the rows of all that matters to ``foods``; ``None`` where that cannot be told by points."""
+        """Return the rows of all that matters to ``foods``; ``None`` where that cannot be told by points."""
         kinds = {f"{KIND}{tables().foods.find(food)[0]}" for food in foods}
         waiting = {food: question(food) for food in sorted(foods) if food not in self.near}
         count = FIRST
@@ -72,7 +72,7 @@ def _asked(food: str, about: Question) -> dict[str, Any]:
 
 
 def _least(about: Question) -> float:
-    """Answer the least cosine of which a food may have whose likeness is worth a word; none is at less."""
+    """Return the least cosine of which a food may have whose likeness is worth a word; none is at less."""
     low, high = -1.0, 1.0
     for _ in range(_HALVINGS):
         middle = (low + high) / 2

@@ -8,7 +8,7 @@ from neo4j.graph import Node, Path, Relationship
 
 
 def as_plain(value: Any) -> object:  # noqa: ANN401 - whatever a driver can answer
-    """Answer a value of the driver as JSON knows it: nodes, edges and paths as objects, times and places as text."""
+    """Return a value of the driver as JSON knows it: nodes, edges and paths as objects, times and places as text."""
     if isinstance(value, Node):
         return {"labels": sorted(value.labels), "properties": as_plain(dict(value))}
     if isinstance(value, Relationship):

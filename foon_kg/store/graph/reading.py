@@ -60,7 +60,7 @@ from foon_kg.store.graph.statements import (
     ask,
 )
 from foon_kg.store.graph.words import WordsFound, find_words, seen_as
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 if TYPE_CHECKING:
     from foon_kg.integration.methods import Methods
@@ -91,7 +91,7 @@ class GraphView:
         self._fetched: list[tuple[Statement[Any], dict[str, object], list[Any]]] = []
 
     def vocabulary(self) -> Vocabulary:
-        """Answer the words that the FOON knows."""
+        """Return the words that the FOON knows."""
         if self._edition.vocabulary is None:
             self._edition.vocabulary = self._read_vocabulary()
         return self._edition.vocabulary
@@ -104,7 +104,7 @@ class GraphView:
         return Vocabulary(tuple(foods), tuple(motions), tuple(dish_types), gatherings=gatherings)
 
     def words_for(self, foods: Sequence[str], called: Sequence[str] = ()) -> Vocabulary:
-        """Answer what of the vocabulary matters to a recipe that asks for ``foods``."""
+        """Return what of the vocabulary matters to a recipe that asks for ``foods``."""
         found = self._words_found(foods, called)
         return self.vocabulary() if found is None else found.vocabulary
 
@@ -115,7 +115,7 @@ class GraphView:
         return self._edition.words[asked]
 
     def words_in(self, units: Sequence[KnownUnit], words: Vocabulary) -> Vocabulary:
-        """Answer ``words`` with all that is known of the foods in ``units``."""
+        """Return ``words`` with all that is known of the foods in ``units``."""
         if words is self._edition.vocabulary:
             return words
         nodes = {node for known in units for node in (*known.unit.input_nodes, *known.unit.output_nodes)}
@@ -124,7 +124,7 @@ class GraphView:
         return replace(words, foods=tuple(sorted((*words.foods, *more))))
 
     def goals(self, dish_type: str | None = None) -> tuple[Goal, ...]:
-        """Answer the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
+        """Return the goals of ``dish_type`` (of every type for ``None``), sorted by node and type."""
         if dish_type is None:
             return self._read_goals(DISH_TYPES)
         if dish_type not in self._edition.goals:
@@ -136,7 +136,7 @@ class GraphView:
         return tuple(sorted(map(goal_of, row.goals), key=lambda goal: (goal.node.sort_key, goal.dish_type)))
 
     def likely_goals(self, dish_type: str | None, foods: Sequence[str], count: int) -> LikelyGoals:
-        """Answer the ``count`` goals, or some more, that may score highest for a recipe of ``foods``."""
+        """Return the ``count`` goals, or some more, that may score highest for a recipe of ``foods``."""
         asked = dish_type, tuple(sorted(set(foods))), count
         if asked not in self._edition.likely:
             self._edition.likely[asked] = self._read_likely_goals(*asked)
@@ -155,7 +155,7 @@ class GraphView:
         return LikelyGoals(goals, frozenset(row.foods_named), most)
 
     def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
-        """Answer every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
+        """Return every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
@@ -181,18 +181,18 @@ class GraphView:
         return tuple(found[name] for name in names)
 
     def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:
-        """Answer every object node with one of ``labels``, sorted."""
+        """Return every object node with one of ``labels``, sorted."""
         (row,) = self._ask(NODES_CALLED, labels=sorted(set(labels)))
         return tuple(sorted(map(node_of, row.nodes), key=lambda node: node.sort_key))
 
     def methods(self) -> Methods:
-        """Answer what this FOON teaches. Where another program learnt it, it is learnt anew, in memory."""
+        """Return what this FOON teaches. Where another program learnt it, it is learnt anew, in memory."""
         if self._edition.methods is None:
             self._edition.methods = self._read_methods()
         return self._edition.methods
 
     def methods_for(self, foods: Collection[str], dish_type: str) -> Methods:
-        """Answer what this FOON teaches of making a dish of ``foods``.
+        """Return what this FOON teaches of making a dish of ``foods``.
 
         That are the operators done to ``foods``, to those like one of them at all, or to their kinds.
         """
@@ -226,7 +226,7 @@ class GraphView:
         return methods_of(row, self.goals())
 
     def motion_costs(self) -> MotionCosts:
-        """Answer the weights of motions that were loaded, none where there are none."""
+        """Return the weights of motions that were loaded, none where there are none."""
         (row,) = self._ask(MOTION_COSTS)
         return MotionCosts(dict(zip(row.motions, row.costs, strict=True)))
 
@@ -246,7 +246,7 @@ class GraphView:
         return self
 
     def remembered(self, question: str) -> RetrievedTree | None:
-        """Answer the reference tree that is kept for ``question``."""
+        """Return the reference tree that is kept for ``question``."""
         for row in self._ask(REMEMBERED, question=question):
             return RetrievedTree(row.question, row.grounds, row.goal, tuple(row.units), tuple(row.gaps))
         return None
@@ -256,11 +256,11 @@ class GraphView:
         self.retrieved.append(tree)
 
     def video_names(self) -> tuple[str, ...]:
-        """Answer the names of all videos, sorted."""
+        """Return the names of all videos, sorted."""
         return tuple(sorted(row.name for row in self._ask(VIDEO_NAMES)))
 
     def subgraphs(self, names: Collection[str]) -> tuple[Subgraph, ...]:
-        """Answer those of the named videos that the graph has, sorted by name, with all that was loaded."""
+        """Return those of the named videos that the graph has, sorted by name, with all that was loaded."""
         rows = self._ask(SUBGRAPHS, names=sorted(set(names)))
         return tuple(sorted(map(subgraph_of, rows), key=lambda subgraph: subgraph.name))
 
@@ -275,7 +275,7 @@ class GraphView:
         )
 
     def begin(self, kitchen: Kitchen, known: Edition) -> Edition:
-        """Answer which edition this view reads: ``known``, or a new one.
+        """Return which edition this view reads: ``known``, or a new one.
 
         Raises SchemaError or GraphError unless the graph is a FOON that this program can read.
         """
@@ -310,7 +310,7 @@ class GraphView:
         self._fetched.clear()
 
     def _ask_once(self, statement: Statement[Row], **parameters: object) -> list[Row]:
-        """Answer what no program of this user asks twice of one edition."""
+        """Return what no program of this user asks twice of one edition."""
         if self._edition.name is None:
             return self._ask(statement, **parameters)
         rows = KeptRows(self._edition.name).read(statement, parameters)
@@ -351,7 +351,7 @@ class Neo4jGraph:
             self._keeps_trees = keep_trees(self._connection, view.retrieved)
 
     def snapshot(self) -> Snapshot:
-        """Answer the whole FOON in memory."""
+        """Return the whole FOON in memory."""
         from foon_kg.store.snapshot import Snapshot  # noqa: PLC0415 - slow to import, and few commands need all
 
         with self.reading() as view:
@@ -369,13 +369,13 @@ class Neo4jGraph:
 
 
 def goal_of(row: GoalValue) -> Goal:
-    """Answer the goal that travelled as ``row``."""
+    """Return the goal that travelled as ``row``."""
     node, dish_type, videos = node_of(row[0]), *row[1:]
     return Goal(node, dish_type, node.ingredients, tuple(sorted(videos)))
 
 
 def subgraph_of(row: SubgraphRow) -> Subgraph:
-    """Answer the subgraph that was loaded."""
+    """Return the subgraph that was loaded."""
     return Subgraph(row.name, tuple(map(_annotation, row.units)), tuple(row.sources))
 
 

@@ -353,42 +353,42 @@ class MethodsRow:
 
 
 def node_of(row: NodeRow) -> ObjectNode:
-    """Answer the object node that travelled as ``row``."""
+    """Return the object node that travelled as ``row``."""
     label, states, ingredients, relation, container = row
     return ObjectNode(label, tuple(states), tuple(ingredients), relation, container)
 
 
 def row_of(node: ObjectNode) -> NodeRow:
-    """Answer ``node`` as it travels."""
+    """Return ``node`` as it travels."""
     return (node.label, list(node.states), list(node.ingredients), node.relation, node.container)
 
 
 def unit_of(
     verb: str, inputs: Iterable[NodeRow], outputs: Iterable[NodeRow], seen: Properties, *, accepts_any: bool
 ) -> FunctionalUnit:
-    """Answer the unit as one video has it."""
+    """Return the unit as one video has it."""
     ins, outs = _participants(inputs, seen, "inputs"), _participants(outputs, seen, "outputs")
     return FunctionalUnit(ins, verb, outs, accepts_any)
 
 
 def bare_unit_of(row: UnitRow) -> FunctionalUnit:
-    """Answer the unit without anything that a video says about it."""
+    """Return the unit without anything that a video says about it."""
     inputs, outputs = (tuple(Participant(node_of(node)) for node in side) for side in (row.inputs, row.outputs))
     return FunctionalUnit(inputs, row.verb, outputs, row.accepts_any)
 
 
 def timing_of(seen: Properties) -> Timing:
-    """Answer the time that :func:`properties_of` wrote."""
+    """Return the time that :func:`properties_of` wrote."""
     return Timing(tuple(zip(seen["span_starts"], seen["span_ends"], strict=True)), seen["assumed"])
 
 
 def measures_of(amounts: Sequence[str] | None, seconds: float | None, celsius: float | None) -> Measures:
-    """Answer the measures that :func:`properties_of` wrote."""
+    """Return the measures that :func:`properties_of` wrote."""
     return Measures(tuple(amounts or ()), seconds, celsius)
 
 
 def properties_of(annotation: Annotation, position: int) -> Properties:
-    """Answer what the ``SEEN_IN`` edge of ``annotation`` keeps."""
+    """Return what the ``SEEN_IN`` edge of ``annotation`` keeps."""
     unit, timing, measures = annotation.unit, annotation.timing, annotation.measures
     return {
         "position": position,
@@ -422,6 +422,6 @@ def _participants(rows: Iterable[NodeRow], seen: Properties, side: str) -> tuple
 
 
 def order(row: NodeRow) -> tuple[object, ...]:
-    """Answer the order that ranks count in; no two nodes are equal in it."""
+    """Return the order that ranks count in; no two nodes are equal in it."""
     label, states, ingredients, relation, container = row
     return (label, states, ingredients, relation is not None, relation or "", container is not None, container or "")

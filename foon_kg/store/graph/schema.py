@@ -33,12 +33,12 @@ _COUNTED = "foods in states, states by verbs, verbs by foods; utensils, what mov
 
 
 def schema_version() -> int:
-    """Answer the version of the schema that this program writes: the number of steps that lead to it."""
+    """Return the version of the schema that this program writes: the number of steps that lead to it."""
     return len(schema_steps())
 
 
 def kitchen_key(kitchen: Kitchen) -> str:
-    """Answer a hash of everything that decides what is at hand and what is a utensil, and of what is counted."""
+    """Return a hash of everything that decides what is at hand and what is a utensil, and of what is counted."""
     return content_key(_COUNTED, *(_sorted(getattr(kitchen, field.name)) for field in dataclasses.fields(kitchen)))
 
 
@@ -65,7 +65,7 @@ def check_schema(state: SchemaState | None) -> SchemaState:
 
 
 def prepare_for_writing(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
-    """Apply what is missing of the schema and answer the state of the graph. Raises SchemaError for a newer one."""
+    """Apply what is missing of the schema and return the state of the graph. Raises SchemaError for a newer one."""
     for _ in range(_TRIES - 1):
         try:
             return _up_to_date(session, kitchen)
@@ -90,7 +90,7 @@ def _up_to_date(session: neo4j.Session, kitchen: Kitchen) -> SchemaState:
 
 
 def read_state(session: neo4j.Session) -> SchemaState | None:
-    """Answer what the graph says about itself, or ``None``."""
+    """Return what the graph says about itself, or ``None``."""
     return next(iter(session.execute_read(ask, SCHEMA_STATE)), None)
 
 

@@ -96,6 +96,9 @@ FORGET_DRAFTS = Statement("forget_drafts", rows.KeyRow)
 
 LOAD_RECIPE_WORDS = Statement("load_recipe_words", rows.Nothing)
 LOAD_RECIPES = Statement("load_recipes", rows.Nothing)
+RECIPES_TURN = Statement("recipes_turn", recipe_rows.RecipesTurnRow)
+RECIPES_HELD = Statement("recipes_held", recipe_rows.RecipeHeldRow)
+ADD_RECIPE_COUNTS = Statement("add_recipe_counts", rows.Nothing)
 RECIPE_CONTENTS = Statement("recipe_contents", recipe_rows.RecipeContentRow)
 RECIPE = Statement("recipe", recipe_rows.RecipeRow)
 RECIPE_PAGE = Statement("recipe_page", recipe_rows.RecipePageRow)
@@ -107,7 +110,7 @@ WANTED_FOODS = Statement("wanted_foods", recipe_rows.WantedFoodRow)
 
 
 def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:
-    """Run ``statement`` in one round trip and answer its rows."""
+    """Run ``statement`` in one round trip and return its rows."""
     _log.debug("%s", statement.name)
     result = transaction.run(named_query(statement.name).text, parameters)
     return [statement.row(*record.values()) for record in result]

@@ -8,7 +8,7 @@ from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.reading import GraphView
 from foon_kg.store.graph.schema import check_readable
 from foon_kg.store.graph.statements import SCHEMA_STATE, ask
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 ROUNDS = 3
 """Compiling a query is one round; the code that runs it gets quicker for a few more."""

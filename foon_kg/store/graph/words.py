@@ -44,7 +44,7 @@ class WordsFound:
 
 
 def find_words(ask: Ask, foods: Sequence[str], called: Sequence[str]) -> WordsFound | None:
-    """Answer what matters to ``foods``, and besides the foods called like ``called``.
+    """Return what matters to ``foods``, and besides the foods called like ``called``.
 
     ``ask`` takes the parameters of ``cypher/words_for.cypher``. ``None`` where that cannot be told without reading all
     words: the points are of other word lists, a food has no word in it, too many others are near it, or so few that
@@ -70,7 +70,7 @@ def find_words(ask: Ask, foods: Sequence[str], called: Sequence[str]) -> WordsFo
 
 
 def seen_as(rows: Iterable[StateRow]) -> Iterator[SeenAs]:
-    """Answer the rows of the vocabulary that travelled by state."""
+    """Return the rows of the vocabulary that travelled by state."""
     columns = (zip(labels, [state] * len(labels), made, used, strict=True) for state, labels, made, used in rows)
     return map(SeenAs._make, chain.from_iterable(columns))
 

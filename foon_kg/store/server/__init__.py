@@ -6,12 +6,14 @@ is not up. Everything else here is that local server; a name is imported when so
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from foon_kg.store.settings import ConnectionSettings, connection_from_environment
+
 if TYPE_CHECKING:
     from foon_kg.store.server.lifecycle import ensure_running, start, stop
-    from foon_kg.store.server.settings import ConnectionSettings, connection_from_environment, connection_settings
     from foon_kg.store.server.state import Status, status
 
 __all__ = [
@@ -26,18 +28,25 @@ __all__ = [
 ]
 
 _HOMES = {
-    "ConnectionSettings": "settings",
-    "Status": "state",
-    "connection_from_environment": "settings",
-    "connection_settings": "settings",
-    "ensure_running": "lifecycle",
-    "start": "lifecycle",
-    "status": "state",
-    "stop": "lifecycle",
+    "Status": "foon_kg.store.server.state",
+    "ensure_running": "foon_kg.store.server.lifecycle",
+    "start": "foon_kg.store.server.lifecycle",
+    "status": "foon_kg.store.server.state",
+    "stop": "foon_kg.store.server.lifecycle",
 }
 
 
 def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def connection_settings(say: Callable[[str], None] = lambda _message: None) -> ConnectionSettings:
+    """Return how to reach the graph: the Neo4j that the environment names, else the local one, started if need be."""
+    named = connection_from_environment()
+    if named is not None:
+        return named
+    from foon_kg.store.server.lifecycle import ensure_running  # noqa: PLC0415 - for the local one only
+
+    return ensure_running(say)

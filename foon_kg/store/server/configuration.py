@@ -5,7 +5,7 @@ from __future__ import annotations
 import secrets
 
 from foon_kg.model.kept import write_private
-from foon_kg.store.server.disk import explain_os_error
+from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server.home import Home
 from foon_kg.store.server.reach import HOST
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from foon_kg.model.errors import ServerError
-from foon_kg.store.server.disk import explain_os_error
+from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server.extra import missing_extra
 from foon_kg.store.server.jars import CHUNK, Jar, JarSet, sha256_of
 

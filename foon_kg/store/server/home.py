@@ -13,7 +13,7 @@ from filelock import FileLock, Timeout
 
 from foon_kg.model.errors import ServerError
 from foon_kg.model.kept import write_private
-from foon_kg.store.server.disk import explain_os_error
+from foon_kg.store.disk import explain_os_error
 
 DEFAULT_IDLE_MINUTES = 30
 LOCK_SECONDS = 900  # a first start on a slow line, which others wait for

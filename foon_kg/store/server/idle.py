@@ -27,8 +27,8 @@ from foon_kg.store.server import process as processes
 from foon_kg.store.server.home import Home, Memory
 from foon_kg.store.server.lifecycle import stop_locked
 from foon_kg.store.server.reach import settings_of
-from foon_kg.store.server.settings import ConnectionSettings
 from foon_kg.store.server.startup_cache import the_startup_cache
+from foon_kg.store.settings import ConnectionSettings
 
 LOOK_SECONDS = 60.0
 NICE = 19

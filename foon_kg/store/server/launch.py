@@ -10,14 +10,14 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from foon_kg.model.kept import write_private
+from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.configuration import new_password, write_configuration
-from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet
 from foon_kg.store.server.java import MAIN_CLASS, run_admin, write_arguments
 from foon_kg.store.server.reach import password_of, settings_of
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 
 @contextmanager

@@ -11,11 +11,11 @@ from dataclasses import replace
 import psutil
 
 from foon_kg.model.errors import ServerError
+from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.home import Home, Memory, Say, home, silent
 from foon_kg.store.server.reach import settings_of
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 
 def ensure_running(say: Say = silent) -> ConnectionSettings:
@@ -55,7 +55,7 @@ def start(
 
 
 def stop(say: Say = silent) -> bool:
-    """Stop the local server; answers whether there was one to stop."""
+    """Stop the local server; return whether there was one to stop."""
     place = home()
     if not place.root.exists():
         return False

@@ -11,10 +11,10 @@ from pathlib import Path
 import psutil
 
 from foon_kg.model.errors import ServerError
-from foon_kg.store.server.disk import could_not_write, explain_os_error, no_room
+from foon_kg.store.disk import could_not_write, explain_os_error, no_room
 from foon_kg.store.server.home import Home, Memory
 from foon_kg.store.server.reach import HOST
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 ANSWER_SECONDS = 180
 STOP_SECONDS = 60

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from foon_kg.model.errors import ServerError
 from foon_kg.store.server.home import Home
-from foon_kg.store.server.settings import ConnectionSettings
+from foon_kg.store.settings import ConnectionSettings
 
 HOST = "127.0.0.1"
 

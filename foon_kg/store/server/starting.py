@@ -13,16 +13,16 @@ from filelock import FileLock
 
 from foon_kg.model.errors import ServerError
 from foon_kg.model.kept import cache_folder
+from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.disk import explain_os_error
 from foon_kg.store.server.fetch import fetch
 from foon_kg.store.server.home import Home, Memory, Say, waiting
 from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import java
 from foon_kg.store.server.launch import launched
-from foon_kg.store.server.settings import ConnectionSettings
 from foon_kg.store.server.startup_cache import StartupCache, the_startup_cache
 from foon_kg.store.server.verified import other_than
+from foon_kg.store.settings import ConnectionSettings
 
 
 def remembered(place: Home, known: Memory | None, port: int | None, idle_minutes: float | None, say: Say) -> Memory:

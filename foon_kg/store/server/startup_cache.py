@@ -24,8 +24,8 @@ from foon_kg.store.server.home import Home
 from foon_kg.store.server.jars import JarSet, pinned, sha256_of
 from foon_kg.store.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.store.server.launch import launched
-from foon_kg.store.server.settings import ConnectionSettings
 from foon_kg.store.server.verified import other_than
+from foon_kg.store.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
 DIGEST = ".sha256"
@@ -83,7 +83,7 @@ class StartupCache:
         return not other_than(cache_folder(), {self.file.name: made})
 
     def discard(self) -> bool:
-        """Remove the cache; answers whether there was one."""
+        """Remove the cache; return whether there was one."""
         there = self.file.exists()
         self.file.unlink(missing_ok=True)
         self.digest.unlink(missing_ok=True)

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, islice
 
-from foon_kg.formats.exports.sentences import listed, sentence
+from foon_kg.formats.exports.phrases import listed
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
 from foon_kg.store.vocabulary import states_made
 from foon_kg.web.explore.network import Network, Thing, ThingKind

@@ -46,14 +46,14 @@ def search(
     kinds: Annotated[list[ThingKind] | None, _KINDS] = None,
     limit: Annotated[int, _LIMIT] = 12,
 ) -> list[ThingTold]:
-    """Answer the foods, utensils, motions, videos, dish types and objects that ``text`` may become, best first."""
+    """Return the foods, utensils, motions, videos, dish types and objects that ``text`` may become, best first."""
     explorer = _explorer(request)
     return _told(explorer, explorer.search.find(text, kinds or (), limit))
 
 
 @router.get("/begin")
 def begin(request: Request) -> BeginTold:
-    """Answer the videos, motions and dish types to filter by, and some things that take part in much to begin with."""
+    """Return the videos, motions and dish types to filter by, and some things that take part in much to begin with."""
     network = _explorer(request).network
     return BeginTold(
         videos=list(network.names("video")),
@@ -65,7 +65,7 @@ def begin(request: Request) -> BeginTold:
 
 @router.post("/around")
 def around(request: Request, asked: AroundAsked) -> NeighbourhoodTold:
-    """Answer what is around a thing, never more than asked, and what the thing is."""
+    """Return what is around a thing, never more than asked, and what the thing is."""
     explorer = _explorer(request)
     found = explorer.neighbours.around(asked.id, asked.filters(), depth=asked.depth, most=asked.most, shown=asked.shown)
     return NeighbourhoodTold(
@@ -78,7 +78,7 @@ def around(request: Request, asked: AroundAsked) -> NeighbourhoodTold:
 
 @router.post("/way")
 def way(request: Request, asked: WayAsked) -> WayTold:
-    """Answer the shortest way of a food from one state to another: over the food, not over knives and bowls."""
+    """Return the shortest way of a food from one state to another: over the food, not over knives and bowls."""
     explorer = _explorer(request)
     network, found = explorer.network, explorer.ways.shortest(asked.start, asked.end, asked.filters())
     stops = [network.thing(f"object:{stop.node.key}") for stop in found.stops]
@@ -98,7 +98,7 @@ def way(request: Request, asked: WayAsked) -> WayTold:
 
 @router.get("/questions")
 def questions(request: Request) -> QuestionsTold:
-    """Answer the questions in Cypher that come with foon-kg, and whether this service takes any."""
+    """Return the questions in Cypher that come with foon-kg, and whether this service takes any."""
     ours = (
         QuestionTold(
             name=query.name,
@@ -114,7 +114,7 @@ def questions(request: Request) -> QuestionsTold:
 
 @router.post("/cypher")
 def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
-    """Answer a question in Cypher, as a table and with what of it can be drawn; refused is all but a look."""
+    """Return a question in Cypher, as a table and with what of it can be drawn; refused is all but a look."""
     desk: CypherDesk | None = request.app.state.cypher
     if desk is None:
         raise NoCypherError

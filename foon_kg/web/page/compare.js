@@ -56,7 +56,7 @@ const apart = (one, other) => {
   const likes = ({ substitutes }) => substitutes.map(({ food, like }) => `${food} like ${like}`);
   const kitchen = String(one.kitchen) === String(other.kitchen) ? [] : [one.kitchen.length ? `with ${one.kitchen.slice(0, 6).join(", ")}${one.kitchen.length > 6 ? ", …" : ""} at hand` : "with everything at hand"];
   return [...(one.dish_type === other.dish_type ? [] : [`as ${one.dish_type || "any dish"}`]), ...only("ingredients", "with"), ...only("avoid", "without"),
-    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen, ...(one.after === other.after ? [] : [one.after ? `after ${one.after}` : "after the dish that suits best"])].join(", ") || "as asked";
+    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen, ...(one.after === other.after ? [] : [one.after ? `after ${one.after}` : "after the dish that suits best"]), ...(one.with_drafts === other.with_drafts ? [] : [one.with_drafts ? "drafts, too" : "videos alone"])].join(", ") || "as asked";
 };
 
 const heads = (sides, to) => [
@@ -129,4 +129,4 @@ const things = (plan) => buying(plan, plain).map((told, i) => {
   return [`${label} ${plan.shopping.slice(0, i).filter((one) => one.label === label).length}`, told.join("").trim()];
 });
 const stands = (plan) => plan.substitutions.map((one) => [`${one.kind} ${one.object} ${one.kind === "object" ? "" : one.required}`,
-  one.kind === "object" ? `${one.object} like ${one.equivalent} ${one.confidence.toFixed(2)}` : `${one.object} ${one.required} for ${one.equivalent} ${one.confidence.toFixed(2)}`]);
+  one.kind === "object" ? `${one.object} like ${one.equivalent} ${one.confidence.toFixed(2)}` : `${one.required} ${one.object} like ${one.equivalent} ${one.object} ${one.confidence.toFixed(2)}`]);

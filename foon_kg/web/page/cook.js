@@ -41,13 +41,14 @@ export const cookView = (plan, { key, unseen, to }) => {
   const row = (title, items) => (items.length ? [heading(2, title), list(items, { class: "things" })] : []);
   const jump = (i) => element("a", { href: to("cook", i + 1) }, `${i + 1}. ${plan.sentences[i]}`);
 
-  // A video shows how long somebody's own work takes; of what goes on by itself it shows the beginning and the end.
+  // A video shows how long somebody's own work takes; of what cooks or goes on by itself only a recipe says how long.
   const timer = (i) => {
     const { duration, hands } = timing.get(i);
-    if (hands !== null) return duration ? [element("p", { class: "aside" }, `Takes ${about(duration)} in videos.`)] : [];
-    const others = meanwhile(plan.units, i).map((j) => element("li", {}, jump(j)));
-    return [heading(2, "It goes on by itself"), clock.setter(i + 1),
-      element("p", { class: "aside" }, duration ? `Videos show ${about(duration)} of it and cut the rest: set the time that you know.` : "No video says how long: set the time that you know."),
+    const said = duration && !duration.sightings ? duration.median : 0;
+    if (hands !== null && !said) return duration ? [element("p", { class: "aside" }, `Takes ${about(duration)} in videos.`)] : [];
+    const others = hands === null ? meanwhile(plan.units, i).map((j) => element("li", {}, jump(j))) : [];
+    return [heading(2, hands === null ? "It goes on by itself" : "How long"), clock.setter(i + 1, said),
+      said ? "" : element("p", { class: "aside" }, "Videos cut this short: set the time that you know."),
       ...(others.length ? [heading(2, "Meanwhile"), list(others, { class: "plain" })] : [])];
   };
 

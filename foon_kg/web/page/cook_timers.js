@@ -41,7 +41,7 @@ export const timers = (kept, named, go) => {
     clearInterval(going);
     if (kept.timers.length) going = setInterval(tell, 250);
   };
-  const setter = (step) => {
+  const setter = (step, seconds) => {
     let set = 0;
     const start = element("button", { type: "button", onclick: () => { kept.timers = [...kept.timers, { step, until: Date.now() + set * 1000 }]; show(); } });
     const add = (more) => {
@@ -49,7 +49,7 @@ export const timers = (kept, named, go) => {
       start.textContent = `Start ${minutes(set)}`;
       start.disabled = !set;
     };
-    add(0);
+    add(seconds);
     const more = (count) => element("button", { type: "button", onclick: () => add(60 * count) }, `+${count} min`);
     return element("div", { class: "bar", role: "group", "aria-label": "Timer" }, more(1), more(5), start);
   };

@@ -1,11 +1,9 @@
-// The page: what its address asks is shown (the opening, a plan in one of its views, what could be made, an object), and
+// The page: what its address asks is shown (the opening, a plan in one of its views, what could be made), and
 // whatever is asked by hand becomes an address first.
 
 import { fromAddress, toAddress } from "./address.js";
 import * as api from "./api.js";
-import { aroundView } from "./around.js";
 import { chipField } from "./chips.js";
-import { combobox } from "./combobox.js";
 import { element, errorNotice } from "./element.js";
 import { examplesView, knows, recentView, remember } from "./opening.js";
 import { planPage, suggestionsView } from "./plan.js";
@@ -17,7 +15,6 @@ const say = (text) => { status.textContent = text; };
 const foods = chipField(ingredient, at("wanted"), { most: 60, say });
 const wished = wishes(say);
 const goTo = (address) => { if (location.hash === address) follow(true); else location.hash = address; };
-const looked = combobox(at("object"), (text) => goTo(`#look=${encodeURIComponent(text)}`));
 let turn = 0;
 let [examples, empty] = [null, false];
 let shown = { key: "", show: () => {}, leave: () => {} }; // the answer that is there, by what was asked
@@ -87,24 +84,6 @@ const suggest = (key) => answer("Looking at every dish …", key, () => api.sugg
   return { parts: suggestionsView(told, (dishType) => { dish.value = dishType; plan(); }) };
 });
 
-const look = async (label) => {
-  at("object").value = label;
-  looked.close();
-  const around = at("around");
-  document.title = `${label || "Look around"} · foon`;
-  if (!label) return at("object").focus();
-  around.replaceChildren(element("p", { class: "aside" }, "Looking …"));
-  try {
-    around.replaceChildren(...aroundView(await api.around(label)));
-  } catch (error) {
-    if (!(error instanceof api.Refusal)) throw error;
-    around.replaceChildren(errorNotice(error));
-    if (error.status === 401) askToken();
-  }
-  scrollTo({ top: 0 });
-  around.focus({ preventScroll: true });
-};
-
 const openingShown = async () => {
   result.replaceChildren();
   document.title = "foon: task trees for cooking";
@@ -120,17 +99,15 @@ const openingShown = async () => {
 // Show what the address asks; `again`: ask it again, though its answer is there.
 const follow = (again = false) => {
   const asked = fromAddress();
-  const page = asked.look !== null ? "look" : asked.ingredients.length ? "plan" : "home";
+  const page = asked.ingredients.length ? "plan" : "home";
   document.body.dataset.page = page;
   at("opening").hidden = page !== "home";
-  at("plan").hidden = at("look").hidden = false;
-  at(page === "look" ? "plan" : "look").hidden = true;
   result.hidden = page !== "plan";
   if (page !== "plan") {
     turn += 1; // what still comes is for a page that is no longer there
     shown.leave?.();
     shown = { key: "" };
-    return page === "look" ? look(asked.look) : openingShown();
+    return openingShown();
   }
   const key = toAddress(asked.question, asked.view === "make" ? "make" : "");
   if (!again && key === shown.key) return shown.show?.(asked);
@@ -150,7 +127,10 @@ const begin = async () => {
     const told = await api.summary();
     at("token").hidden = true;
     at("knows").textContent = knows(told);
-    dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)));
+    dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)),
+      ...told.drafted_types.map((name) => element("option", { value: name, "data-drafted": true }, `${name} (drafts alone)`)));
+    at("drafts").hidden = !told.drafts;
+    at("drafts-help").textContent = `Make it after one of ${told.drafts} dishes, too, that were drafted from the words of recipes: nobody has seen or reviewed them.`;
     empty = !told.units;
     if (empty) at("examples").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
     follow(true);
@@ -169,18 +149,15 @@ at("ask").addEventListener("keydown", (event) => {
   } else if (event.target.matches("input")) event.preventDefault(); // an empty field asks nothing
 });
 at("ask").addEventListener("submit", (event) => { event.preventDefault(); plan(); });
+dish.addEventListener("change", () => { if ("drafted" in dish.selectedOptions[0].dataset) wished.drafts(true); });
 at("suggest").addEventListener("click", () => ask("make"));
 at("clear").addEventListener("click", () => {
   foods.set([]);
   wished.follow("");
+  wished.drafts(false);
   wished.question().substitutes.forEach(({ food }) => wished.choose(food, null));
   say("All ingredients are removed.");
   ingredient.focus();
-});
-at("find").addEventListener("submit", (event) => {
-  event.preventDefault();
-  const label = at("object").value.trim();
-  if (label) goTo(`#look=${encodeURIComponent(label)}`);
 });
 at("token-form").addEventListener("submit", (event) => {
   event.preventDefault();
@@ -189,7 +166,7 @@ at("token-form").addEventListener("submit", (event) => {
 });
 at("skip").addEventListener("click", (event) => { // an address of its own would lead away from the plan
   event.preventDefault();
-  at(document.body.dataset.page === "look" ? "around" : result.hidden ? "opening" : "result").focus();
+  at(result.hidden ? "opening" : "result").focus();
 });
 addEventListener("hashchange", () => follow());
 api.tokenFromAddress();

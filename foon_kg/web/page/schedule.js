@@ -10,7 +10,7 @@ export const scheduleView = (plan) => {
   const parts = plan.schedules.map((one, i) => element("div", { hidden: i > 0 }, chart(plan.pictures.schedules[i], one), table(plan, one)));
   const buttons = plan.schedules.map((one, i) =>
     element("button", { type: "button", class: "small", "aria-pressed": String(i === 0), onclick: () => show(i) },
-      pairs(one.hands) + (one.steps.some((step) => step.duration) ? `, ${minutes(one.length)}` : "")));
+      pairs(one.hands) + (one.untimed ? "" : `, ${minutes(one.length)}`)));
   const show = (chosen) => {
     parts.forEach((part, i) => { part.hidden = i !== chosen; });
     buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === chosen)));
@@ -23,9 +23,8 @@ const chart = (text, one) =>
 
 const table = (plan, one) => {
   const row = (step) => {
-    const unit = plan.units[step.unit];
-    return element("tr", {}, ...[minutes(step.start), minutes(step.end), step.hands === null ? "by itself" : String(step.hands + 1),
-      `${step.unit + 1} ${unit.motion_node} ${unit.input_nodes.map((node) => node.label).join(", ")}`, seen(step.duration)].map((words) => element("td", {}, words)));
+    return element("tr", {}, ...[when(one, step.start), when(one, step.end), step.hands === null ? "by itself" : String(step.hands + 1),
+      `${step.unit + 1}. ${plan.sentences[step.unit]}`, seen(step.duration)].map((words) => element("td", {}, words)));
   };
   const head = ["From", "To", "Hands", "Step", "Seen"].map((words) => element("th", { scope: "col" }, words));
   return element("details", {}, element("summary", {}, "The same as a table"),
@@ -33,8 +32,12 @@ const table = (plan, one) => {
       element("table", {}, element("thead", {}, element("tr", {}, ...head)), element("tbody", {}, ...one.steps.map(row)))));
 };
 
+// Behind the first step whose time nobody knows no time is known.
+const when = ({ steps }, seconds) => (steps.some((step) => !step.duration && step.start < seconds) ? "unknown" : minutes(seconds));
+
 const seen = (duration) => {
-  if (!duration) return "never timed";
+  if (!duration) return "unknown";
+  if (!duration.sightings) return `${minutes(duration.median)}, as a recipe says`;
   const [low, high] = [duration.low, duration.high].map((one) => Math.round(one));
   return `${duration.sightings === 1 ? "once" : `${duration.sightings} times`}, ${low === high ? low : `${low} to ${high}`} s`;
 };

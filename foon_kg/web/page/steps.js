@@ -21,9 +21,16 @@ export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
   return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
 });
 
+// What a plan is made after: a video, or a draft that nobody has reviewed.
+export const from = (plan) => {
+  const sure = plan.reference.draft_confidence;
+  return [sure === undefined ? "video " : "draft ", ...videos(plan), sure === undefined ? "" : ` (made of the words of a recipe, not reviewed: ${sure.toFixed(2)} sure)`];
+};
+
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
-  return plan.kitchen.filter((node) => !bought.has(node.label));
+  const there = plan.kitchen.filter((node) => !bought.has(node.label) && !node.ingredients.length); // no packet that a food is sold in
+  return there.filter((node, i) => there.findIndex((other) => other.label === node.label) === i);
 };
 
 // How much of a food was asked, in front of its name.
@@ -32,7 +39,7 @@ export const amountOf = (plan, label) => plan.amounts[plan.recipe.ingredients.fi
 export const buying = (plan, words) => plan.shopping.map((node) => [amountOf(plan, node.label), " ", ...words(node)]);
 
 // How near what a video shows is to what this step does, where nothing of it stands for anything else.
-const NEAR = { like: "there with a like food", kind: "there with a food of its kind", motion: "there with something else" };
+const NEAR = { like: "with a like food", kind: "with a food of its kind", motion: "with something else" };
 
 // The evidence of a step: “as in the video at 1:05” where it does what that shows, else “like it, onion for leek, 0.95”.
 export const evidence = (plan, i) => {
@@ -47,8 +54,9 @@ export const evidence = (plan, i) => {
 
 const step = (plan, i, { unseen, to }) => {
   const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
-  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...evidence(plan, i),
-      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
+  return element("li", { "data-step": i + 1 },
+    element("div", { class: "step" }, element("span", {}, ...marked(plan.sentences[i], unseen)), element("div", { class: "where" }, ...evidence(plan, i),
+      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`)))),
     element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
 };
 
@@ -57,10 +65,10 @@ export const stepsView = (plan, { unseen, to }) => {
   const own = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
     own.setAttribute("aria-pressed", String(steps.classList.toggle("formulas")));
   } }, "In the FOON's own words");
-  const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
+  const like = [...unseen].map(([name, one]) => `~${name} handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of video `, ...videos(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},

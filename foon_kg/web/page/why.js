@@ -4,15 +4,15 @@
 import { toAddress } from "./address.js";
 import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords } from "./nodes.js";
-import { foodAndState, videos } from "./steps.js";
+import { foodAndState, from } from "./steps.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
 
 export const whyView = (plan, { asked, unseen, to, chosen, choose }) => ({ part: element("section", {}, ...[
-  heading(2, "The dish it was made after"), ...after(plan),
+  heading(2, "The dish it was made after"), ...after(plan, asked),
   ...substitutions(plan, unseen, chosen, choose),
-  heading(2, "Why each food is made so"), reasons(plan, to),
+  heading(2, "Why each food is made so"), reasons(plan, to, asked),
   ...titled("Taken to be there", plan.assumptions.map((one) => [...nodeWords(one.node, unseen), `: ${one.why}`])),
   ...titled("Nearer by their foods, and passed over", others(plan, true, asked, to)),
   ...titled("Other dishes to make it after", others(plan, false, asked, to)),
@@ -30,9 +30,12 @@ const others = ({ considered }, nearer, asked, to) => considered.filter((one) =>
       " · ", element("a", { href: to("compare", null, toAddress(rival)), "aria-label": `compare with the ${one.goal.label} of ${one.video}` }, "compare"))];
 });
 
-const after = (plan, { recipe, reference } = plan) => [
-  element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map(foodAndState))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
-    ` of ${counted(reference.units, "step")} in video `, ...videos(plan), "."),
+// A food as it was asked: a state that nobody named is not told.
+const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.object) && text.replace(one.object, "").includes(one.state)) ? foodAndState(one) : one.object);
+
+const after = (plan, asked, { recipe, reference } = plan) => [
+  element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
+    ` of ${counted(reference.units, "step")} in `, ...from(plan), "."),
   element("p", {}, `That dish takes ${reference.overlap} of the ${recipe.ingredients.length} foods asked, or their like`,
     reference.core.length ? ` (${inWords(reference.core)})` : "", reference.exact ? ": it is proven that no way to make it takes more." : "; it is the best that was found in time."),
 ];
@@ -46,7 +49,7 @@ const substitutions = (plan, unseen, chosen, choose) => {
 const food = (one, all, chosen, choose) => {
   const also = all.filter((other) => other.kind === "object" && other.object === one.object && other !== one);
   const own = chosen.get(one.object) === one.equivalent;
-  const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " is handled like ",
+  const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " handled like ",
     element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "",
     also.length ? element("span", { class: "aside" }, `, in single steps like ${inWords(also.map((other) => `${other.equivalent} ${other.confidence.toFixed(2)}`))}`) : "");
   const others = one.alternatives.filter((other) => other.name !== one.equivalent).map((other) =>
@@ -59,13 +62,12 @@ const food = (one, all, chosen, choose) => {
 };
 
 const word = (one) =>
-  element("p", {}, `${one.object}: `, element("span", { class: one.kind === "motion" ? "motion" : "state" }, one.required),
-    ` where the FOON has ${one.equivalent} `, sure(one.confidence),
+  element("p", {}, one.kind === "state" ? `${one.required} ${one.object} is made like ${one.equivalent} ${one.object} ` : `to ${one.required} the ${one.object} is done as to ${one.equivalent} it `, sure(one.confidence),
     one.alternatives.length ? ` (or ${one.alternatives.map((other) => other.name).join(", ")})` : "");
 
 const HOW = {
-  played: (one) => `has a place in the recorded dish, and is handled as the FOON handles ${one.label === one.want.object ? "it" : one.label}`,
-  made: (one) => `is made ready as the FOON makes ${one.label === one.want.object ? "it" : one.label}`,
+  played: (one) => `has its place in that dish${one.label === one.want.object ? "" : `, as ${one.label} has`}`,
+  made: (one) => `is made ready${one.label === one.want.object ? "" : ` like ${one.label}`}`,
   sold: () => "joins as it is sold",
   assumed: () => "is assumed to be there: nothing in this FOON makes it so",
   missing: () => "does not get into this dish",
@@ -73,12 +75,12 @@ const HOW = {
 
 const stepLink = (to, step) => element("a", { href: to("steps", step) }, `step ${step}`);
 
-const reasons = (plan, to) => list(plan.explanations.map((one) => {
-  const where = one.videos.length ? ` (${one.videos.join(", ")})` : "";
-  const joins = one.joins?.step ? ["; it joins the others in ", stepLink(to, one.joins.step), ` (${one.joins.motion})`] : [];
-  const other = one.passed_over.map((o) => `${foodAndState({ state: o.state, object: o.label })} ${o.confidence.toFixed(2)}: ${o.why}`);
-  return [element("strong", {}, foodAndState(one.want)), ` ${HOW[one.how](one)}${where}`, ...joins, ".",
-    other.length ? element("span", { class: "aside" }, ` Not like ${other.join("; ")}.`) : ""];
+const FEW = 2;
+
+const reasons = (plan, to, asked) => list(plan.explanations.map((one) => {
+  const joins = one.joins?.step ? ["; it joins the others in ", stepLink(to, one.joins.step)] : [];
+  const seen = one.videos.length ? ` Seen in ${one.videos.slice(0, FEW).join(", ")}${one.videos.length > FEW ? `, and ${one.videos.length - FEW} more` : ""}.` : "";
+  return [element("strong", {}, asAsked(one.want, asked)), ` ${HOW[one.how](one)}`, ...joins, ".", element("span", { class: "aside" }, seen)];
 }));
 
 const NEAR = { food: "done so to the same food", like: "done so to a like food", kind: "done so to a food of its kind", motion: "of which the motion alone is seen" };

@@ -15,11 +15,13 @@ export const wishes = (say) => {
 
   const after = combobox(at("after"), () => { at("after").focus(); told(); });
   at("after").addEventListener("change", () => told());
+  at("with-drafts").addEventListener("change", () => told());
 
   const told = () => {
     const [things, foods] = [kitchen?.words() ?? [], avoided?.words() ?? []];
     const parts = [things.length && `${things.length} at hand`, foods.length && `without ${foods.join(", ")}`,
-      chosen.size && [...chosen].map(([food, like]) => `${food} like ${like}`).join(", "), at("after").value.trim() && `after ${at("after").value.trim()}`];
+      chosen.size && [...chosen].map(([food, like]) => `${food} like ${like}`).join(", "), at("after").value.trim() && `after ${at("after").value.trim()}`,
+      at("with-drafts").checked && "drafts, too"];
     at("wishes-told").textContent = parts.filter(Boolean).join(" · ") || "everything is at hand, nothing is left out";
     localStorage.setItem(KEPT, JSON.stringify({ things, foods }));
   };
@@ -56,14 +58,15 @@ export const wishes = (say) => {
     });
   }
 
-  const set = ({ things, foods, choices, after: dish = "" }) => {
+  const set = ({ things, foods, choices, after: dish = "", with_drafts: drafts = false }) => {
     at("after").value = dish;
+    at("with-drafts").checked = drafts;
     after.close();
     kitchen.set(things);
     avoided.set(foods);
     chosen = new Map(choices);
     showChosen();
-    at("wishes").open = things.length + foods.length + dish.length > 0;
+    at("wishes").open = things.length + foods.length + dish.length > 0 || drafts;
   };
   const kept = () => {
     try {
@@ -78,8 +81,9 @@ export const wishes = (say) => {
     set,
     choose,
     follow: (dish) => { at("after").value = dish; told(); },
+    drafts: (too) => { at("with-drafts").checked = too; told(); },
     chosen: () => chosen,
-    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words(), after: at("after").value.trim() }),
+    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words(), after: at("after").value.trim(), with_drafts: at("with-drafts").checked }),
     have: (thing) => kitchen.add(thing),
     gather: () => [kitchen, avoided].forEach((field) => field.add()), // what is typed and not yet entered
   };

@@ -15,7 +15,7 @@ router = APIRouter(prefix="/teach")
 
 @router.post("/review")
 def review(asked: ReviewAsked) -> ReviewTold:
-    """Answer the rows of a draft with why each should be looked at, after one decision where there is one.
+    """Return the rows of a draft with why each should be looked at, after one decision where there is one.
 
     The decisions are the same as those of `foon draft review`, and so is the table that comes back: either goes on
     with what the other left.
@@ -26,7 +26,7 @@ def review(asked: ReviewAsked) -> ReviewTold:
 
 @router.post("/subgraph")
 def subgraph(asked: TableAsked) -> SubgraphTold:
-    """Answer the units of a table as FOON text."""
+    """Return the units of a table as FOON text."""
     read = _read(asked)
     return SubgraphTold(file=f"{asked.name}.txt", text=write_text(read.subgraph()))
 

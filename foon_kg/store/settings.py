@@ -1,9 +1,8 @@
-"""How to reach a Neo4j: the one that the environment names, else the local one."""
+"""How to reach a Neo4j: its address and who asks, and what the environment says of both."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 
@@ -28,13 +27,3 @@ def connection_from_environment() -> ConnectionSettings | None:
         os.environ.get("NEO4J_PASSWORD", ""),
         os.environ.get("NEO4J_DATABASE") or "neo4j",
     )
-
-
-def connection_settings(say: Callable[[str], None] = lambda _message: None) -> ConnectionSettings:
-    """Return how to reach the graph: the Neo4j that the environment names, else the local one, started if need be."""
-    named = connection_from_environment()
-    if named is not None:
-        return named
-    from foon_kg.store.server.lifecycle import ensure_running  # noqa: PLC0415 - for the local one only
-
-    return ensure_running(say)

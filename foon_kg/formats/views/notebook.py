@@ -26,7 +26,7 @@ _CELL = "text-align:left;vertical-align:top;padding:.15em .8em .15em 0"
 
 
 def plan_html(plan: JsonObject) -> str:
-    """Answer a plan result (its JSON) as a piece of HTML: its steps, what stands for what, and what is assumed."""
+    """Return a plan result (its JSON) as a piece of HTML: its steps, what stands for what, and what is assumed."""
     recipe = plan["recipe"]
     unseen = {one["object"] for one in plan["substitutions"] if one["kind"] == "object"}
     title = recipe.get("title") or recipe.get("id") or recipe["dish_type"]
@@ -44,7 +44,7 @@ def plan_html(plan: JsonObject) -> str:
 
 
 def steps_frame(plan: JsonObject) -> pd.DataFrame:
-    """Answer the steps of a plan result (its JSON) as a table, a row a step, numbered from 1.
+    """Return the steps of a plan result (its JSON) as a table, a row a step, numbered from 1.
 
     Columns: ``motion``, ``inputs`` and ``outputs`` (lists of nodes as words), ``origin``, and of the first place where
     the step was seen ``video``, ``start`` and ``end`` (seconds). Raises UsageError where pandas is not installed.

@@ -1,0 +1,193 @@
+"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
+
+A technique has lines of stages, written as ``stage as label @ vessel < lines: foods``. What each of these may say
+stands at the head of the table.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Food
+from foon_kg.food.shipped import shipped
+from foon_kg.food.words import words
+
+_STEP = re.compile(
+    r"(?P<optional>\??)(?P<stage>[^@<:]+?)(?: as (?P<label>[^@<:]+?))?(?: ?@ ?(?P<vessel>[^<:]+?))?"
+    r"(?: ?< ?(?P<lines>[^:]+?))?(?: ?: ?(?P<foods>.+))?$"
+)
+_FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
+
+
+@dataclass(frozen=True)
+class Around:
+    """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
+
+    foods: Sequence[Food] = ()
+    told: Sequence[str] = ()
+
+
+NOWHERE = Around()
+
+
+@dataclass(frozen=True)
+class Foods:
+    """Which foods are meant: those for which all of ``terms`` hold, in ``state`` if one is said.
+
+    ``again``: a second portion of them, beside the one that joins elsewhere. ``made``: how they are prepared for it.
+    """
+
+    terms: tuple[str, ...]
+    state: str = ""
+    made: str = ""
+    again: bool = False
+
+    @classmethod
+    def read(cls, text: str) -> Foods:
+        """Return the foods that a text of the table means; raises ValueError where it is not of the form."""
+        found = _FOODS.fullmatch(text.strip())
+        if found is None:
+            raise ValueError(f"“{text}” names no foods")
+        terms = tuple(term.strip() for term in found["terms"].split("&"))
+        return cls(terms, (found["state"] or "").strip(), (found["made"] or "").strip(), bool(found["again"]))
+
+    @property
+    def is_rest(self) -> bool:
+        """Whether all foods are meant that join nowhere else."""
+        return self.terms == ("*",)
+
+    def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
+        """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
+        if self.state and self.state not in states:
+            return False
+        return all(_holds(term, label, facts, around) for term in self.terms)
+
+
+def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
+    mark, rest = term[0], term[1:]
+    if mark == "!":
+        return not _holds(rest, label, facts, around)
+    if mark == "%":
+        return any(one is not facts and _holds(rest, "", one, around) for one in around.foods)
+    if mark == "#":
+        return rest in words(label)
+    if term == "^":
+        return not set(words(label)).isdisjoint(around.told)
+    if term.startswith("kind:"):
+        return facts.is_of(term.removeprefix("kind:"))
+    return term == "*" or facts.is_a(*(word_list(rest) if mark == "@" else (term,)))
+
+
+@dataclass(frozen=True)
+class Part:
+    """One stage of a technique: which row of the stages, what the whole is called then, in what, and what joins.
+
+    ``optional``: it is left out where no food joins there.
+    """
+
+    stage: str
+    label: str
+    vessel: str
+    lines: tuple[str, ...]
+    foods: tuple[Foods, ...]
+    optional: bool = False
+
+    @classmethod
+    def read(cls, text: str) -> Part:
+        """Return the stage that a text of the table means; raises ValueError where it is not of the form."""
+        found = _STEP.fullmatch(text)
+        if found is None:
+            raise ValueError(f"“{text}” is no stage of a technique")
+        lines = tuple(line.strip() for line in (found["lines"] or "").split(",") if line.strip())
+        foods = tuple(map(Foods.read, found["foods"].split(","))) if found["foods"] else ()
+        return cls(
+            found["stage"], found["label"] or "", found["vessel"] or "", lines, foods, optional=bool(found["optional"])
+        )
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is done at a stage: the fields of a stage of a frame.
+
+    ``phased``: foods join in the order of what they are. ``on_top``: what joins only lies on it. ``bath``: it is done
+    in water that is poured off.
+    """
+
+    motion: str = ""
+    does: frozenset[str] = frozenset()
+    tools: tuple[str, ...] = ()
+    vessel: str = ""
+    relation: str = "in"
+    appliance: str = ""
+    source: str = ""
+    label: str = ""
+    phased: bool = False
+    on_top: bool = False
+    bath: bool = False
+
+
+@dataclass(frozen=True)
+class Technique:
+    """How dishes are made that are ``called`` so and have, of each of ``needs``, one food, and none of ``without``.
+
+    ``types`` are the dish types that it is for (none: any). ``lines`` are stages by the name of their line; the last
+    one makes the dish. ``plan`` are wishes for the whole: one pot, cold.
+    """
+
+    name: str
+    called: tuple[tuple[str, ...], ...]
+    never: frozenset[str]
+    types: frozenset[str]
+    needs: tuple[tuple[Foods, ...], ...]
+    without: tuple[Foods, ...]
+    lines: Mapping[str, tuple[Part, ...]]
+    plan: frozenset[str]
+
+    def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
+        """Whether a dish of that type, with these words in its title, is called so."""
+        if (self.types and dish_type not in self.types) or not self.never.isdisjoint(told):
+            return False
+        spans = {tuple(told[place : place + len(name)]) for name in self.called for place in range(len(told))}
+        return not self.called or not spans.isdisjoint(self.called)
+
+
+@cache
+def techniques() -> tuple[Technique, ...]:
+    """Return every technique in the order of the tables: the first that suits a dish is taken."""
+    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    return tuple(_technique(name, row) for name, row in rows)
+
+
+@cache
+def works() -> Mapping[str, Work]:
+    """Return what is done at each stage, by its name."""
+    return {name: _work(row) for name, row in shipped("techniques")["stages"].items()}
+
+
+@cache
+def preparations() -> Mapping[str, Mapping[str, Any]]:
+    """Return how a food is prepared for a technique, by the word for it."""
+    rows: Mapping[str, Mapping[str, Any]] = shipped("techniques")["preparations"]
+    return rows
+
+
+def _work(row: Mapping[str, Any]) -> Work:
+    return Work(**{**row, "does": frozenset(row.get("does", ())), "tools": tuple(row.get("tools", ()))})
+
+
+def _technique(name: str, row: Mapping[str, Any]) -> Technique:
+    return Technique(
+        name,
+        tuple(tuple(words(one)) for one in row.get("called", ())),
+        frozenset(word for one in row.get("never", ()) for word in words(one)),
+        frozenset(row.get("types", ())),
+        tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
+        tuple(map(Foods.read, row.get("without", ()))),
+        {line: tuple(map(Part.read, parts)) for line, parts in row["lines"].items()},
+        frozenset(row.get("plan", ())),
+    )

@@ -1,0 +1,127 @@
+"""Techniques carried out: the foods of a recipe at the stages of a row of ``food/techniques.toml``."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+
+from foon_kg.food import Tables
+from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, works
+from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
+from foon_kg.integration.layouts import spots_of
+from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.preparation import Want
+
+_MAIN = "dish"
+"""The line of a technique that makes the dish."""
+
+
+def technique_for(
+    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[Sequence[str]] = ()
+) -> Technique | None:
+    """Return the first technique of the table that a dish is called by, and for which its foods are there.
+
+    ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
+    what the title says, it teaches that, and no table.
+    """
+    around = Around([want.facts for want in wants], told)
+    taught = [tuple(label) for label in recorded if set(label) <= set(told)]
+    for one in techniques():
+        shown = any(label[-len(name) :] == name for name in one.called for label in taught)
+        if shown or not one.is_called(dish_type, told):
+            continue
+        there = all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs)
+        if there and not any(_mean(some, want, around) for some in one.without for want in wants):
+            return one
+    return None
+
+
+def carried_out(
+    technique: Technique, joins: Sequence[Join], told: Sequence[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return the line of a technique with every food at the stage that is for it; ``told`` are the title's words."""
+    placed = _Placed(technique, joins, Around([join.want.facts for join in joins], told), known)
+    line = placed.line(_MAIN)
+    spots = {id(spot.stage): spot for spot in spots_of(line)}
+    found = []
+    for number, (join, foods, part) in enumerate(placed.found):
+        want, slot = _prepared(join.want, foods, known)
+        want = replace(want, cooked=False) if works()[part.stage].bath and slot is None else want
+        want = replace(want, number=placed.highest + number + 1) if foods.again else want
+        spot = spots[id(placed.stages[id(part)])]
+        found.append(Join(want, spot, min(join.fit, NATURAL), slot, on_top=works()[part.stage].on_top))
+    return line, tuple(found)
+
+
+class _Placed:
+    """Which food joins at which part of a technique, and the stages of these parts."""
+
+    def __init__(self, technique: Technique, joins: Sequence[Join], around: Around, known: Tables) -> None:
+        self.technique = technique
+        self.around = around
+        self.known = known
+        self.highest = max(join.want.number for join in joins)
+        self.stages: dict[int, Stage] = {}
+        self.found = list(self._found(joins))
+        self.used = {id(part) for _, _, part in self.found}
+        self.taken: set[str] = set()
+
+    def _found(self, joins: Sequence[Join]) -> Iterator[tuple[Join, Foods, Part]]:
+        parts = [part for parts in self.technique.lines.values() for part in parts]
+        wishes = [(foods, part) for part in parts for foods in part.foods]
+        wishes.sort(key=lambda wish: wish[0].is_rest)
+        taken: set[int] = set()
+        for foods, part in wishes:
+            for join in joins:
+                number = join.want.number
+                if _mean(foods, join.want, self.around) and (foods.again or number not in taken):
+                    taken |= set() if foods.again else {number}
+                    yield join, foods, part
+
+    def line(self, name: str) -> Line:
+        """Return one line of the technique, with those that join it: each where it is named first."""
+        self.taken.add(name)
+        return Line(tuple(self._stage(part) for part in self.technique.lines[name] if self._is_there(part)))
+
+    def _is_there(self, part: Part) -> bool:
+        """Whether a stage is not left out: foods join there, or a line that has no other place."""
+        named = Counter(line for parts in self.technique.lines.values() for one in parts for line in one.lines)
+        lines = (line for line in part.lines if named[line] == 1)
+        return not part.optional or id(part) in self.used or any(map(self._is_used, lines))
+
+    def _is_used(self, name: str) -> bool:
+        """Whether any food joins a line, or one that joins it."""
+        parts = self.technique.lines[name]
+        return any(id(part) in self.used or any(map(self._is_used, part.lines)) for part in parts)
+
+    def _stage(self, part: Part) -> Stage:
+        work = works()[part.stage]
+        lines = [line for line in part.lines if line not in self.taken and self._is_used(line)]
+        adds: tuple[Slot | Line, ...] = tuple(map(self.line, lines))
+        over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
+        stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
+            (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
+            work.relation, work.appliance, work.source, part.label or work.label, (), 0,
+        )  # fmt: skip
+        self.stages[id(part)] = stage
+        return stage
+
+
+def _mean(foods: Foods, want: Want, around: Around) -> bool:
+    return foods.mean(want.label, want.facts, (want.asked, want.make, want.then, *want.leaf), around)
+
+
+def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:
+    """Return a food as a technique takes it, with the slot that says how it is cooked before."""
+    if not foods.made:
+        return want, None
+    row = preparations()[foods.made]
+    slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
+    if "make" in row and (row.get("always") or not want.make or not known.state(want.make).fine):
+        want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
+    if "then" in row and not want.then:
+        want = replace(want, then=row["then"], cooked=True)
+    kept = {name: level for name, level in want.facts.owes.items() if name not in row.get("waives", ())}
+    return replace(want, facts=replace(want.facts, owes=kept)), slot

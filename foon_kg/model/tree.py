@@ -1,0 +1,224 @@
+"""The steps of a task tree, and what follows from them alone: what they take, make and leave for others.
+
+Planner, judge, exports, pictures and readings share these types. What a step needs of a kitchen is in
+:mod:`foon_kg.world`, what a whole plan says of itself in :mod:`foon_kg.plans.result`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal, NamedTuple, Protocol
+
+from foon_kg.model.claims import Assumption, Substitution
+from foon_kg.model.levels import Level
+from foon_kg.model.nodes import UNMEASURED, FunctionalUnit, Measures, ObjectNode, Participant, Recipe, Sighting
+
+Origin = Literal["foon", "adapted"]
+"""Whether a unit of FOON does this to this food, or one to a like food or one of its kind."""
+
+Phase = Literal["prepare", "heat", "finish"]
+"""When a unit is carried out: everything is cut first, then heated, then served."""
+
+Grounding = Literal["food", "like", "kind", "motion"]
+"""How near the evidence of a unit is: the same food, a like one, one of its kind, the motion alone."""
+
+
+class Mention(NamedTuple):
+    """An object node as a tree mentions it.
+
+    ``thing`` is the number of the thing that it is, ``container_thing`` that of its container; ``None`` where the tree
+    does not number its things: they are then told apart by what their nodes say.
+    """
+
+    node: ObjectNode
+    thing: int | None = None
+    container_thing: int | None = None
+
+    @property
+    def identity(self) -> ObjectNode | int:
+        """What tells this thing from others: its number, where it has one; two bowls may have equal nodes."""
+        return self.node if self.thing is None else self.thing
+
+
+@dataclass(frozen=True)
+class Step:
+    """Inputs → motion → outputs."""
+
+    inputs: tuple[Mention, ...]
+    motion: str
+    outputs: tuple[Mention, ...]
+
+    @classmethod
+    def of(cls, inputs: Iterable[ObjectNode], motion: str, outputs: Iterable[ObjectNode]) -> Step:
+        """Return the step of a functional unit, whose things have no numbers.
+
+        >>> Step.of([ObjectNode("onion", ("whole",))], "chop", [ObjectNode("onion", ("chopped",))]).outputs[0].identity
+        ObjectNode(label='onion', states=('chopped',), ingredients=(), relation=None, container=None)
+        """
+        return cls(tuple(map(Mention, inputs)), motion, tuple(map(Mention, outputs)))
+
+
+@dataclass(frozen=True)
+class TreeUnit:
+    """One step of a task tree, and what speaks for it.
+
+    ``origin`` (see :data:`Origin`), ``seen_in``, ``grounding`` (:data:`Grounding`) and ``phase`` (:data:`Phase`) are
+    ``None`` where the source of the tree cannot say them; the judge reads trees that say anything. ``measures`` are
+    what the recorded dish says of such a step: how much, how long and how hot. ``accepts_any`` (the star of a motion)
+    and ``moving`` (the nodes that move) are for the FOON text of the tree; JSON has no field for them, and they take no
+    part in equality.
+    """
+
+    step: Step
+    origin: str | None = None
+    seen_in: tuple[Sighting, ...] | None = None
+    grounding: str | None = None
+    phase: Phase | None = None
+    measures: Measures = UNMEASURED
+    accepts_any: bool = field(default=False, compare=False)
+    moving: frozenset[ObjectNode] = field(default=frozenset(), compare=False)
+
+    @classmethod
+    def of(
+        cls, unit: FunctionalUnit, origin: Origin | None = None, seen_in: tuple[Sighting, ...] | None = None
+    ) -> TreeUnit:
+        """Return ``unit`` as it stands as a step; repeated nodes count once, and things have no numbers."""
+        moving = frozenset(p.node for p in (*unit.inputs, *unit.outputs) if p.moving)
+        step = Step.of(unit.input_nodes, unit.motion, unit.output_nodes)
+        return cls(step, origin, seen_in, accepts_any=unit.accepts_any, moving=moving)
+
+    @property
+    def motion(self) -> str:
+        """What is done."""
+        return self.step.motion
+
+    @property
+    def taken(self) -> tuple[Mention, ...]:
+        """The inputs with their numbers."""
+        return self.step.inputs
+
+    @property
+    def made(self) -> tuple[Mention, ...]:
+        """The outputs with their numbers."""
+        return self.step.outputs
+
+    @property
+    def sightings(self) -> tuple[Sighting, ...]:
+        """Where it was seen; nothing where the source of the tree cannot say."""
+        return self.seen_in or ()
+
+    @cached_property
+    def input_nodes(self) -> tuple[ObjectNode, ...]:
+        """The nodes that go in."""
+        return tuple(mention.node for mention in self.step.inputs)
+
+    @cached_property
+    def output_nodes(self) -> tuple[ObjectNode, ...]:
+        """The nodes that come out."""
+        return tuple(mention.node for mention in self.step.outputs)
+
+    @cached_property
+    def identity(self) -> tuple[object, ...]:
+        """What is done to which things: equal for two units that are the same."""
+        return (frozenset(self.step.inputs), self.motion, frozenset(self.step.outputs))
+
+    @cached_property
+    def nodes_key(self) -> tuple[object, ...]:
+        """What is done to what, whichever things they are: as the FOON knows a unit."""
+        return (frozenset(self.input_nodes), self.motion, frozenset(self.output_nodes))
+
+    @cached_property
+    def new_outputs(self) -> tuple[ObjectNode, ...]:
+        """The outputs that are no inputs: what the step makes. A thing with a number is another than its like."""
+        inputs = set(self.step.inputs)
+        return tuple(mention.node for mention in self.step.outputs if mention not in inputs)
+
+    def as_unit(self, goal: ObjectNode | None = None, dish_type: str | None = None) -> FunctionalUnit:
+        """Return the functional unit; an output that equals ``goal`` is marked as the end product of ``dish_type``."""
+        inputs = tuple(Participant(node, node in self.moving) for node in self.input_nodes)
+        outputs = tuple(
+            Participant(node, node in self.moving, dish_type if node == goal else None) for node in self.output_nodes
+        )
+        return FunctionalUnit(inputs, self.motion, outputs, self.accepts_any)
+
+
+class TakesAndMakes(Protocol):
+    """A functional unit, or a step of a tree."""
+
+    @property
+    def input_nodes(self) -> tuple[ObjectNode, ...]:
+        """What goes in."""
+
+    @property
+    def output_nodes(self) -> tuple[ObjectNode, ...]:
+        """What comes out."""
+
+
+def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
+    """Return the inputs that no earlier unit outputs, in the order of their first use.
+
+    ``units`` are in the order of execution. A node that its first taker puts back as it was is a leaf too, or a stove
+    could be on without anybody having turned it on.
+    """
+    there: set[ObjectNode] = set()
+    leaves: dict[ObjectNode, None] = {}
+    for unit in units:
+        leaves.update(dict.fromkeys(node for node in unit.input_nodes if node not in there))
+        there.update(unit.input_nodes, unit.output_nodes)
+    return tuple(leaves)
+
+
+def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
+    """Return every object node of ``units`` once, in the order of appearance."""
+    return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
+
+
+@dataclass(frozen=True)
+class TaskTree:
+    """Steps in the order of execution, with what is said of the whole.
+
+    ``None`` (and an ``error``) stands for what the source of the tree does not say.
+
+    ``kitchen`` is ``None`` for FOON text, and so are ``substitutions`` and ``assumptions``: nothing is claimed there.
+    ``level`` is that of a classic retrieval, which asks for a goal and not for a recipe; ``None`` for all others.
+    """
+
+    name: str
+    units: tuple[TreeUnit, ...]
+    goal: ObjectNode | None = None
+    recipe: Recipe | None = None
+    kitchen: tuple[ObjectNode, ...] | None = None
+    substitutions: tuple[Substitution, ...] | None = None
+    assumptions: tuple[Assumption, ...] | None = None
+    error: str | None = None
+    level: Level | None = None
+
+    @cached_property
+    def made(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that output each node without having taken it."""
+        return _places([unit.new_outputs for unit in self.units])
+
+    @cached_property
+    def takers(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that take each node."""
+        return _places([unit.input_nodes for unit in self.units])
+
+    @cached_property
+    def leaves(self) -> tuple[ObjectNode, ...]:
+        """The inputs that no earlier unit outputs, in the order of their first use."""
+        return leaves_of(self.units)
+
+    @cached_property
+    def nodes(self) -> tuple[ObjectNode, ...]:
+        """Every object node of the tree, in the order of appearance."""
+        return nodes_of(self.units)
+
+
+def _places(sides: list[tuple[ObjectNode, ...]]) -> dict[ObjectNode, tuple[int, ...]]:
+    places: dict[ObjectNode, tuple[int, ...]] = {}
+    for place, nodes in enumerate(sides):
+        for node in nodes:
+            places[node] = (*places.get(node, ()), place)
+    return places

@@ -1,0 +1,74 @@
+"""The steps of a task tree as the JSON of a plan result has them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import cast, get_args
+
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.node_json import (
+    measures_from_json,
+    measures_to_json,
+    node_from_json,
+    node_to_json,
+    sighting_from_json,
+    sighting_to_json,
+)
+from foon_kg.model.tree import Grounding, Mention, Origin, Phase, Step, TreeUnit
+
+
+def unit_to_json(unit: TreeUnit) -> JsonObject:
+    """Return one of the ``units`` of a plan result."""
+    told: JsonObject = {
+        "input_nodes": _side_to_json(unit.step.inputs),
+        "motion_node": unit.motion,
+        "output_nodes": _side_to_json(unit.step.outputs),
+    }
+    if unit.phase is not None:
+        told["phase"] = unit.phase
+    told["origin"] = unit.origin
+    if unit.grounding is not None:
+        told["grounding"] = unit.grounding
+    told["seen_in"] = [sighting_to_json(sighting) for sighting in unit.sightings]
+    if unit.measures:
+        told["measures"] = measures_to_json(unit.measures)
+    return told
+
+
+def unit_from_json(fields: Fields) -> TreeUnit:
+    """Return what :func:`unit_to_json` wrote. Raises ReadError for a word that no plan of ours has.
+
+    The judge reads units more freely (:mod:`foon_kg.validation.tree`): what a stranger's plan says is for its rules.
+    """
+    phase = fields.one_of("phase", get_args(Phase)) if "phase" in fields else None
+    return TreeUnit(
+        step_from_json(fields),
+        fields.one_of("origin", get_args(Origin)),
+        tuple(map(sighting_from_json, fields.nested_list("seen_in"))),
+        fields.one_of("grounding", get_args(Grounding)) if "grounding" in fields else None,
+        cast("Phase | None", phase),
+        measures_from_json(fields),
+    )
+
+
+def step_from_json(fields: Fields) -> Step:
+    """Return what a unit does to what."""
+    inputs, outputs = (tuple(map(_mention, fields.nested_list(f"{side}_nodes"))) for side in ("input", "output"))
+    return Step(inputs, fields.text("motion_node"), outputs)
+
+
+def _mention(fields: Fields) -> Mention:
+    numbers = (fields.whole_number(name) if name in fields else None for name in ("thing", "container_thing"))
+    return Mention(node_from_json(fields), *numbers)
+
+
+def _side_to_json(side: Iterable[Mention]) -> list[JsonObject]:
+    told = []
+    for node, thing, container in side:
+        one = node_to_json(node)
+        if thing is not None:
+            one["thing"] = thing
+        if container is not None:
+            one["container_thing"] = container
+        told.append(one)
+    return told

@@ -1,0 +1,97 @@
+"""The table of techniques: every row can be carried out, and what is not of its form is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from foon_kg.food import tables
+from foon_kg.food.lists import word_lists
+from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, works
+
+PLANS = {"cold", "one pot"}
+
+
+def parts(technique):
+    return [part for parts in technique.lines.values() for part in parts]
+
+
+def foods(technique):
+    return [one for part in parts(technique) for one in part.foods]
+
+
+def meant(technique):
+    """All texts that name foods in a row."""
+    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without]
+
+
+@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+def test_a_technique_names_only_what_the_tables_know(technique):
+    assert {part.stage for part in parts(technique)} <= works().keys()
+    assert {one.made for one in foods(technique)} <= {"", *preparations()}
+    assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
+    assert technique.plan <= PLANS
+    known = tables()
+    traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
+    for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
+        named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
+        assert named or term in {"*", "^"} or term.startswith("#") or term.removeprefix("@") in word_lists(), term
+
+
+@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+def test_every_food_has_a_place_in_a_technique(technique):
+    assert sum(one.is_rest for one in foods(technique)) == 1
+
+
+def test_a_stage_is_read_with_all_that_it_says():
+    part = Part.read("mix as dough @ bowl < one line, other line: flour&!#bread, +butter=melted>whipped")
+    assert (part.stage, part.label, part.vessel, part.lines) == ("mix", "dough", "bowl", ("one line", "other line"))
+    assert part.foods == (Foods(("flour", "!#bread")), Foods(("butter",), "melted", "whipped", again=True))
+
+
+@pytest.mark.parametrize("text", ["", ": flour", "mix: =melted"])
+def test_what_is_no_stage_is_refused(text):
+    with pytest.raises(ValueError, match=r"is no stage|names no foods"):
+        Part.read(text)
+
+
+def test_a_stage_may_be_left_out():
+    assert Part.read("?pan < one line: onion") == Part(
+        "pan", "", "", ("one line",), (Foods(("onion",)),), optional=True
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "food", "is_meant"),
+    [
+        ("egg&%flour", "egg", True),
+        ("egg&!%flour", "egg", False),
+        ("flour&%flour", "flour", False),  # none but itself
+        ("fish&^", "trout", True),
+        ("fish&^", "salmon", False),
+        ("stock", "black pepper", True),  # a trait: there is more of it
+        ("kind:stock", "black pepper", False),
+        ("kind:stock", "beef stock", True),
+    ],
+)
+def test_foods_are_meant_by_what_is_around_them(text, food, is_meant):
+    names = ("egg", "flour", "trout", "salmon", "black pepper", "beef stock")
+    facts = {name: tables().foods.food(name) for name in names}
+    around = Around(list(facts.values()), ("stuffed", "trout"))
+    assert Foods.read(text).mean(food, facts[food], (), around) is is_meant
+
+
+@pytest.mark.parametrize(
+    ("text", "states", "is_meant"),
+    [
+        ("butter", (), True),
+        ("fat&!oil", (), True),
+        ("fat&!butter", (), False),
+        ("#unsalted", (), True),
+        ("@is creamed", (), True),
+        ("butter=melted", ("melted",), True),
+        ("butter=melted", ("stick",), False),
+        ("*", (), True),
+    ],
+)
+def test_foods_are_meant_by_kind_word_list_and_state(text, states, is_meant):
+    assert Foods.read(text).mean("unsalted butter", tables().foods.food("unsalted butter"), states) is is_meant

@@ -1,0 +1,124 @@
+"""A dish whose name asks for a craft that no video of a like dish has is made by the technique that is called so."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+from planner.told_steps import planned_steps
+
+pytestmark = pytest.mark.shared_data
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return planned_steps(public_snapshot())
+
+
+def motions(told):
+    return [motion for _, motion, _ in told]
+
+
+def inside(told, motion):
+    """The foods of what the first such motion works on."""
+    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
+    return {food for node in outputs for food in node.ingredients}
+
+
+def first(told, food, motion):
+    return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
+
+
+def test_a_kugel_is_boiled_noodles_baked_in_eggs(steps):
+    told = steps("pudding", "Noodle Kugel", "egg noodles:uncooked", "eggs:uncooked", "sour cream:creamy",
+                 "sugar:granulated", "raisins:whole")  # fmt: skip
+    assert first(told, "egg noodles", "boil") < first(told, "eggs", "whisk") < first(told, "egg noodles", "fold")
+    assert motions(told)[-4:] == ["put inside", "bake", "turn off", "remove"]
+
+
+def test_pierogi_are_closed_around_mash_and_boiled_in_water_that_boils(steps):
+    told = steps("pasta", "Pierogi", "flour:powder", "egg:uncooked", "water:liquid", "potatoes:peeled",
+                 "farmer cheese:creamy", "butter:unmelted")  # fmt: skip
+    assert first(told, "potatoes", "mash") < motions(told).index("fold and pinch")
+    into_the_pot = next(n for n, (inputs, motion, _) in enumerate(told) if {"parcel", "pot"} <= inputs)
+    assert first(told, "water", "boil") < into_the_pot < motions(told).index("drain")
+    assert "bake" not in motions(told)
+
+
+def test_milk_soaks_a_cake_that_is_baked(steps):
+    told = steps("cake", "Tres Leches Cake", "flour:powder", "eggs:uncooked", "sugar:granulated", "milk:liquid",
+                 "evaporated milk:liquid", "condensed milk:thick liquid", "whipping cream:creamy")  # fmt: skip
+    assert first(told, "evaporated milk", "stir") < motions(told).index("bake")
+    assert motions(told).index("bake") < motions(told).index("chill")
+    assert not [motion for inputs, motion, _ in told if motion == "stir" and "cake" in inputs]
+
+
+def test_what_gave_a_drink_its_taste_stays_in_the_strainer(steps):
+    told = steps("drinks", "Masala Chai", "water:liquid", "milk:liquid", "black tea leaves:dried", "ginger:sliced",
+                 "cinnamon:ground", "sugar:granulated")  # fmt: skip
+    (outputs,) = [outputs for _, motion, outputs in told if motion == "pour and strain"]
+    assert {node.label for node in outputs if node.container == "strainer"} == {"black tea leaves", "ginger"}
+    assert any("cinnamon" in node.ingredients for node in told[-1][2])
+
+
+def test_chocolate_is_melted_and_cream_whipped_for_a_mousse(steps):
+    told = steps("pudding", "Chocolate Mousse", "dark chocolate:chopped", "eggs:uncooked", "heavy cream:creamy",
+                 "sugar:granulated")  # fmt: skip
+    states = {(node.label, state) for _, _, outputs in told for node in outputs for state in node.states}
+    assert {("dark chocolate", "melted"), ("heavy cream", "whipped"), ("pudding", "chilled")} <= states
+
+
+def test_what_a_video_makes_by_that_name_no_table_teaches(steps):
+    told = steps("cookie", "Peanut Brittle", "sugar:granulated", "peanuts:whole", "butter:stick", "corn syrup:syrup")
+    assert "chill" not in motions(told)
+
+
+def test_rice_milk_is_blended_and_strained(steps):
+    told = steps("drinks", "Horchata", "rice:uncooked", "water:liquid", "sugar:granulated", "cinnamon:ground",
+                 "milk:liquid")  # fmt: skip
+    assert motions(told).index("blend") < motions(told).index("pour and strain") < first(told, "milk", "pour")
+
+
+def test_bagels_are_boiled_and_then_baked(steps):
+    told = steps("bread", "Bagels", "bread flour:powder", "yeast:powder", "water:warm", "honey:thick liquid",
+                 "salt:granulated", "egg:uncooked")  # fmt: skip
+    assert first(told, "dough", "boil") < motions(told).index("brush") < motions(told).index("bake")
+    assert motions(told).count("ferment") == 1
+
+
+def test_a_roll_is_baked_spread_and_rolled_up(steps):
+    told = steps("cake", "Swiss Roll", "eggs:uncooked", "sugar:granulated", "flour:powder", "strawberry jam:jelly")
+    assert motions(told).index("bake") < first(told, "cake", "roll") == motions(told).index("roll")
+    assert "strawberry jam" in inside(told, "roll")
+
+
+def test_ravioli_are_filled_closed_and_boiled_before_their_sauce_takes_them(steps):
+    told = steps("pasta", "Ricotta Ravioli", "flour:powder", "eggs:uncooked", "ricotta cheese:creamy",
+                 "butter:unmelted", "sage leaves:leaf")  # fmt: skip
+    order = ["knead", "roll", "fold and pinch", "boil", "melt"]
+    assert [motion for motion in dict.fromkeys(motions(told)) if motion in order] == order
+    assert inside(told, "fold and pinch") == {"eggs", "flour", "ricotta cheese"}
+
+
+def test_wontons_come_into_the_broth_when_it_is_hot(steps):
+    told = steps("soup", "Wonton Soup", "wonton wrappers:raw", "ground pork:raw", "soy sauce:liquid",
+                 "chicken broth:liquid", "bok choy:chopped")  # fmt: skip
+    assert inside(told, "fold and pinch") == {"wonton wrappers", "ground pork", "soy sauce"}
+    assert motions(told).index("fold and pinch") < motions(told).index("simmer") < first(told, "parcel", "simmer")
+
+
+def test_bought_wrappers_are_not_kneaded(steps):
+    told = steps("pork", "Pork Jiaozi", "dumpling wrappers:raw", "ground pork:raw", "egg:uncooked", "vinegar:liquid")
+    assert "knead" not in motions(told)
+    assert inside(told, "fold and pinch") == {"dumpling wrappers", "ground pork", "egg"}
+
+
+def test_leaves_are_taken_off_a_cabbage_that_was_boiled_and_rolled_around_their_filling(steps):
+    told = steps("vegetables", "Cabbage Rolls", "cabbage:whole", "ground beef:raw", "rice:cooked", "tomato sauce:sauce")
+    assert first(told, "cabbage", "cook") < first(told, "cabbage", "tear apart") < motions(told).index("roll")
+    assert inside(told, "roll") == {"cabbage", "ground beef", "rice"}
+
+
+def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
+    told = steps("meatloaf", "Meatloaf", "ground beef:raw", "egg:uncooked", "breadcrumbs:crumbs", "ketchup:sauce")
+    assert inside(told, "shape") == {"ground beef", "egg", "breadcrumbs"}
+    assert first(told, "ketchup", "pour") < motions(told).index("bake")

@@ -1,0 +1,60 @@
+"""Drafts of recipes on the page: offered where there are any, taken only where they are asked, and told as drafts."""
+
+from __future__ import annotations
+
+import pytest
+from chromium import as_usual
+from contract.test_drafts import COOKIE
+from pictures.demo_plans import demo_foon
+from starlette.testclient import TestClient
+from web.driving import asked, open_page, text_of
+from web.serving import app, served
+
+from foon_kg.loaders.lessons import lessons_of
+from foon_kg.web.foon import FixedFoon
+
+BISCUITS = {"dish_type": "cookie", "ingredients": ["flour", "butter", "sugar"]}
+
+
+@pytest.fixture(scope="module")
+def drafted():
+    return app(foon=FixedFoon(demo_foon(), lessons_of([COOKIE])))
+
+
+def test_drafts_count_only_where_they_are_asked(drafted):
+    client = TestClient(drafted, base_url="http://localhost")
+    summary = client.get("/api/summary").json()
+    assert (summary["drafts"], summary["drafted_types"]) == (1, ["cookie"])
+    assert client.post("/api/plan", json=BISCUITS).status_code == 404
+    told = client.post("/api/plan", json=BISCUITS | {"with_drafts": True, "explain": True}).json()
+    assert told["reference"]["draft_confidence"] == pytest.approx(0.52)
+    again = client.get(
+        "/api/plan", params={"dish_type": "cookie", "ingredient": BISCUITS["ingredients"], "with_drafts": True}
+    ).json()
+    assert again["units"] == told["units"]
+
+
+def test_a_service_without_drafts_tells_of_none():
+    summary = TestClient(app(), base_url="http://localhost").get("/api/summary").json()
+    assert (summary["drafts"], summary["drafted_types"]) == (0, [])
+
+
+def test_a_dish_that_drafts_alone_have_is_asked_with_them_and_told_as_one(browser, drafted):
+    as_usual(browser)
+    with served(drafted) as address:
+        open_page(browser, address)
+        browser.execute_script("dish.value = 'cookie'; dish.dispatchEvent(new Event('change'))")
+        assert browser.find_element("id", "with-drafts").is_selected()
+        for food in BISCUITS["ingredients"]:
+            browser.find_element("id", "ingredient").send_keys(food, "\ue007")
+        browser.find_element("id", "go").click()
+        asked(browser)
+        assert "drafts=yes" in browser.current_url
+        assert "not reviewed: 0.52 sure" in text_of(browser, "#view-steps")
+        browser.refresh()
+        asked(browser)
+        assert browser.find_element("id", "with-drafts").is_selected()
+
+
+def test_where_there_are_no_drafts_the_page_does_not_offer_them(page):
+    assert page.execute_script("return drafts.hidden && !document.querySelector('[data-drafted]')")
