@@ -63,6 +63,9 @@ class TimedView:
         return self
 
     def __getattr__(self, name: str):
+        if not callable(getattr(self.view, name)):
+            return getattr(self.view, name)
+
         def timed(*asked, **named):
             started = time.perf_counter()
             answer = getattr(self.view, name)(*asked, **named)

@@ -4,7 +4,12 @@
 // column: recipes
 // column: until
 // mode: read
-// scans: all are counted
-MATCH (r:Recipe)
-WHERE $dish_type = '' OR EXISTS { MATCH (r)-[kind:KIND_OF]->(:DishType {name: $dish_type}) WHERE kind.sure }
-RETURN count(r) AS recipes, sum(CASE WHEN r.id <= $last THEN 1 ELSE 0 END) AS until
+CALL () {
+  WITH * WHERE $dish_type = ''
+  RETURN COUNT { (:Recipe) } AS recipes, COUNT { MATCH (r:Recipe) WHERE r.id <= $last } AS until
+  UNION ALL
+  MATCH (:DishType {name: $dish_type})<-[kind:KIND_OF]-(r:Recipe)
+  WHERE kind.sure
+  RETURN count(r) AS recipes, sum(CASE WHEN r.id <= $last THEN 1 ELSE 0 END) AS until
+}
+RETURN sum(recipes) AS recipes, sum(until) AS until

@@ -1,22 +1,17 @@
-// The foods that no unit of the FOON has, by how many recipes call for them: what to annotate next.
+// The foods that no unit of the FOON has, by how many recipes call for them: what to annotate next. The counts are kept.
 // param: most INTEGER
 // column: food
 // column: recipes
 // column: states
 // mode: read
-// scans: every food that recipes name is counted
+// scans: every food that recipes name is looked at
 MATCH (i:Ingredient)
-WHERE NOT EXISTS { (i)-[:SEEN_AS]->() }
-WITH i, COUNT { MATCH (i)<-[:CALLS_FOR]-(r:Recipe) RETURN DISTINCT r } AS recipes
-WHERE recipes > 0
-ORDER BY recipes DESC, i.name
+WHERE i.recipes > 0 AND NOT EXISTS { (i)-[:SEEN_AS]->() }
+WITH i
+ORDER BY i.recipes DESC, i.name
 LIMIT $most
-RETURN i.name AS food, recipes, COLLECT {
-  MATCH (i)<-[c:CALLS_FOR]-(:Recipe)
-  WHERE c.state <> ''
-  WITH c.state AS state, count(*) AS times
-  ORDER BY times DESC, state
-  LIMIT 3
-  RETURN state
+RETURN i.name AS food, i.recipes AS recipes, COLLECT {
+  MATCH (i)-[asked:ASKED_AS]->(s:State)
+  RETURN s.name ORDER BY asked.count DESC, s.name LIMIT 3
 } AS states
 ORDER BY recipes DESC, food

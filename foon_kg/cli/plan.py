@@ -26,6 +26,7 @@ EXAMPLES = examples(
     "foon plan --recipe 000018c8a5 --recipe 000033e39b",
     "foon plan recipes/ --files subgraphs/ --output plans.jsonl",
     "foon plan --recipes all --output plans.jsonl.zst",
+    "foon plan --recipes all --output plans.jsonl.zst --dask tcp://127.0.0.1:8786",
     "foon plan recipe.json --substitute capers=olives --avoid nuts --explain",
     "foon plan recipe.json --enumerate --limit 5000",
     "foon plan recipe.json --method paper",
@@ -87,6 +88,10 @@ Output = Annotated[
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", metavar="N", min=1, help="Plan in N processes; as a rule all cores.")
 ]
+Dask = Annotated[
+    str | None,
+    typer.Option("--dask", metavar="ADDRESS", help="Plan on the workers of this Dask scheduler (extra “cluster”)."),
+]
 Enumerate = Annotated[
     bool, typer.Option("--enumerate", help="List the reference trees there are to choose from, and the choice.")
 ]
@@ -120,6 +125,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
     after: After = "",
     output: Output = None,
     jobs: Jobs = None,
+    dask: Dask = None,
     with_drafts: WithDrafts = False,
     files: Files = None,
     quiet: Quiet = False,
@@ -167,7 +173,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         settings = PlanSettings(
             substitutes=chosen, avoided=tuple(avoid or ()), after=after, method=method, with_drafts=with_drafts
         )
-        _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, say, quiet)))
+        _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
     questions = _questions(wanted or [], dish, recipe or [], say)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
@@ -187,7 +193,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
             show_candidates(questions[0], door, settings, limit, as_json=as_json, say=say)
             return
         writing = Writing(_shown_as(foon=foon, as_json=as_json), output, say, quiet)
-        code = answer_all(questions, door, settings, jobs, writing)
+        code = answer_all(questions, door, settings, jobs, writing, dask=dask)
     _finish(code)
 
 

@@ -27,11 +27,12 @@ ALL = "all"
 
 @dataclass(frozen=True)
 class CollectionRun:
-    """Where the plans go and where the FOON comes from, in how many processes, and to whom what is said."""
+    """Where the plans go and where the FOON comes from, in how many processes or on which cluster, and who is told."""
 
     output: Path | None
     files: Sequence[Path] | None
     jobs: int | None
+    dask: str | None
     say: Say
     quiet: bool
 
@@ -75,7 +76,7 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
                 settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
         code = done.code
         questions = _questions(connection, done.last, dish_type)
-        with _answering(questions, foon, settings, run.jobs) as answers, adding(run.output, done.size) as add:
+        with _answering(questions, foon, settings, run) as answers, adding(run.output, done.size) as add:
             for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):
                 add(json_line(answer.outcome.to_json()))
                 code = max(code, 0 if answer.error is None else answer.error.exit_code)
@@ -90,11 +91,13 @@ def _questions(connection: Connection, last: str, dish_type: str) -> Iterator[Qu
 
 
 def _answering(
-    questions: Iterable[Question], foon: Snapshot | WithDrafts, settings: PlanSettings, jobs: int | None
+    questions: Iterable[Question], foon: Snapshot | WithDrafts, settings: PlanSettings, run: CollectionRun
 ) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.planning.batch import Cook, answering, cores
+    from foon_kg.planning.batch import Cook, answering, answering_on, cores
 
-    processes = cores() if jobs is None else jobs
+    if run.dask is not None:
+        return answering_on(run.dask, questions, foon, settings, foon.units)
+    processes = cores() if run.jobs is None else run.jobs
     if processes > 1:
         return answering(questions, foon, settings, foon.units, processes)
     return nullcontext(map(Cook(foon, settings, foon.units).answer, questions))

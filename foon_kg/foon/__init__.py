@@ -311,8 +311,9 @@ class Foon:
         if not questions:
             yield ()
             return
-        with self._viewed(settings, whole=len(questions) >= MANY) as view:
-            units = getattr(view, "units", None) if len(questions) > 1 else None  # a graph is asked for parts
+        whole = dask is not None or len(questions) >= MANY
+        with self._viewed(settings, whole=whole) as view:
+            units = getattr(view, "units", None) if whole or len(questions) > 1 else None  # a graph is asked for parts
             if dask is not None and units is not None:
                 with answering_on(dask, questions, view, settings, units) as answers:
                     yield answers

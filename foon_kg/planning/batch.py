@@ -186,7 +186,7 @@ def answering(
 
 
 def answering_on(
-    address: str, questions: Sequence[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]
+    address: str, questions: Iterable[Question], view: TeachingView, settings: PlanSettings, units: Sequence[KnownUnit]
 ) -> AbstractContextManager[Iterator[Answer]]:
     """Open the Dask cluster of the scheduler at ``address``, which answers as :func:`answering` does."""
     from foon_kg.planning.cluster import spread_over  # noqa: PLC0415 - only a cluster needs it

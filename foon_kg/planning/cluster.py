@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.planning.processes import in_order
 
 if TYPE_CHECKING:
-    from distributed import Client, Future
+    from distributed import Client
 
 T = TypeVar("T")
 A = TypeVar("A")
@@ -19,24 +21,26 @@ A = TypeVar("A")
 PATIENCE = 10
 """How many seconds a scheduler has to answer."""
 
+_LEAST_THREADS = 8
+"""Work is ready for so many at least: workers may still join."""
+
 
 @contextmanager
-def spread_over(make: Callable[[], Callable[[T], A]], items: Sequence[T], address: str) -> Iterator[Iterator[A]]:
+def spread_over(make: Callable[[], Callable[[T], A]], items: Iterable[T], address: str) -> Iterator[Iterator[A]]:
     """Open the cluster whose scheduler is at ``address``; its workers work on ``items``, in their order.
 
     As in :func:`foon_kg.planning.processes.spread` every worker gets ``make`` once and calls it for its first item, and
-    how many they are changes no answer. The answers raise what the work raises, and
-    :class:`~foon_kg.model.errors.FoonError` where workers were lost. Raises :class:`~foon_kg.model.errors.UsageError`
-    where Dask is not installed, no scheduler answers, it has no workers, or these have another foon-kg.
+    how many they are changes no answer; of millions of items a few shares for each are under way. What a worker had
+    that is lost another does again. The answers raise what the work raises, and
+    :class:`~foon_kg.model.errors.FoonError` where all workers were lost, or several at the same share. Raises
+    :class:`~foon_kg.model.errors.UsageError` where Dask is not installed, no scheduler answers, it has no workers, or
+    these have another foon-kg.
     """
     with _connected(address) as client:
         _check(client, address)
         given = client.scatter(make, broadcast=True, hash=False)
-        futures = [client.submit(_work, given, item, pure=False) for item in items]
-        try:
-            yield map(_answer_of, futures)
-        finally:
-            client.cancel(futures)
+        threads = sum(client.nthreads().values())
+        yield _told(in_order(partial(client.submit, _work, given, pure=False), items, max(threads, _LEAST_THREADS)))
 
 
 @contextmanager
@@ -73,12 +77,12 @@ def _check(client: Client, address: str) -> None:
         )
 
 
-def _answer_of(future: Future[A]) -> A:
+def _told(found: Iterator[A]) -> Iterator[A]:
     from distributed import KilledWorker  # noqa: PLC0415 - an extra
     from distributed.client import FutureCancelledError  # noqa: PLC0415 - the same
 
     try:
-        return future.result()
+        yield from found
     except (KilledWorker, FutureCancelledError) as error:
         raise FoonError(
             f"the Dask cluster lost its workers: {error}",
@@ -93,8 +97,8 @@ def _version() -> str:
 _kept = threading.local()
 
 
-def _work(make: Callable[[], Callable[[Any], Any]], item: Any) -> Any:  # noqa: ANN401 - whatever is spread
-    """Work on ``item``; what ``make`` answers is kept for the next one, for each thread of the worker apart."""
+def _work(make: Callable[[], Callable[[Any], Any]], share: list[Any]) -> list[Any]:
+    """Work on ``share``; what ``make`` returns is kept for the next one, for each thread of the worker apart."""
     if getattr(_kept, "make", None) is not make:
         _kept.make, _kept.work = make, make()
-    return _kept.work(item)
+    return list(map(_kept.work, share))

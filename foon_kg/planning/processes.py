@@ -8,19 +8,20 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sized
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from functools import cache
 from itertools import islice
 from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.connection import wait
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from foon_kg.model.errors import FoonError
 
 T = TypeVar("T")
 A = TypeVar("A")
+A_co = TypeVar("A_co", covariant=True)
 
 _MOST_AT_ONCE = 8
 _ROUNDS = 4
@@ -33,13 +34,10 @@ def spread(make: Callable[[], Callable[[T], A]], items: Iterable[T], jobs: int) 
     Every process gets ``make`` once, and calls it for its first item; what that answers does the work. The answers
     raise what the work raises, and :class:`~foon_kg.model.errors.FoonError` where a process was ended from outside.
     """
-    workers, at_once = jobs, _MOST_AT_ONCE
-    if isinstance(items, Sized):
-        workers = min(jobs, len(items))
-        at_once = max(1, min(_MOST_AT_ONCE, len(items) // (_ROUNDS * workers)))
+    workers = min(jobs, len(items)) if isinstance(items, Sized) else jobs
     pool = ProcessPoolExecutor(workers, mp_context=get_context("spawn"), initializer=_begin, initargs=(make,))
     try:
-        yield _told(_in_order(pool, iter(items), at_once, _ROUNDS * workers))
+        yield _told(in_order(lambda share: pool.submit(_work, share), items, workers))
     except KeyboardInterrupt:
         for process in active_children():
             process.terminate()  # else each would end its share first
@@ -48,12 +46,25 @@ def spread(make: Callable[[], Callable[[T], A]], items: Iterable[T], jobs: int) 
         pool.shutdown(cancel_futures=True)
 
 
-def _in_order(pool: ProcessPoolExecutor, items: Iterator[T], at_once: int, most: int) -> Iterator[Any]:
-    """Yield what comes of ``items``: of millions only ``most`` shares are under way or waited for."""
-    shares: deque[Future[list[Any]]] = deque()
-    while share := list(islice(items, at_once)):
-        shares.append(pool.submit(_work, share))
-        if len(shares) >= most:
+class Share(Protocol[A_co]):
+    """A share of the items that somebody works on."""
+
+    def result(self) -> A_co:
+        """Wait for what came of it."""
+
+
+def in_order(submit: Callable[[list[T]], Share[list[A]]], items: Iterable[T], workers: int) -> Iterator[A]:
+    """Yield what comes of ``items``, in their order; ``submit`` has a share of them worked on.
+
+    Of millions only a few shares for each of ``workers`` are under way or waited for.
+    """
+    at_once = _MOST_AT_ONCE
+    if isinstance(items, Sized):
+        at_once = max(1, min(_MOST_AT_ONCE, len(items) // (_ROUNDS * workers)))
+    waiting, shares = iter(items), deque[Share[list[A]]]()
+    while share := list(islice(waiting, at_once)):
+        shares.append(submit(share))
+        if len(shares) >= _ROUNDS * workers:
             yield from shares.popleft().result()
     while shares:
         yield from shares.popleft().result()
@@ -86,6 +97,12 @@ def collect_seldom() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+def keep_for_good() -> None:
+    """Let what this process has made so far never be looked through again for unreachable cycles: all of it stays."""
+    gc.collect()
+    gc.freeze()
+
+
 def end_with_parent() -> None:
     """End this process when the one that asks is killed: the queue between them would wait for ever."""
     parent = parent_process()
@@ -99,7 +116,9 @@ def _worker() -> Callable[[Any], Any]:
     """Return what works in this process, made for its first item: what is wrong with what was given is then told."""
     if _given is None:
         raise RuntimeError("a working process was asked before it had begun")
-    return _given()
+    made = _given()
+    keep_for_good()
+    return made
 
 
 def _work(share: list[Any]) -> list[Any]:

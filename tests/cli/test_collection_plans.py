@@ -7,7 +7,7 @@ import json
 import signal
 import subprocess
 import sys
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 
 import pytest
 from typer.testing import CliRunner
@@ -21,10 +21,13 @@ from foon_kg.model.errors import UsageError
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes, recipes_after, recipes_until
 
+distributed = pytest.importorskip("distributed", reason="the extra “cluster” is not installed")
+
 LINES = 8
 FOON = [sys.executable, "-c", f"from foon_kg.cli import blocks, main; blocks.LINES = {LINES}; main()"]
 FOODS = ("onion", "tomato", "cucumber", "carrot", "olive oil")
 COUNT = 125
+MANY = 600
 ENDINGS = (".jsonl", ".jsonl.gz", ".jsonl.zst")
 
 
@@ -94,6 +97,50 @@ def test_a_collection_is_planned_in_its_order_and_a_killed_run_goes_on_to_the_sa
     again = plan("--recipes", "all", "--output", output)
     assert (again.exit_code, output.read_bytes()) == (3, whole.read_bytes())
     assert f"of {COUNT} answers already" in again.stderr
+
+
+@contextmanager
+def cluster(folder):
+    """A scheduler and two workers, each a process as on a machine of its own; its address and the workers."""
+    told = folder / "scheduler.json"
+    rest = ["--host", "127.0.0.1", "--no-dashboard", "--scheduler-file", str(told)]
+    worker = ["worker", *rest, "--nthreads", "1", "--no-nanny"]
+    processes = [
+        subprocess.Popen([sys.executable, "-m", "dask", *words], cwd=folder, stderr=subprocess.DEVNULL)
+        for words in (["scheduler", "--port", "0", *rest], worker, worker)
+    ]
+    try:
+        with distributed.Client(scheduler_file=str(told), set_as_default=False) as client:
+            client.wait_for_workers(2)
+            address = client.scheduler.address
+        yield address, processes[1:]
+    finally:
+        for process in processes:
+            process.kill()
+            process.wait()
+
+
+@pytest.mark.neo4j
+@pytest.mark.slow
+def test_a_cluster_that_loses_a_worker_in_the_middle_writes_the_same_bytes(connection, tmp_path):
+    bring(connection, range(COUNT, MANY))
+    here, there = tmp_path / "here.jsonl.gz", tmp_path / "there.jsonl.gz"
+    assert plan("--recipes", "all", "--output", here, "--jobs", 1).exit_code == 3
+    with cluster(tmp_path) as (address, workers):
+        command = [*FOON, "plan", "--recipes", "all", "--output", str(there), "--dask", address]
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, cwd=tmp_path) as process:
+            while not (there.exists() and there.stat().st_size):
+                with suppress(subprocess.TimeoutExpired):
+                    assert process.wait(0.05) is None, process.stderr.read()
+            for worker in workers:
+                worker.send_signal(signal.SIGSTOP)  # both are in the middle of it
+            assert all(worker.poll() is None for worker in workers)
+            assert there.stat().st_size < here.stat().st_size
+            workers[0].kill()
+            workers[1].send_signal(signal.SIGCONT)
+            told = process.stderr.read()
+            assert process.wait() == 3, told
+    assert there.read_bytes() == here.read_bytes()
 
 
 @pytest.mark.neo4j

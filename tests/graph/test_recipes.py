@@ -8,6 +8,8 @@ import subprocess
 import sys
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
@@ -17,7 +19,7 @@ from foon_kg.language.collection import CollectionReader
 from foon_kg.loaders import read_paths
 from foon_kg.model.collected import CalledFor, CollectedLine, CollectedRecipe
 from foon_kg.model.dish_classes import DishClass
-from foon_kg.model.errors import UsageError
+from foon_kg.model.errors import SchemaError, UsageError
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
 from foon_kg.store.graph.recipes import (
@@ -194,6 +196,65 @@ def test_wanted_foods_are_ranked_by_recipes_not_by_lines(connection):
         (UNSEEN, 2, ["chopped"]),
         ("sumac", 1, ["chopped"]),
     ]
+
+
+FOODS = ("onion", "tomato", UNSEEN, "sumac")
+TITLES = ("Green Salad", "Hot Soup", "Delight with Salad")
+
+
+@settings(max_examples=12)
+@given(st.lists(st.tuples(st.integers(0, 5), st.sampled_from(TITLES), st.lists(st.sampled_from(FOODS), min_size=1))))
+def test_what_is_kept_is_what_counting_gives(emptied_server, drawn):
+    with Connection(emptied_server) as connection:
+        prepare_for_recipes(connection)
+        for number, title, foods in drawn:
+            bring(connection, [recipe(number, *foods, title=title)])
+        kept = everything_counted(connection)
+        with connection.session(writing=True) as session:
+            session.run(FORGET_COUNTS).consume()
+        prepare_for_recipes(connection)
+        assert everything_counted(connection) == kept
+
+
+FORGET_COUNTS = """
+MATCH (f:Foon) REMOVE f.recipes, f.sure_recipes
+WITH f MATCH (n:DishType|Ingredient) REMOVE n.recipes
+WITH f MATCH ()-[r:USED_IN|ASKED_AS]->() DELETE r
+"""
+
+
+def everything_counted(connection):
+    return recipe_count(connection), class_counts(connection), wanted_foods(connection, 9)
+
+
+def test_recipes_that_were_never_counted_are_said_to_be_and_counted_by_the_next_load(connection, monkeypatch):
+    monkeypatch.setattr("foon_kg.store.graph.recipe_counts.RECIPES_COUNTED_AT_ONCE", 2)
+    recipes = [recipe(number, "onion", UNSEEN) for number in range(5)]
+    bring(connection, recipes)
+    kept = everything_counted(connection)
+    with connection.session(writing=True) as session:
+        session.run(FORGET_COUNTS).consume()
+    for question in (recipe_count, class_counts, lambda c: wanted_foods(c, 3)):
+        with pytest.raises(SchemaError, match="kept no counts"):
+            question(connection)
+    prepare_for_recipes(connection)
+    assert bring(connection, recipes).unchanged == 5
+    assert everything_counted(connection) == kept
+
+
+def test_counts_are_kept_where_the_foon_is_written_anew(connection):
+    bring(connection, [recipe(1, "onion", UNSEEN)])
+    load(connection, [subgraph("salad", "salad", *SALAD)])
+    load(connection, [subgraph("salad", "salad", *SALAD)], Kitchen.default().with_foods(["knife"]))
+    (row,) = wanted_foods(connection, 1)
+    assert (row.food, row.recipes, row.states) == (UNSEEN, 1, ["chopped"])
+    assert class_counts(connection)[0].ingredients == 2
+
+
+def test_nothing_is_counted_where_there_is_nothing(empty_graph):
+    with Connection(empty_graph) as connection:
+        assert recipe_count(connection).recipes == 0
+        assert (class_counts(connection), wanted_foods(connection, 3)) == ([], [])
 
 
 def test_a_recipe_that_is_not_there_is_said_to_be(connection):

@@ -6,7 +6,7 @@ import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import neo4j
 from neo4j import exceptions as driver_errors
@@ -15,11 +15,17 @@ from foon_kg.model.errors import GraphError
 from foon_kg.store.disk import could_not_write
 from foon_kg.store.settings import ConnectionSettings
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from neo4j.api import BookmarkManager
+
 _UNREACHABLE = (driver_errors.ServiceUnavailable, driver_errors.SessionExpired, driver_errors.ConnectionPoolError)
 _SCHEMES = ("bolt://", "bolt+s://", "bolt+ssc://", "neo4j://", "neo4j+s://", "neo4j+ssc://")
 _ANSWER_SECONDS = 8.0
 """In which a Neo4j that is up lets a connection in."""
 _ADDRESS_HINT = "Check NEO4J_URI: neo4j://host:7687, bolt://host:7687, or neo4j+s:// for an encrypted connection."
+_NOT_CAUGHT_UP = ("Neo.TransientError.Transaction.BookmarkTimeout", "Neo.ClientError.Transaction.InvalidBookmark")
 _DATABASE_NOT_FOUND = "Neo.ClientError.Database.DatabaseNotFound"
 
 
@@ -48,9 +54,20 @@ class Connection:
             raise
         return driver
 
+    @cached_property
+    def _bookmarks(self) -> BookmarkManager | None:
+        """What keeps the bookmarks of a cluster; of a single server, which is never behind itself, nothing."""
+        if not self.settings.uri.startswith("neo4j"):
+            return None
+        from foon_kg.store.graph.bookmarks import bookmarks_of  # noqa: PLC0415 - few address a cluster
+
+        return bookmarks_of(self.settings)
+
     @contextmanager
     def session(self, *, writing: bool = False, warned: bool = False) -> Iterator[neo4j.Session]:
-        """Open a session: of a cluster, reads go to followers. Whatever the driver raises becomes a GraphError.
+        """Open a session. Whatever the driver raises becomes a GraphError.
+
+        Of a cluster, reads go to followers, and see what programs of this user wrote (:mod:`bookmarks`).
 
         Who wants to be ``warned`` finds in the summaries what the server finds odd about a question.
         """
@@ -61,7 +78,10 @@ class Connection:
         with (
             explained(self.settings),
             self._driver.session(
-                database=self.settings.database, default_access_mode=mode, **(told if warned else {})
+                database=self.settings.database,
+                default_access_mode=mode,
+                bookmark_manager=self._bookmarks,
+                **(told if warned else {}),
             ) as session,
         ):
             yield session
@@ -110,6 +130,12 @@ def explained(settings: ConnectionSettings) -> Iterator[None]:
         raise GraphError(f"{settings.uri}: {error}", hint="Is this a Neo4j, 5.26 or newer?") from error
 
 
+def _bookmark_folder() -> Path:
+    from foon_kg.store.graph.bookmarks import bookmark_folder  # noqa: PLC0415 - few address a cluster
+
+    return bookmark_folder()
+
+
 def _refused(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> GraphError:
     """Return what an answer of the server means; after a full disk it answers nothing until it is started anew."""
     if could_not_write(error.code, error.message):
@@ -118,6 +144,13 @@ def _refused(error: driver_errors.Neo4jError, settings: ConnectionSettings) -> G
             hint="End it first (foon server stop; another with kill -9: an orderly end could still write, behind "
             "what was torn off), then make room and start it. What was stored is there.",
             code="broken",
+        )
+    if (error.code or "").startswith(_NOT_CAUGHT_UP):
+        return GraphError(
+            f"the member of the cluster {settings.uri} that was asked does not have yet what was written last",
+            hint="Ask again when it has. Where the database was replaced since, as from a backup, take away what "
+            f"names that transaction: {_bookmark_folder()}.",
+            code="behind",
         )
     if error.code == _DATABASE_NOT_FOUND:
         hint = f"There is no database “{settings.database}”: check NEO4J_DATABASE."

@@ -14,6 +14,21 @@ class RecipeContentRow:
 
 
 @dataclass(frozen=True)
+class RecipesTurnRow:
+    """How many recipes are counted; ``None`` where those that are there never were."""
+
+    recipes: int | None
+
+
+@dataclass(frozen=True)
+class RecipeHeldRow:
+    """What a recipe counts for: ``[dish type, sure]`` and ``[food, state]``."""
+
+    classes: list[tuple[str, bool]]
+    ingredients: list[tuple[str, str]]
+
+
+@dataclass(frozen=True)
 class RecipeRow:
     """A recipe; ``classes`` are ``[dish type, sure]``, ``ingredients`` are the values of a ``CalledFor``."""
 
@@ -73,3 +88,4 @@ class RecipeCountRow:
     recipes: int
     sure: int
     foods: int
+    are_counted: bool

@@ -3,6 +3,7 @@
 ``(:Recipe {id, title, content, source, partition, url, left_over})-[:CALLS_FOR {position, state, text, quantity,
 unit}]->(:Ingredient)``, and ``(:Recipe)-[:KIND_OF {sure}]->(:DishType)``. The way from a dish type to its recipes has a
 type of its own beside the ``IS_A`` of goal nodes, so that a plan's goals are found without passing a million recipes.
+What is counted of them is kept (``recipe_counts``).
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.connection import Connection
+from foon_kg.store.graph.recipe_counts import RecipeCounts, counted, take_turn
 from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, RecipePageRow, RecipeRow, WantedFoodRow
 from foon_kg.store.graph.schema import prepare_for_writing
 from foon_kg.store.graph.statements import ask
@@ -76,9 +78,10 @@ class StoredRecipe:
 
 
 def prepare_for_recipes(connection: Connection, kitchen: Kitchen | None = None) -> None:
-    """Apply what is missing of the schema. Raises SchemaError for a graph that a newer foon-kg wrote."""
+    """Apply what is missing of the schema and of counts. Raises SchemaError for a graph that a newer foon-kg wrote."""
     with connection.session(writing=True) as session:
         prepare_for_writing(session, kitchen or Kitchen.default())
+        session.execute_write(take_turn)
 
 
 def load_recipes(
@@ -123,18 +126,20 @@ def load_recipes(
 def class_counts(connection: Connection) -> list[RecipeClassRow]:
     """Return for each dish type how many recipes it surely has, what they call for, and what of it is unseen."""
     with connection.session() as session:
+        session.execute_read(counted)
         return session.execute_read(ask, cypher.RECIPE_CLASSES)
 
 
 def recipe_count(connection: Connection) -> RecipeCountRow:
     """Return how many recipes there are, with a sure dish type and in all, and how many foods they name."""
     with connection.session() as session:
-        return session.execute_read(ask, cypher.COUNT_RECIPES)[0]
+        return session.execute_read(counted)
 
 
 def wanted_foods(connection: Connection, most: int) -> list[WantedFoodRow]:
     """Return the foods that no unit has and most recipes call for, with their commonest states."""
     with connection.session() as session:
+        session.execute_read(counted)
         return session.execute_read(ask, cypher.WANTED_FOODS, most=most)
 
 
@@ -218,13 +223,20 @@ def _write(
 
 
 def _write_batch(transaction: neo4j.ManagedTransaction, recipes: Sequence[UnderstoodRecipe], version: str) -> None:
-    # sorted, so that two programs that load at the same time wait for each other and do not block each other
+    take_turn(transaction)
+    counts = RecipeCounts()
+    for held in ask(transaction, cypher.RECIPES_HELD, ids=[one.recipe.id for one in recipes]):
+        counts.count(held.classes, held.ingredients, weight=-1)
+    for one in recipes:
+        classes_of_it = [(dish.name, dish.sure) for dish in one.dish_classes]
+        counts.count(classes_of_it, [(called.object, called.state) for called in one.ingredients])
     foods = sorted({called.object for recipe in recipes for called in recipe.ingredients})
     classes = sorted({dish.name for recipe in recipes for dish in recipe.dish_classes})
     words = [{"name": food, "canonical": canonical(food)} for food in foods]
     ask(transaction, cypher.LOAD_RECIPE_WORDS, ingredients=words, dish_types=classes)
     rows = sorted((_row(recipe, version) for recipe in recipes), key=lambda row: str(row["id"]))
     ask(transaction, cypher.LOAD_RECIPES, recipes=rows)
+    counts.write(transaction)
 
 
 def _row(understood: UnderstoodRecipe, version: str) -> dict[str, object]:
