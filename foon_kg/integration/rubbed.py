@@ -1,4 +1,4 @@
-"""Dough of flour and cold fat: scones and biscuits, the made of pies, and the crumble that is strewn on fruit."""
+"""Dough of flour and cold fat: that of pies, pressed crumbs, and the crumble that is strewn on fruit."""
 
 from __future__ import annotations
 
@@ -19,8 +19,6 @@ _BASE = replace(_FINE, label=min(word_list("is called so when it is pressed")))
 _INSIDE = replace(MIX, label=min(word_list("is called so inside")))
 _FLAT = replace(_KNEAD, motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
 _FLAT = replace(_FLAT, tools=("rolling pin",), vessel="cutting board")
-_CUT = replace(_FLAT, motion="cut", does=frozenset({"cut"}), tools=("knife",), relation="on")
-_ON_TRAY = replace(BAKE, vessel="baking tray", relation="on")
 
 
 def rubbed(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:

@@ -203,6 +203,12 @@ def test_lentils_are_boiled_before_the_rice_that_is_done_long_before_them(steps)
     assert first(told, "brown lentils", "cook") < first(told, "rice", "pour")
 
 
+def test_wedges_lie_in_the_bowl_of_a_soup(steps):
+    told = steps("soup", "Harira", "lamb:cubed", "lentils:dried", "water:liquid", "onion:chopped", "lemon wedges:whole")
+    assert {"bowl", "lemon wedges"} <= told[-1][0]
+    assert not [inputs for inputs, _, _ in told if "plate" in inputs]
+
+
 def test_wedges_are_served_beside_what_is_baked(steps):
     told = steps("pizza", "Lamb Pizza", "pizza dough:raw", "ground lamb:cooked", "onion:grated", "lemon wedges:whole")
     assert comes(told, "lemon wedges", "plate") > motions(told).index("bake")
