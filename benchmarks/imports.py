@@ -59,8 +59,8 @@ COMMANDS = (
     Command(("stats",), 29, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 55, 355, HEAVY),
-    Command(("plan", "--dish", "salad", "chopped onion"), 190, 355, HEAVY),
-    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 196, 230, HEAVY | {"neo4j", "psutil"}),
+    Command(("plan", "--dish", "salad", "chopped onion"), 191, 355, HEAVY),
+    Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 199, 230, HEAVY | {"neo4j", "psutil"}),
 )
 
 

@@ -45,6 +45,11 @@ def with_object(verb: str, thing: str) -> str:
     return f"{' '.join(words)} {thing}"
 
 
+def motion_said(verb: str) -> str:
+    """Return a motion alone as it is said: ``put``, ``rise``."""
+    return _said("motions").get(verb, verb).removeprefix("let \u2026 ")
+
+
 def joined_by(verb: str) -> str | None:
     """Return what stands between a thing and the other one it is joined to or taken from (attach: to), or None."""
     return _said("joins").get(verb)
