@@ -77,7 +77,7 @@ def as_bought(line: RecipeLine) -> RecipeLine:
     A utensil is no food (skewers).
     """
     if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
-        return replace(line, object=None, left_over=(line.text,))
+        return replace(line, object=None, left_over=(*line.left_over, line.object))
     first, rest = line.states[:1], line.states[1:]
     if line.object is None or not rest or not is_bought_so(first[0], line.object):
         return line

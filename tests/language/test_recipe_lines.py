@@ -172,5 +172,5 @@ def test_nothing_is_downloaded():
 
 def test_a_utensil_is_no_food():
     skewers, skewered = read_recipe_lines(["12 bamboo skewers", "1 lb chicken breast, cut into strips"])
-    assert (skewers.object, skewers.left_over) == (None, ("12 bamboo skewers",))
+    assert (skewers.object, skewers.left_over) == (None, ("bamboo skewers",))
     assert skewered.object == "chicken breast"
