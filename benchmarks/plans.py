@@ -30,7 +30,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
 from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.validation import KnownFoon, Report, check, tree_from_json
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 HEAD = (
@@ -104,7 +104,7 @@ def plan_one(planner: Planner, recipe: Recipe, foon: KnownFoon) -> Planned:
     seconds = time.perf_counter() - started
     if isinstance(answer, PlanFailure):
         return Planned(recipe, answer, seconds, None)
-    return Planned(recipe, answer, seconds, check(TaskTree.from_json(answer.to_json()), foon))
+    return Planned(recipe, answer, seconds, check(tree_from_json(answer.to_json()), foon))
 
 
 def told_of(planned: Planned) -> list[str]:

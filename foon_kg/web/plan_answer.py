@@ -22,7 +22,7 @@ from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 from foon_kg.web.evidence import Place, stands_in
 from foon_kg.web.questions import PlanQuestion
 from foon_kg.web.words import place_to_see, seen_at
@@ -58,7 +58,7 @@ def plan_to_json(
     if question.explain:
         told["considered"] = [one.to_json() for one in answer.considered]
         told["explanations"] = list(map(explanation_to_json, answer.explanations))
-        told["judged"] = check(TaskTree.from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
+        told["judged"] = check(tree_from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]
     if schedules:
         told["schedules"] = [one.to_json() for one in schedules]

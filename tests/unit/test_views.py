@@ -15,16 +15,10 @@ from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.tree import plan_view, tree_view
 from foon_kg.formats.views.words import node_words, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.plans.progress import ProgressLine, ProgressStep
-from foon_kg.plans.result import (
-    Alternative,
-    Assumption,
-    PassedOver,
-    PlanResult,
-    ReferenceSummary,
-    Substitution,
-)
+from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 
 ESCAPE = re.compile(r"\x1b\[[0-9;]*m")
 

@@ -23,8 +23,8 @@ from foon_kg.formats.pictures.svg import (
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN
 from foon_kg.model import ObjectNode
+from foon_kg.model.claims import Substitution
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Substitution
 
 _TEXT_WIDTH = 150.0
 _EDGE = 24.0

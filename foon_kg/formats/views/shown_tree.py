@@ -8,10 +8,11 @@ from typing import Self
 
 from foon_kg.formats.views.lives import lives
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, progress_lines
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.substitution import done_like, handled
 from foon_kg.formats.views.lives import lives
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
@@ -30,10 +31,11 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 WIDE = 140
 """From so many columns on, what belongs to the steps stands beside them."""
@@ -201,11 +203,11 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 def _substitution(one: Substitution) -> Text:
     if one.for_want:
-        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {one.how}", ALARM))
+        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {handled(one)}", ALARM))
     if one.kind == "object":
-        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {one.how}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {handled(one)}")
     else:
-        text = Text(one.done_like)
+        text = Text(done_like(one))
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
     return text.append(f"  or {others}", ASIDE) if others else text
 
