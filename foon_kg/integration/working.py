@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Plan
-from foon_kg.integration.frames import Stage
+from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
@@ -57,10 +57,10 @@ class Worker:
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         mixed = [stuff for stuff in mixed if stuff.label == self.plan.label] or mixed  # the dish, beside its frosting
         states = mixed[0].states if len(mixed) == 1 else ()
-        beside = [self.known.foods.food(stuff.label) for stuff in vessel.contents if stuff not in mixed]
-        stacked = (self.plan.stacked or is_flat(vessel.label)) and any(
-            not facts.is_a("topping", "herb") for facts in beside
-        )
+        beside = [stuff for stuff in vessel.contents if stuff not in mixed]
+        tops = {join.want.number for join in self.plan.joins if join.on_top}
+        laid = self.plan.stacked or is_flat(vessel.label) or all(stuff.wants <= tops for stuff in beside)
+        stacked = laid and any(not self.known.foods.food(stuff.label).is_a("topping", "herb") for stuff in beside)
         dropped = {"blended", "mixed"} if stacked else set()  # what is laid on each other is no mixture
         return tuple(s for s in states if not self.known.state(s).half and s not in dropped)
 
@@ -298,6 +298,8 @@ class Worker:
             if own is not None:
                 return own
         found = self.bench.attest(ways, foods)
+        if found is None and isinstance(stage, Phase):
+            found = self.bench.far([(stage.motion, stage.tools)], foods)
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found

@@ -122,3 +122,34 @@ def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
     told = steps("meatloaf", "Meatloaf", "ground beef:raw", "egg:uncooked", "breadcrumbs:crumbs", "ketchup:sauce")
     assert inside(told, "shape") == {"ground beef", "egg", "breadcrumbs"}
     assert first(told, "ketchup", "pour") < motions(told).index("bake")
+
+
+def test_ginger_in_the_strainer_makes_a_tea(steps):
+    told = steps("drinks", "Ginger Tea", "ginger:sliced", "water:liquid", "honey:thick liquid")
+    assert "pour and strain" in motions(told)
+
+
+def test_what_is_asked_cut_is_not_mashed_for_a_filling(steps):
+    told = steps("pie", "Cornish Pasties", "flour:powder", "lard:block", "water:cold", "beef skirt:diced",
+                 "potatoes:diced", "onion:chopped")  # fmt: skip
+    assert "mash" not in motions(told)
+    assert "potatoes" in inside(told, "fold and pinch")
+
+
+def test_a_stir_fry_needs_no_such_name_where_it_is_filed_as_one(steps):
+    told = steps("stir-fry", "Pad Krapow", "ground pork:raw", "soy sauce:liquid", "sugar:granulated", "oil:liquid",
+                 "fried eggs:whole", "rice:steamed")  # fmt: skip
+    assert first(told, "ground pork", "cook and stir") < first(told, "mixture", "pour")
+    assert first(told, "mixture", "cook and stir") < first(told, "fried eggs", "pick-and-place")
+
+
+def test_what_a_cutlet_is_eaten_with_is_not_fried_with_it(steps):
+    told = steps("pork", "Tonkatsu", "pork chops:boneless", "flour:powder", "eggs:beaten", "panko:crumbs", "oil:liquid",
+                 "cabbage:shredded", "tonkatsu sauce:sauce")  # fmt: skip
+    assert motions(told).index("flip") < first(told, "cabbage", "pour")
+    assert not [motion for inputs, motion, _ in told if "cabbage" in inputs and motion == "cook and stir"]
+
+
+def test_eggs_are_whisked_and_come_into_a_soup_last(steps):
+    told = steps("soup", "Avgolemono", "chicken stock:liquid", "orzo:uncooked", "eggs:uncooked", "lemon juice:juice")
+    assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "simmer")
