@@ -122,8 +122,8 @@ class FoodSimilarity:
     def _in_words(self, kind: str, one: str, other: str, value: float) -> str:
         if kind == "group":
             groups = self.evidence.food_groups
-            shared = [group for group in groups.of(one) if group in groups.of(other)]
-            return f"both used as {', '.join(shared)}" if shared else "a part or form of it is used alike"
+            both = [group for group in groups.of(one) if group in groups.of(other)]
+            return f"both used as {', '.join(both)}" if both else "a part or form of it is used alike"
         if kind == "kind" and (shared := self.evidence.taxonomy.shared(one, other)):
             return f"both are {shared} ({value:.2f})"
         return _TOLD_AS[kind] + (f" ({value:.2f})" if value < 1 else "")

@@ -83,10 +83,10 @@ class NodeDrafter:
             evidence.weigh(max(at, UNSEEN))
             return states, place
         known = own or self.precedents.start(mention.name)
-        if known is None and not mention.states and (sold := tables().foods.food(mention.name).sold_as):
-            known = (sold,), (None, None)
+        if known is None and not mention.states and (as_sold := tables().foods.food(mention.name).sold_as):
+            known = (as_sold,), (None, None)
             evidence.weigh_states(
-                SOMETHING - 0.05, f"{mention.name} was never seen before: taken as {sold}, as it is sold"
+                SOMETHING - 0.05, f"{mention.name} was never seen before: taken as {as_sold}, as it is sold"
             )
         if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
             known = self.precedents.start(near.name)

@@ -129,9 +129,9 @@ class UnitDrafter:
             )
             draft = self._bringing.units if brought else self._changed
             found += draft(action, mention, motion, like, own)
-        there = [one.name for one in (*action.objects, *action.places) if one.name in self.scene.foods]
-        own = tuple(dict.fromkeys(name for name in there if name in {one.name for one in action.objects}))
-        self.scene.last = own or tuple(there[:1])  # what came onto another food is by itself no more
+        left = tuple(one.name for one in action.objects if one.name in self.scene.foods)
+        onto = tuple(place.name for place in action.places if place.name in self.scene.foods)
+        self.scene.last = left or onto[:1]  # what came onto another food is by itself no more
         return (as_one(found),) if brings and found else tuple(found)
 
     def _rolled_in(self, action: NarratedAction, motion: str) -> bool:
