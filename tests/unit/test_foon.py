@@ -15,7 +15,7 @@ import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.foon import plan
+from foon_kg.foon import changing, opened, plan
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.planning.batch import Question
 from foon_kg.planning.settings import PlanSettings
@@ -34,9 +34,9 @@ def salad(door):
 
 
 def test_the_examples_of_the_docstrings_are_true(door, salad):
-    names = {"foon": door, "plan": salad, "demo_folder": demo_folder}
-    done = [doctest.testmod(module, extraglobs=names) for module in (foon, plan)]
-    assert [one.failed for one in done] == [0, 0]
+    names = {"Foon": Foon, "foon": door, "plan": salad, "demo_folder": demo_folder}
+    done = [doctest.testmod(module, extraglobs=names) for module in (foon, changing, opened, plan)]
+    assert [one.failed for one in done] == [0, 0, 0, 0]
     assert sum(one.attempted for one in done) > 20
 
 
