@@ -179,7 +179,8 @@ class _Question:
         self.kitchen = planner.kitchen_for(foods)
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in self.wants)
         times = Counter(singular(one.object) for one in asked)
-        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants)
+        recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
+        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants, recorded)
         self.baked, self.parts = parts_of(
             self.wants,
             recipe.dish_type,
