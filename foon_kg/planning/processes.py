@@ -97,6 +97,14 @@ def collect_seldom() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+def collect_often() -> None:
+    """Let this process look for unreachable cycles again and again: each request to one that serves leaves some.
+
+    A command looks for them hardly ever, since it ends; for one that does not they are memory that only grows.
+    """
+    gc.set_threshold(10_000, 10, 10)
+
+
 def keep_for_good() -> None:
     """Let what this process has made so far never be looked through again for unreachable cycles: all of it stays."""
     gc.collect()
