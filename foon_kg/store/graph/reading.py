@@ -28,6 +28,7 @@ from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.methods import CommonMethods, LearntDishes, methods_of
 from foon_kg.store.graph.remembering import keep_trees
 from foon_kg.store.graph.rows import (
+    FrameReadValue,
     GoalValue,
     SeenUnit,
     SubgraphRow,
@@ -41,6 +42,7 @@ from foon_kg.store.graph.statements import (
     BEHIND,
     EQUIVALENTS,
     FRAMES,
+    FRAMES_READ,
     GOALS,
     KNOWN_UNITS,
     LIKELY_GOALS,
@@ -209,7 +211,11 @@ class GraphView:
             self._edition.common = CommonMethods(*self._ask_once(METHODS_COMMON))
         if self._edition.dishes is None:
             self._edition.dishes = LearntDishes(*self._ask_once(FRAMES))
-        return self._edition.common.methods_with(matters, self._edition.dishes)
+        return self._edition.common.methods_with(matters, self._edition.dishes, self._read_frames)
+
+    def _read_frames(self, keys: Sequence[str]) -> list[FrameReadValue]:
+        (row,) = self._ask(FRAMES_READ, keys=sorted(keys))
+        return row.frames
 
     def _read_methods(self) -> Methods:
         if self._learnt_by != methods_key():
