@@ -57,6 +57,7 @@ COUNT_MOTIONS = Statement("count_motions", rows.Nothing)
 COUNT_VERBS = Statement("count_verbs", rows.Nothing)
 LOAD_COSTS = Statement("load_costs", rows.VerbCostRow)
 FOODS_WITHOUT_VECTOR = Statement("foods_without_vector", rows.NameRow)
+FOODS_NEW = Statement("foods_new", rows.NameRow)
 LOAD_VECTORS = Statement("load_vectors", rows.Nothing)
 
 FORGET_SIGHTINGS = Statement("forget_sightings", rows.KeyRow)
