@@ -36,7 +36,7 @@ from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.store.with_drafts import WithDrafts
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def outcome(view: object, known: KnownFoon, asked: Asked) -> tuple[bool, bool, s
         result = Planner(view, PlanSettings(), view.units).plan(asked.recipe)
     except FoonError as error:
         return False, False, f"{error.code}: {error.message}"[:150]
-    report = check(TaskTree.from_json(result.to_json()), known)
+    report = check(tree_from_json(result.to_json()), known)
     return report.accepted, any(map(is_draft, result.reference.videos)), result.goal.label
 
 

@@ -24,13 +24,13 @@ from foon_kg.loaders import read_paths
 from foon_kg.model import Recipe
 from foon_kg.model.errors import NoTreeError
 from foon_kg.planning.planner import Planner
-from foon_kg.planning.processes import collect_seldom
+from foon_kg.planning.processes import collect_seldom, keep_for_good
 from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
 from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.validation import KnownFoon, Report, check, tree_from_json
 
 SHARED = Path(__file__).parents[1].parent / "shared" / "data"
 HEAD = (
@@ -84,6 +84,7 @@ def plan_all(snapshot: Snapshot, recipes: list[Recipe], settings: PlanSettings) 
     started = time.perf_counter()
     planner = Planner(snapshot, settings, snapshot.units)
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
+    keep_for_good()
     print(f"{len(snapshot.units)} units, ready in {time.perf_counter() - started:.2f} s")
     done = []
     for number, recipe in enumerate(recipes):
@@ -103,7 +104,7 @@ def plan_one(planner: Planner, recipe: Recipe, foon: KnownFoon) -> Planned:
     seconds = time.perf_counter() - started
     if isinstance(answer, PlanFailure):
         return Planned(recipe, answer, seconds, None)
-    return Planned(recipe, answer, seconds, check(TaskTree.from_json(answer.to_json()), foon))
+    return Planned(recipe, answer, seconds, check(tree_from_json(answer.to_json()), foon))
 
 
 def told_of(planned: Planned) -> list[str]:

@@ -4,8 +4,9 @@
 
 Starts ``foon serve`` as anybody does, on a free port, and asks it: plans of new recipes and of the same ones, pages,
 what is wrong, what is not there, half a request, a connection that is dropped. Every ten seconds the memory of all its
-processes is added up. It fails (exit code 1) where a request got no answer or the wrong status, or where the median of
-the last quarter is more than a tenth above that of the second: in the first, what is kept to be quicker fills.
+processes is added up, and the processor time that each answer took. It fails (exit code 1) where a request got no
+answer or the wrong status, where the median memory of the last quarter is more than a tenth above that of the second,
+or where an answer takes a quarter more processor time then: in the first, what is kept to be quicker fills.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ import psutil
 from foon_kg.demo import demo_folder
 
 MOST_GROWTH = 1.1
+MOST_SLOWER = 1.25
 EVERY = 10.0
 """Seconds between two looks at the memory."""
 
@@ -55,6 +57,21 @@ FOODS = (
 STATES = ("chopped", "sliced", "whole", "diced", "")
 DISHES = ("salad", "soup", "omelette", "drink", "")
 PROGRAM = "import sys; from foon_kg.cli import main; sys.exit(main())"
+
+
+@dataclass(frozen=True)
+class Look:
+    """One moment: bytes that the process which serves has, and those that plan; seconds of processor, answers."""
+
+    serves: int
+    plan: int
+    processor: float
+    answers: int
+
+    @property
+    def memory(self) -> int:
+        """Bytes of all processes."""
+        return self.serves + self.plan
 
 
 @dataclass
@@ -159,48 +176,67 @@ def main() -> int:
         threads = [threading.Thread(target=soak.go_on, args=(until,)) for soak in soaks]
         for thread in threads:
             thread.start()
-        taken = _looks(server.pid, until)
+        looks = _looks(server.pid, until, soaks)
         for thread in threads:
             thread.join()
         alive = server.poll() is None
     finally:
         server.terminate()
         server.wait()
-    return _told(soaks, taken, alive=alive)
+    return _told(soaks, looks, alive=alive)
 
 
-def _looks(pid: int, until: float) -> list[int]:
-    """Return the memory of a process and all below it, looked at again and again."""
-    taken = []
+def _looks(pid: int, until: float, soaks: list[Soak]) -> list[Look]:
+    """Return what is seen of a process and all below it, again and again, and tell it each minute."""
+    looks: list[Look] = []
     while time.monotonic() < until:
         time.sleep(EVERY)
-        taken.append(_memory(pid))
-    return taken
+        looks.append(_look(pid, sum(sum(soak.statuses.values()) for soak in soaks)))
+        if len(looks) % round(60 / EVERY) == 0:
+            print(_line(looks[-1 - round(60 / EVERY) :]), flush=True)
+    return looks
 
 
-def _memory(pid: int) -> int:
-    """Return the bytes that only these processes have (Linux), or that they have."""
-    total = 0
+def _look(pid: int, answers: int) -> Look:
+    """Return the bytes that only these processes have (Linux), or that they have, and what time they took."""
+    taken, processor = [], 0.0
     for process in (psutil.Process(pid), *psutil.Process(pid).children(recursive=True)):
         try:
-            found = process.memory_full_info()
+            found, times = process.memory_full_info(), process.cpu_times()
         except psutil.NoSuchProcess:
             continue
-        total += getattr(found, "uss", found.rss)
-    return total
+        taken.append(int(getattr(found, "uss", found.rss)))
+        processor += times.user + times.system
+    return Look(taken[0], sum(taken[1:]), processor, answers)
 
 
-def _told(soaks: list[Soak], taken: list[int], *, alive: bool) -> int:
+def _line(looks: list[Look]) -> str:
+    last = looks[-1]
+    return (
+        f"{last.answers} answers, {last.serves / 1e6:.1f} MB serve and {last.plan / 1e6:.1f} MB plan, "
+        f"{1e3 * _an_answer(looks):.2f} ms of processor an answer"
+    )
+
+
+def _an_answer(looks: list[Look]) -> float:
+    """Return the seconds of processor that an answer took between the first and the last of some looks."""
+    first, last = looks[0], looks[-1]
+    return (last.processor - first.processor) / max(1, last.answers - first.answers)
+
+
+def _told(soaks: list[Soak], looks: list[Look], *, alive: bool) -> int:
     statuses = sum((soak.statuses for soak in soaks), Counter[str]())
     wrong = [one for soak in soaks for one in soak.wrong]
-    quarter = max(1, len(taken) // 4)
-    early, late = (statistics.median(part) for part in (taken[quarter : 2 * quarter] or taken, taken[-quarter:]))
+    quarter = max(1, len(looks) // 4)
+    second, last = looks[quarter : 2 * quarter] or looks, looks[-quarter:]
+    early, late = (statistics.median(look.memory for look in part) for part in (second, last))
+    quick, slow = _an_answer(second), _an_answer(last)
     print(f"{sum(statuses.values())} answers: " + ", ".join(f"{code}: {n}" for code, n in sorted(statuses.items())))
-    print("each minute: " + ", ".join(f"{one / 1e6:.0f}" for one in taken[:: round(60 / EVERY)]) + " MB")
-    print(f"memory {early / 1e6:.1f} → {late / 1e6:.1f} MB ({100 * late / early - 100:+.1f} %), {len(taken)} looks")
+    print(f"memory {early / 1e6:.1f} → {late / 1e6:.1f} MB ({100 * late / early - 100:+.1f} %), {len(looks)} looks")
+    print(f"processor {1e3 * quick:.2f} → {1e3 * slow:.2f} ms an answer ({100 * slow / max(quick, 1e-9) - 100:+.1f} %)")
     for one in wrong[:10]:
         print(f"wrong: {one}")
-    return int(bool(wrong) or not alive or late > MOST_GROWTH * early)
+    return int(bool(wrong) or not alive or late > MOST_GROWTH * early or slow > MOST_SLOWER * quick)
 
 
 def _free_port() -> int:

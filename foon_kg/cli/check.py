@@ -18,9 +18,10 @@ if TYPE_CHECKING:
     from foon_kg.cli.tree_files import TreeDocument
     from foon_kg.model import ObjectNode, Recipe
     from foon_kg.model.json_fields import JsonObject
+    from foon_kg.model.tree import TaskTree
     from foon_kg.plans.kitchen import Kitchen
     from foon_kg.store.snapshot import Snapshot
-    from foon_kg.validation import Finding, KnownFoon, Report, TaskTree
+    from foon_kg.validation import Finding, KnownFoon, Report
 
 EXAMPLES = examples(
     "foon plan recipe.json --json | foon check -",

@@ -22,9 +22,10 @@ def doctor(
 ) -> None:
     """Look for what stands in the way, and say what to do about it.
 
-    Looked at are Python, the extras, your own tables, the Neo4j that NEO4J_URI names or foon-kg's own (Java, disk, its
-    files, whether it answers), its indexes, its FOON, and what a Neo4j of others should set. Nothing is started,
-    fetched or changed. Exit code 1 where something will not work.
+    Looked at are Python, the extras, your own tables, ports, the Neo4j that NEO4J_URI names or foon-kg's own (Java,
+    disk, its files and start-up cache, whether it answers), its version, what you may do there, its indexes, its FOON,
+    and what a Neo4j of others should set. Nothing is started, fetched or changed. Exit code 1 where something will not
+    work.
     """
     from foon_kg.store.doctor import Level, examine
 

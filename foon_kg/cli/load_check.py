@@ -39,9 +39,9 @@ def played(results: Sequence[ReadResult], say: Say) -> tuple[Notice, ...]:
 
 
 def _report(result: ReadResult, foon: KnownFoon, free_foods: frozenset[str]) -> Report | None:
-    from foon_kg.validation import TaskTree, check
+    from foon_kg.validation import check, tree_from_subgraph
 
-    return None if result.subgraph is None else check(TaskTree.from_subgraph(result.subgraph, None), foon, free_foods)
+    return None if result.subgraph is None else check(tree_from_subgraph(result.subgraph, None), foon, free_foods)
 
 
 def _notices(result: ReadResult, report: Report) -> Iterator[Notice]:

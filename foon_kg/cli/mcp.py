@@ -26,10 +26,12 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
     """
     from foon_kg.cli.serve import served_foon
     from foon_kg.foon import Foon
+    from foon_kg.planning.processes import collect_often
     from foon_kg.web.agents import agent_server
     from foon_kg.web.service import FoonService
 
     say = sayer(quiet=quiet)
+    collect_often()
     with (
         FoonService(served_foon(files, say), processes=1, seconds=SECONDS) as service,
         nullcontext() if files else Foon.connect(say=say) as foon,

@@ -58,8 +58,8 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 ) -> None:
     """Serve a page to plan dishes, and the same as JSON.
 
-    The page also shows what the FOON has around an object, and /explore a picture to wander through; with --cypher it
-    takes questions in Cypher that only look at the graph. The JSON is under /api; /api/docs describes it.
+    /explore is a picture of the FOON to wander through; with --cypher it takes questions in Cypher that only look. The
+    JSON is under /api; /api/docs describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
     for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
@@ -68,6 +68,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     believed.
     """
     from foon_kg.planning.batch import cores
+    from foon_kg.planning.processes import collect_often
     from foon_kg.store.graph.connection import Connection
     from foon_kg.store.server import connection_settings
     from foon_kg.web.api import web_app
@@ -94,6 +95,7 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     address = _address(host, listener) + (f"#token={token}" if token else "")
     print_json({"address": address}) if as_json else say(address)
     limits = Limits()
+    collect_often()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
     desk = CypherDesk(lambda: Connection(connection_settings(say))) if cypher else None

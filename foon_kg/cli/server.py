@@ -77,3 +77,5 @@ def _show(now: Status, *, as_json: bool) -> None:
         typer.echo(f"The local Neo4j ({now.version}) is not running.")
     typer.echo(f"  data      {now.data}\n  password  {now.password_file}\n  log       {now.log_file}")
     typer.echo(f"  start-up cache: {now.startup_cache}")
+    if now.started_again:
+        typer.echo(f"  started again by itself, last at {now.started_again}")

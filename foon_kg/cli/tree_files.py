@@ -13,7 +13,8 @@ from foon_kg.loaders import Notice, read_text
 from foon_kg.model import Recipe, Subgraph, regular_files
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_text import json_value_at
-from foon_kg.validation import TaskTree
+from foon_kg.model.tree import TaskTree
+from foon_kg.validation import tree_from_json, tree_from_subgraph
 
 STANDARD_INPUT = "-"
 _ENDINGS = (".json", ".jsonl", ".txt")
@@ -45,7 +46,7 @@ def read_trees(file: Path, recipe: Recipe | None = None) -> Iterator[TreeDocumen
         return
     for line, value in json_values(file, text):
         where = f"{file}:{line}"
-        tree = TaskTree.from_json(value, where)
+        tree = tree_from_json(value, where)
         tree = replace(tree, recipe=recipe or tree.recipe)
         yield TreeDocument(where, tree, value, dish_type=tree.recipe.dish_type if tree.recipe else "")
 
@@ -86,7 +87,7 @@ def _from_text(file: Path, text: str, recipe: Recipe | None) -> TreeDocument:
     result = read_text(text, file.stem, str(file))
     if result.subgraph is None:
         raise ReadError(f"{file}: no task tree in it", hint=_HINT)
-    tree = TaskTree.from_subgraph(result.subgraph, recipe)
+    tree = tree_from_subgraph(result.subgraph, recipe)
     dish_type = recipe.dish_type if recipe else _marked(result.subgraph)
     return TreeDocument(str(file), tree, notices=result.notices, dish_type=dish_type)
 

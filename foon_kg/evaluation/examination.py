@@ -10,7 +10,7 @@ from foon_kg.model import Goal, KnownUnit
 from foon_kg.model.knowledge import Vocabulary
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanFailure, PlanResult
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 
 
 class Examiner:
@@ -32,6 +32,6 @@ class Examiner:
             recipe,
             self.rule.scores(outcome),
             tuple(substitution.confidence for substitution in outcome.substitutions),
-            check(TaskTree.from_json(outcome.to_json()), self.foon, self.free),
+            check(tree_from_json(outcome.to_json()), self.foon, self.free),
             result=outcome,
         )

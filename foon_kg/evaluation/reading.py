@@ -19,8 +19,9 @@ from foon_kg.model import Subgraph, regular_files
 from foon_kg.model.errors import ReadError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.json_text import json_value
+from foon_kg.model.tree import TaskTree
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.validation import TaskTree
+from foon_kg.validation import tree_from_json, tree_from_subgraph
 
 VideoTrees = Mapping[str, TaskTree]
 """Recorded videos by name, each with the recipe that it answers."""
@@ -50,7 +51,7 @@ class ReadingTree:
     def tree(self, videos: VideoTrees) -> TaskTree:
         """Return the task tree; raises ReadError for a video that is not among ``videos``."""
         if self.plan is not None:
-            return TaskTree.from_json(self.plan, self.name)
+            return tree_from_json(self.plan, self.name)
         if self.name not in videos:
             raise ReadError(f"{self.name}: no such video", hint="Name the folder of videos from which it was drawn.")
         return videos[self.name]
@@ -70,7 +71,7 @@ def planned_trees(path: Path) -> tuple[ReadingTree, ...]:
         if line.strip():
             where = f"{path}:{number}"
             plan = _json(line, where)
-            tree = TaskTree.from_json(plan, where)
+            tree = tree_from_json(plan, where)
             if tree.recipe is None or not isinstance(plan, dict):
                 raise ReadError(f"{where}: it answers no recipe", hint="Give what `foon plan --json` wrote.")
             found.append(ReadingTree(tree.name, tree.recipe.dish_type, plan))
@@ -80,7 +81,7 @@ def planned_trees(path: Path) -> tuple[ReadingTree, ...]:
 def video_trees(subgraphs: Iterable[Subgraph], kitchen: Kitchen) -> dict[str, TaskTree]:
     """Return the videos that mark a dish, each with the recipe that it answers, by name."""
     asked = ((subgraph, left_out_video(subgraph, kitchen)) for subgraph in subgraphs)
-    return {one.name: TaskTree.from_subgraph(one, video.recipe) for one, video in asked if video is not None}
+    return {one.name: tree_from_subgraph(one, video.recipe) for one, video in asked if video is not None}
 
 
 def draw(
@@ -154,7 +155,7 @@ def _of_key(value: object, number: int, where: str) -> ReadingTree:
         raise ReadError(f"{where}: its number should be {number}", hint="Keep the key as it was written.")
     plan = value.get("plan") if isinstance(value, dict) else None
     if plan is not None:
-        TaskTree.from_json(plan, f"{where}: plan")
+        tree_from_json(plan, f"{where}: plan")
     return ReadingTree(fields.text("id"), fields.text("dish_type"), plan)
 
 

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from foon_kg.evaluation.reading import read_text
 from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model.claims import Substitution
 from foon_kg.model.errors import ReadError
-from foon_kg.model.tree import TreeUnit
-from foon_kg.validation import TaskTree
+from foon_kg.model.tree import TaskTree, TreeUnit
 
 
 def words_in(path: Path) -> str:
@@ -40,7 +40,7 @@ def _lines(tree: TaskTree) -> Iterator[str]:
     for number, unit in enumerate(tree.units, start=1):
         yield f"{number}. {_step(unit)}"
     handled = (
-        f"{one.object}: {one.required} handled like {one.equivalent or '?'} ({one.kind}, {_figure(one.confidence)})"
+        f"{one.object}: {one.required} handled like {one.equivalent or '?'} ({one.kind}, {_figure(one)})"
         for one in tree.substitutions or ()
     )
     yield f"substitutions: {_list(handled)}"
@@ -56,5 +56,5 @@ def _list(items: Iterable[str]) -> str:
     return "; ".join(items) or "none"
 
 
-def _figure(confidence: float | None) -> str:
-    return "?" if confidence is None else f"{confidence:.2f}"
+def _figure(one: Substitution) -> str:
+    return "?" if "confidence" in one.untold else f"{one.confidence:.2f}"

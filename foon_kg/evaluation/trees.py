@@ -9,7 +9,8 @@ from functools import cached_property
 
 from foon_kg.evaluation.verdicts import ALL, Verdicts, verdict_json
 from foon_kg.model.json_fields import JsonObject
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.model.tree import TaskTree
+from foon_kg.validation import KnownFoon, Report, check
 
 NO_DISH_TYPE = "no dish type"
 """The name under which trees are taken together that do not say of which dish type they are."""

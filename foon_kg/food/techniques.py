@@ -135,8 +135,9 @@ class Work:
 class Technique:
     """How dishes are made that are ``called`` so and have, of each of ``needs``, one food, and none of ``without``.
 
-    ``types`` are the dish types that it is for (none: any). ``lines`` are stages by the name of their line; the last
-    one makes the dish. ``plan`` are wishes for the whole: one pot, cold.
+    ``types`` are the dish types that it is for (none: any), ``or_types`` those of which a dish needs no such name.
+    ``lines`` are stages by the name of their line; the last one makes the dish. ``plan`` are wishes for the whole: one
+    pot, cold.
     """
 
     name: str
@@ -147,10 +148,15 @@ class Technique:
     without: tuple[Foods, ...]
     lines: Mapping[str, tuple[Part, ...]]
     plan: frozenset[str]
+    or_types: frozenset[str] = frozenset()
 
     def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
         """Whether a dish of that type, with these words in its title, is called so."""
-        if (self.types and dish_type not in self.types) or not self.never.isdisjoint(told):
+        if not self.never.isdisjoint(told):
+            return False
+        if dish_type in self.or_types:
+            return True
+        if self.types and dish_type not in self.types:
             return False
         spans = {tuple(told[place : place + len(name)]) for name in self.called for place in range(len(told))}
         return not self.called or not spans.isdisjoint(self.called)
@@ -190,4 +196,5 @@ def _technique(name: str, row: Mapping[str, Any]) -> Technique:
         tuple(map(Foods.read, row.get("without", ()))),
         {line: tuple(map(Part.read, parts)) for line, parts in row["lines"].items()},
         frozenset(row.get("plan", ())),
+        frozenset(row.get("or_types", ())),
     )

@@ -11,14 +11,15 @@ from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import UsageError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.tree import TreeUnit
 from foon_kg.planning.batch import Answer, Question
 from foon_kg.planning.explanation import Explanation
 from foon_kg.planning.settings import PlanSettings
-from foon_kg.plans.result import Assumption, PlanResult, Substitution
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.plans.result import PlanResult
+from foon_kg.validation import KnownFoon, Report, check
 
 if TYPE_CHECKING:  # what only some callers have installed
     import networkx as nx
@@ -81,7 +82,7 @@ class Plan:
         return tuple(self._step(number, unit) for number, unit in enumerate(self.result.units, start=1))
 
     def _step(self, number: int, unit: TreeUnit) -> Step:
-        text = sentence(unit.as_unit(), self._settings.kitchen, unit.measures)
+        text = sentence(unit, self._settings.kitchen, unit.measures)
         return Step(number, text, unit.motion, unit.input_nodes, unit.output_nodes, unit.origin or "", unit.sightings)
 
     @property
@@ -111,8 +112,7 @@ class Plan:
         >>> plan.check().accepted
         True
         """
-        tree = TaskTree.from_json(self.result.to_json())
-        return check(tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
+        return check(self.result.tree, self._foon.known_with(self._settings), free=self._settings.kitchen.free_foods)
 
     def explain(self) -> tuple[Explanation, ...]:
         """Return for each asked food why it is made as it is: after which dish, where it joins, on what evidence.

@@ -56,6 +56,9 @@ class Fit:
         )
 
 
+_MOST_SHOWN = 3
+"""How many foods are named that would do; the tables have more, from the most usual to the least."""
+
 MOST_FITTED = 16
 """How many frames are looked at closely."""
 
@@ -107,8 +110,9 @@ def refusals(wants: Sequence[Want], dish_type: str, title: str, known: Tables) -
         ready = dish.name in there or (not dish.is_type and dish.name in words_there)  # it is asked ready made
         for needs in dish.needs if not ready else ():
             if not any(meets(need, want.facts, known) for need in needs for want in wants):
-                names = " or ".join(dict.fromkeys(need.rpartition(":")[2] for need in needs))
-                found.append(f"no {dish.name} without {names}")
+                names = list(dict.fromkeys(need.rpartition(":")[2] for need in needs))
+                shown = names if len(names) <= _MOST_SHOWN else [*names[:_MOST_SHOWN], "the like"]
+                found.append(f"no {dish.name} without {' or '.join(shown)}")
     return found
 
 

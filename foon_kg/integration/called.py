@@ -78,7 +78,8 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
-    line, joins = _drunk(line, joins, called) if called.drunk else wedges_last(line, joins)
+    boiled = not word_list("boils in the dish").isdisjoint(called.told)
+    line, joins = _drunk(line, joins, called) if called.drunk else wedges_last(line, joins, spooned=boiled)
     return _in_the_pot(line, joins, called, known)
 
 

@@ -295,7 +295,10 @@ class Carrier:
 
     def bring(self, ready: Ready, vessel: Vessel, slot: Slot | None) -> None:
         """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
-        if ready.whole_shell and not any(stuff.label == "water" for stuff in vessel.contents):
+        bath = word_list("goes into the water")
+        foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
+        boiled = any(food.is_a("water") for food in foods) and all(food.is_a(*bath) for food in foods)
+        if ready.whole_shell and not boiled:
             self.open_into(ready, vessel)
             return
         stuff = ready.stuff

@@ -165,7 +165,10 @@ class Cooking:
                 self.bench.switch(None, self.bench.device(oven), on=True)  # it is hot when the dish comes in
                 oven = ""
             self._boil_now(stage, vessel, subs, later)
-            vessel = self._stage(stage, vessel, subs, later, main=main)
+            if vessel is not None and stage.motion in word_list("strains"):
+                vessel = self.work.strained(vessel)
+            else:
+                vessel = self._stage(stage, vessel, subs, later, main=main)
         if vessel is not None:
             self.bench.heat_off(vessel)
         return vessel

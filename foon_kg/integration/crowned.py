@@ -40,12 +40,16 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     return line, replace(plan, joins=joins)
 
 
-def wedges_last(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place."""
+def wedges_last(line: Line, joins: Sequence[Join], *, spooned: bool) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place.
+
+    Where all is eaten with the spoon (``spooned``) they lie in its bowl.
+    """
     found = [join for join in joins if _is_wedge(join.want) and join.spot.heats_later]
     if not found or len(found) == len(joins):
         return line, tuple(joins)
-    top = Stage((), "", frozenset(), (), "plate", "on", "", "", "", (), line.stages[-1].step)
+    vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
+    top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), line.stages[-1].step)
     ending = (_ending(join, top, on_top=join in found) for join in joins)
     joins = [replace(join, slot=None) if join.on_top else join for join in ending]
     return Line((*line.stages, top)), tuple(joins)

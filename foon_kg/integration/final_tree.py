@@ -12,8 +12,8 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.operators import Nearness
 from foon_kg.integration.preparation import Want
 from foon_kg.model import ObjectNode
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.tree import Phase, TreeUnit, leaves_of
-from foon_kg.plans.result import Alternative, Assumption, Substitution
 
 MOST_ALTERNATIVES = 3
 _COOKED = "cooked"

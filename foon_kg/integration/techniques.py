@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -18,11 +18,19 @@ _MAIN = "dish"
 """The line of a technique that makes the dish."""
 
 
-def technique_for(dish_type: str, told: Sequence[str], wants: Sequence[Want]) -> Technique | None:
-    """Return the first technique of the table that a dish is called by, and for which its foods are there."""
+def technique_for(
+    dish_type: str, told: Sequence[str], wants: Sequence[Want], recorded: Iterable[Sequence[str]] = ()
+) -> Technique | None:
+    """Return the first technique of the table that a dish is called by, and for which its foods are there.
+
+    ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
+    what the title says, it teaches that, and no table.
+    """
     around = Around([want.facts for want in wants], told)
+    taught = [tuple(label) for label in recorded if set(label) <= set(told)]
     for one in techniques():
-        if not one.is_called(dish_type, told):
+        shown = any(label[-len(name) :] == name for name in one.called for label in taught)
+        if shown or not one.is_called(dish_type, told):
             continue
         there = all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs)
         if there and not any(_mean(some, want, around) for some in one.without for want in wants):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from foon_kg.food import Tables
@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import HEATS, MIXES, WORKS, Plan
-from foon_kg.integration.frames import Stage
+from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
@@ -57,10 +57,10 @@ class Worker:
         mixed = [stuff for stuff in vessel.contents if stuff.mixed]
         mixed = [stuff for stuff in mixed if stuff.label == self.plan.label] or mixed  # the dish, beside its frosting
         states = mixed[0].states if len(mixed) == 1 else ()
-        beside = [self.known.foods.food(stuff.label) for stuff in vessel.contents if stuff not in mixed]
-        stacked = (self.plan.stacked or is_flat(vessel.label)) and any(
-            not facts.is_a("topping", "herb") for facts in beside
-        )
+        beside = [stuff for stuff in vessel.contents if stuff not in mixed]
+        tops = {join.want.number for join in self.plan.joins if join.on_top}
+        laid = self.plan.stacked or is_flat(vessel.label) or all(stuff.wants <= tops for stuff in beside)
+        stacked = laid and any(not self.known.foods.food(stuff.label).is_a("topping", "herb") for stuff in beside)
         dropped = {"blended", "mixed"} if stacked else set()  # what is laid on each other is no mixture
         return tuple(s for s in states if not self.known.state(s).half and s not in dropped)
 
@@ -95,7 +95,8 @@ class Worker:
                     facts.is_a("fat", *word_list("melts in the heat")) and not facts.is_a("liquid") and not stuff.mixed
                 )
                 stuff.states = ("melted",) if melts and device is not None else tuple(sorted({*kept, *states}))
-            vessel.hot = vessel.hot or (device is not None and heats)
+            cools = attested.way[0] in word_list("cools")
+            vessel.hot = not cools and (vessel.hot or (device is not None and heats))
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
 
@@ -166,12 +167,9 @@ class Worker:
 
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
-        inside = {number for stuff in vessel.contents for number in stuff.wants}
-        wants = [join.want for join in self.plan.joins if join.want.number in inside and self.is_taken_out(join.want)]
-        through = [way for motion in sorted(word_list("strains")) for way in self.bench.operators.ways_of(motion)]
+        wants = self._inside(vessel, self.is_taken_out)
         if self.plan.drunk and wants and len(vessel.contents) == 1:
-            strained = self.bench.attest(through, foods_of(vessel)) or self.bench.far(through, foods_of(vessel))
-            return vessel if strained is None else self._strain(vessel, wants, strained)
+            return self._strain(vessel, wants)
         for want in wants:
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
             in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
@@ -184,12 +182,27 @@ class Worker:
                 self._take_out(vessel, whole, want, attested)
         return vessel
 
-    def _strain(self, vessel: Vessel, wants: Sequence[Want], attested: Attested) -> Vessel:
+    def strained(self, vessel: Vessel) -> Vessel:
+        """Pour what was blended through a strainer, in which stays what does not run; return what the rest is in."""
+        wants = self._inside(vessel, lambda want: want.facts.is_a(*word_list("stays in a strainer")))
+        return self._strain(vessel, wants) if wants and len(vessel.contents) == 1 else vessel
+
+    def _inside(self, vessel: Vessel, is_such: Callable[[Want], bool]) -> list[Want]:
+        """Return the asked foods of a kind that are in a vessel."""
+        inside = {number for stuff in vessel.contents for number in stuff.wants}
+        return [join.want for join in self.plan.joins if join.want.number in inside and is_such(join.want)]
+
+    def _strain(self, vessel: Vessel, wants: Sequence[Want]) -> Vessel:
         """Pour what is drunk through a strainer, in which stays what gave its taste; return what the rest is in."""
+        through = [way for motion in sorted(word_list("strains")) for way in self.bench.operators.ways_of(motion)]
+        attested = self.bench.attest(through, foods_of(vessel)) or self.bench.far(through, foods_of(vessel))
+        if attested is None:
+            return vessel
         strainer, jug = self.bench.vessel("strainer"), self.bench.vessel("pitcher")
         (whole,) = vessel.contents
+        whole_states = tuple(state for state in whole.states if state in {"blended", "cooked"})
         left = [
-            Stuff(want.label, self.bench.number(), ("cooked",), (want.label,), frozenset(), strainer) for want in wants
+            Stuff(want.label, self.bench.number(), whole_states, (want.label,), frozenset(), strainer) for want in wants
         ]
 
         def change() -> None:
@@ -227,7 +240,9 @@ class Worker:
     def let_rise_again(self, vessel: Vessel) -> None:
         """Let dough with yeast that rested and was shaped then rise where it is to be baked."""
         dough = next((stuff for stuff in vessel.contents if {"rested", "shaped"} <= set(stuff.states)), None)
-        if dough is None or not self.rises(dough.foods) or not _RISEN.isdisjoint(dough.states):
+        if dough is None or any(self.known.state(state).half for state in dough.states):
+            return
+        if not self.rises(dough.foods) or not _RISEN.isdisjoint(dough.states):
             return
         ways = [way for motion in sorted(word_list("rises")) for way in self.bench.operators.ways_of(motion)]
         attested = self.bench.attest(ways, dough.foods) or self.bench.far(ways, dough.foods)
@@ -283,6 +298,8 @@ class Worker:
             if own is not None:
                 return own
         found = self.bench.attest(ways, foods)
+        if found is None and isinstance(stage, Phase):
+            found = self.bench.far([(stage.motion, stage.tools)], foods)
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found

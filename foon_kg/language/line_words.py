@@ -72,7 +72,12 @@ def is_bought_so(state: str, food: str) -> bool:
 
 
 def as_bought(line: RecipeLine) -> RecipeLine:
-    """Return a line whose food is bought cooked under that name, where more was done to it than to cook it."""
+    """Return a line whose food is bought cooked under that name, where more was done to it than to cook it.
+
+    A utensil is no food (skewers).
+    """
+    if line.object and tables().utensil(line.object) is not None and not tables().foods.is_listed(line.object):
+        return replace(line, object=None, left_over=(*line.left_over, line.object))
     first, rest = line.states[:1], line.states[1:]
     if line.object is None or not rest or not is_bought_so(first[0], line.object):
         return line

@@ -83,7 +83,7 @@ class ObjectNode:
         return self.label + (f" ({'; '.join(words)})" if words else "")
 
 
-@lru_cache(maxsize=1 << 16)
+@lru_cache(maxsize=1 << 13)
 def shared_node(
     label: str,
     states: tuple[str, ...] = (),

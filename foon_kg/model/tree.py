@@ -11,7 +11,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, NamedTuple, Protocol
 
-from foon_kg.model.nodes import UNMEASURED, FunctionalUnit, Measures, ObjectNode, Participant, Sighting
+from foon_kg.model.claims import Assumption, Substitution
+from foon_kg.model.levels import Level
+from foon_kg.model.nodes import UNMEASURED, FunctionalUnit, Measures, ObjectNode, Participant, Recipe, Sighting
 
 Origin = Literal["foon", "adapted"]
 """Whether a unit of FOON does this to this food, or one to a like food or one of its kind."""
@@ -171,3 +173,52 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
 def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     """Return every object node of ``units`` once, in the order of appearance."""
     return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))
+
+
+@dataclass(frozen=True)
+class TaskTree:
+    """Steps in the order of execution, with what is said of the whole.
+
+    ``None`` (and an ``error``) stands for what the source of the tree does not say.
+
+    ``kitchen`` is ``None`` for FOON text, and so are ``substitutions`` and ``assumptions``: nothing is claimed there.
+    ``level`` is that of a classic retrieval, which asks for a goal and not for a recipe; ``None`` for all others.
+    """
+
+    name: str
+    units: tuple[TreeUnit, ...]
+    goal: ObjectNode | None = None
+    recipe: Recipe | None = None
+    kitchen: tuple[ObjectNode, ...] | None = None
+    substitutions: tuple[Substitution, ...] | None = None
+    assumptions: tuple[Assumption, ...] | None = None
+    error: str | None = None
+    level: Level | None = None
+
+    @cached_property
+    def made(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that output each node without having taken it."""
+        return _places([unit.new_outputs for unit in self.units])
+
+    @cached_property
+    def takers(self) -> dict[ObjectNode, tuple[int, ...]]:
+        """The places of the units that take each node."""
+        return _places([unit.input_nodes for unit in self.units])
+
+    @cached_property
+    def leaves(self) -> tuple[ObjectNode, ...]:
+        """The inputs that no earlier unit outputs, in the order of their first use."""
+        return leaves_of(self.units)
+
+    @cached_property
+    def nodes(self) -> tuple[ObjectNode, ...]:
+        """Every object node of the tree, in the order of appearance."""
+        return nodes_of(self.units)
+
+
+def _places(sides: list[tuple[ObjectNode, ...]]) -> dict[ObjectNode, tuple[int, ...]]:
+    places: dict[ObjectNode, tuple[int, ...]] = {}
+    for place, nodes in enumerate(sides):
+        for node in nodes:
+            places[node] = (*places.get(node, ()), place)
+    return places

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.food import singular
 from foon_kg.integration.operators import LIKE_AT_ALL
@@ -33,7 +33,7 @@ class FoodLikes:
     def __init__(self, similarity: Similarity, foods: Iterable[str], substitutes: Sequence[Substitute] = ()) -> None:
         self.similarity = similarity
         self.foods = tuple(sorted(foods))
-        self._place = {food: place for place, food in enumerate(self.foods)}
+        self.place: Mapping[str, int] = {food: place for place, food in enumerate(self.foods)}
         self._rows: Recent[str, array[float]] = Recent(MOST_KEPT)
         self._slots: Recent[str, array[float]] = Recent(MOST_KEPT)
         self._likes: Recent[str, tuple[tuple[str, float], ...]] = Recent(MOST_KEPT)
@@ -43,7 +43,7 @@ class FoodLikes:
 
     def knows(self, food: str) -> bool:
         """Whether a food is one of those that can stand for others."""
-        return food in self._place
+        return food in self.place
 
     def learn(self, foods: Iterable[str]) -> None:
         """Work out at once how well every known food stands for each of ``foods``."""
@@ -52,50 +52,45 @@ class FoodLikes:
             for food, row in zip(fresh, self.similarity.matrix(fresh, self.foods), strict=True):
                 self._rows[food] = array("d", row)
 
-    def alike(self, food: str, known: str) -> float:
-        """Return how sure a cook is (0 to 1) to accept a known food for another one."""
-        place = self._place.get(known)
-        return self._row(food)[place] if place is not None else 0.0
-
-    def in_slot(self, food: str, known: str) -> float:
-        """Return how sure a cook is (0 to 1) to accept a known food for what another one does in the slot of a dish.
-
-        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
-        """
-        place = self._place.get(known)
-        if place is None or not isinstance(self.similarity, FoodSimilarity):
-            return 0.0
-        row = self._slots.find(food)
-        if row is None:
-            row = self._slots[food] = array("d", self.similarity.in_slots([food], self.foods)[0])
-        return row[place]
-
-    def likes(self, food: str) -> tuple[tuple[str, float], ...]:
-        """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
-        found = self._likes.find(food)
-        if found is None:
-            row = self._row(food)
-            fair = [(name, sure) for name, sure in zip(self.foods, row, strict=True) if sure >= FAIR and name != food]
-            found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
-            like = self.chosen.get(canonical(food))
-            if like is not None:
-                found = ((like, self.alike(food, like)), *(pair for pair in found if pair[0] != like))
-            self._likes[food] = found
-        return found
-
-    def others(self, food: str) -> list[tuple[str, float]]:
-        """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
-        pairs = zip(self.foods, self._row(food), strict=True)
-        found = [(name, sure) for name, sure in pairs if sure >= LIKE_AT_ALL and name != food]
-        return sorted(found, key=lambda pair: (-pair[1], pair[0]))
-
-    def _row(self, food: str) -> array[float]:
-        """Return how well every known food stands for one, in their order."""
+    def row(self, food: str) -> array[float]:
+        """Return how sure a cook is (0 to 1) to accept each known food for another one, by their :attr:`place`."""
         row = self._rows.find(food)
         if row is None:
             self.learn([food])
             row = self._rows[food]
         return row
+
+    def slots(self, food: str) -> array[float]:
+        """Return the same for what the food does in the slot of a dish, by their :attr:`place`.
+
+        As a protein shrimp comes in the place of chicken, and broth in that of water as a liquid.
+        """
+        row = self._slots.find(food)
+        if row is None:
+            row = array("d", [0.0] * len(self.foods))
+            if isinstance(self.similarity, FoodSimilarity):
+                row = array("d", self.similarity.in_slots([food], self.foods)[0])
+            self._slots[food] = row
+        return row
+
+    def likes(self, food: str) -> tuple[tuple[str, float], ...]:
+        """Return the known foods that can fairly stand for a food, best first; what a person chose before all."""
+        found = self._likes.find(food)
+        if found is None:
+            row = self.row(food)
+            fair = [(name, sure) for name, sure in zip(self.foods, row, strict=True) if sure >= FAIR and name != food]
+            found = tuple(sorted(fair, key=lambda pair: (-pair[1], pair[0]))[:MOST_LIKES])
+            like = self.chosen.get(canonical(food))
+            if like is not None:
+                found = ((like, row[self.place[like]]), *(pair for pair in found if pair[0] != like))
+            self._likes[food] = found
+        return found
+
+    def others(self, food: str) -> list[tuple[str, float]]:
+        """Return the known foods that are like a food at all, be they not fairly so, the likest first."""
+        pairs = zip(self.foods, self.row(food), strict=True)
+        found = [(name, sure) for name, sure in pairs if sure >= LIKE_AT_ALL and name != food]
+        return sorted(found, key=lambda pair: (-pair[1], pair[0]))
 
     def of_recipe(self, wants: Sequence[Want]) -> RecipeLikes:
         """Return the likes for one recipe, in which a word with two meanings means what it does there."""
@@ -125,6 +120,8 @@ class RecipeLikes:
             if meant and meant != name and likes.knows(meant):
                 self._read[name] = tuple(dict.fromkeys((*self._read.get(name, ()), meant)))
         likes.learn(singular(want.label) for want in wants)
+        self._rows: dict[str, array[float]] = {}
+        self._slots: dict[str, array[float]] = {}
         names = (singular(want.label) for want in wants)
         self.instead = frozenset(name for name in names if canonical(name) in likes.chosen)
 
@@ -145,7 +142,13 @@ class RecipeLikes:
 
     def in_slot(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one: in its slot, or anywhere."""
-        return max(self.alike(food, known), self._likes.in_slot(singular(food), known))
+        place, name = self._likes.place.get(known), singular(food)
+        if place is None:
+            return self.alike(food, known)
+        slots = self._slots.get(name)
+        if slots is None:
+            slots = self._slots[name] = self._likes.slots(name)
+        return max(self.alike(food, known), slots[place])
 
     def stands_for(self, food: str, other: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a food that need not be known for another one."""
@@ -154,8 +157,14 @@ class RecipeLikes:
     def alike(self, food: str, known: str) -> float:
         """Return how sure a cook is (0 to 1) to accept a known food for another one."""
         name = singular(food)
-        if name in self._read and known in self._read[name]:
+        if self._read and known in self._read.get(name, ()):
             return _READ
         if self._likes.chosen and self._likes.chosen.get(canonical(food)) == known:
             return 1.0
-        return self._likes.alike(name, known)
+        place = self._likes.place.get(known)
+        if place is None:
+            return 0.0
+        row = self._rows.get(name)
+        if row is None:
+            row = self._rows[name] = self._likes.row(name)
+        return row[place]

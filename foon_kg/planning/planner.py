@@ -46,8 +46,7 @@ from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
 from foon_kg.similarity import food_similarity
-from foon_kg.validation import Finding, TaskTree, check
-from foon_kg.validation.tree import Assumed, Substituted
+from foon_kg.validation import Finding, check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
@@ -180,7 +179,8 @@ class _Question:
         self.kitchen = planner.kitchen_for(foods)
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in self.wants)
         times = Counter(singular(one.object) for one in asked)
-        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants)
+        recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
+        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants, recorded)
         self.baked, self.parts = parts_of(
             self.wants,
             recipe.dish_type,
@@ -206,7 +206,7 @@ class _Question:
                 continue
             faults = [one for one in attempt.report.findings if not one.minor and not self._is_at_hand_so(one)]
             if faults:
-                troubles.append(f"{fit.frame.goal.label}: {faults[0]}")
+                troubles.append(f"{fit.frame.goal.label}: {faults[0].reason} ({faults[0].rule})")
             elif attempt.missing:
                 attempts.append(attempt)
             else:
@@ -229,21 +229,29 @@ class _Question:
                 code="no-goal",
                 hint=f"It has goals of these dish types: {there}.",
             )
+        asked = Asked(self.baked, dish_type, title, self.known)
         lacks = refusals(self.wants, dish_type, title, self.known)
         if lacks:
-            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(lacks))
-        avoided = self.settings.avoided
-        asked = Asked(self.baked, dish_type, title, self.known)
-        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
-        keys = shortlisted(outlines, asked, self.likes, allowed)
+            raise NoTreeError(lacks[0], code="no-way", hint=self._nearest(asked))
         after = self.settings.after
-        if after:
-            keys = list(dict.fromkeys((*(one.key for one in outlines.all if one.label == after), *keys)))
-        return fits(self.methods.layouts_of(keys), asked, self.matcher)
+        return self._fits(asked, [one.key for one in outlines.all if one.label == after] if after else [])
 
-    def _nearest(self, lacks: Sequence[str]) -> str:
-        del lacks
-        return "Add what is missing, or ask for another dish type."
+    def _fits(self, asked: Asked, first: Sequence[str] = ()) -> list[Fit]:
+        """Return how well the dishes suit that are worth a closer look, those with the keys ``first`` among them."""
+        avoided = self.settings.avoided
+        allowed = (lambda label: why_avoided(label, avoided) is None) if avoided else None
+        keys = shortlisted(self.methods.outlines, asked, self.likes, allowed)
+        return fits(self.methods.layouts_of(list(dict.fromkeys((*first, *keys)))), asked, self.matcher)
+
+    def _nearest(self, asked: Asked) -> str:
+        """Return what to do where the asked dish cannot be: the recorded dishes that come nearest to it are named."""
+        found = sorted(self._fits(asked), key=lambda fit: fit.frame.dish_type != asked.dish_type)
+        hint = f"Add what is missing; the nearest is {_recorded(found[0])}." if found else "Add what is missing."
+        for fit in self._fits(Asked(self.baked, "", "", self.known)):
+            frame = fit.frame
+            if not fit.vetoes and not refusals(self.wants, frame.dish_type, frame.goal.label, self.known):
+                return f"{hint} Asked for as {frame.dish_type}, they suit {_recorded(fit)}."
+        return hint
 
     def _attempt(self, fit: Fit) -> Attempt:
         frame = fit.frame
@@ -279,7 +287,7 @@ class _Question:
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
-        report = check(_as_tree(result), free=self.kitchen.free_foods)
+        report = check(result.tree, free=self.kitchen.free_foods)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
 
     def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:
@@ -366,6 +374,10 @@ class _Question:
         )
 
 
+def _recorded(fit: Fit) -> str:
+    return f"“{fit.frame.goal.label}” of the video {fit.frame.video}"
+
+
 def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
     """Return those of a dish or a video called ``after`` (``""``: any); raises :class:`NoTreeError` where none is."""
     chosen = [fit for fit in found if not after or after in {fit.frame.goal.label, fit.frame.video}]
@@ -389,22 +401,3 @@ def _made_as(dish_type: str, title: str, known: Tables) -> str:
     """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
     dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
     return next((name for name in dressed if name in DISH_TYPES), dish_type)
-
-
-def _as_tree(result: PlanResult) -> TaskTree:
-    """Return a plan as the judge reads it. It is bound to its evidence already, so that needs no second look."""
-    return TaskTree(
-        result.recipe.id or result.goal.label,
-        result.units,
-        result.goal,
-        result.recipe,
-        result.kitchen,
-        tuple(
-            Substituted(
-                one.kind, one.object, one.required, one.equivalent, one.confidence,
-                tuple((other.name, other.confidence) for other in one.alternatives),
-            )
-            for one in result.substitutions
-        ),
-        tuple(Assumed(one.node, one.why) for one in result.assumptions),
-    )  # fmt: skip

@@ -97,6 +97,20 @@ def collect_seldom() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+def collect_often() -> None:
+    """Let this process look for unreachable cycles again and again: each request to one that serves leaves some.
+
+    A command looks for them hardly ever, since it ends; for one that does not they are memory that only grows.
+    """
+    gc.set_threshold(10_000, 10, 10)
+
+
+def keep_for_good() -> None:
+    """Let what this process has made so far never be looked through again for unreachable cycles: all of it stays."""
+    gc.collect()
+    gc.freeze()
+
+
 def end_with_parent() -> None:
     """End this process when the one that asks is killed: the queue between them would wait for ever."""
     parent = parent_process()
@@ -110,7 +124,9 @@ def _worker() -> Callable[[Any], Any]:
     """Return what works in this process, made for its first item: what is wrong with what was given is then told."""
     if _given is None:
         raise RuntimeError("a working process was asked before it had begun")
-    return _given()
+    made = _given()
+    keep_for_good()
+    return made
 
 
 def _work(share: list[Any]) -> list[Any]:

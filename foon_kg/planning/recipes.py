@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import difflib
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
 
@@ -193,18 +193,21 @@ def _counting(words: Sequence[str]) -> int:
 
 
 @cache
-def _spelling() -> tuple[str, ...]:
-    """Return every word of the tables of foods and of states, in their order."""
+def _spelling() -> Mapping[str, str]:
+    """Return every word of the tables of foods and of states, in their order, with its letters in theirs."""
     known = tables()
-    return tuple(sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()}))
+    found = sorted({word for name in (*known.foods.kind_of, *known.states) for word in name.split()})
+    return {word: "".join(sorted(word)) for word in found}
 
 
+@lru_cache(maxsize=1 << 12)
 def _spelled(word: str) -> str | None:
     """Return the known word that ``word`` is, or is likest to; ``None`` where none is like it."""
     known = _spelling()
     if word in known or singular(word) in known:
         return word
-    swapped = next((one for one in known if sorted(one) == sorted(word)), None)
+    letters = "".join(sorted(word))
+    swapped = next((one for one, own in known.items() if own == letters), None)
     return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
 
 

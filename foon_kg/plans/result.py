@@ -7,18 +7,17 @@ Every type here is a plain frozen value with ``to_json`` and ``from_json``; :met
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, Self, cast, get_args
+from typing import Self
 
 from foon_kg.model import Annotation, ObjectNode, Recipe, Subgraph
+from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.errors import FoonError
 from foon_kg.model.json_fields import Fields, JsonObject
 from foon_kg.model.node_json import node_from_json, node_to_json, recipe_from_json, recipe_to_json
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine
 from foon_kg.plans.shortage import ShortageError, remedy
-
-SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
 
 
 @dataclass(frozen=True)
@@ -84,85 +83,6 @@ class PassedOver:
 
 
 @dataclass(frozen=True)
-class Alternative:
-    """Another equivalent that was considered, with its confidence between 0 and 1."""
-
-    name: str
-    confidence: float
-
-
-UNLIKE = 0.1
-"""Below this confidence a food is like nothing that is known."""
-
-
-@dataclass(frozen=True)
-class Substitution:
-    """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
-
-    ``object`` is the required food concerned; for an object substitution it equals ``required``.
-    """
-
-    kind: SubstitutionKind
-    object: str
-    required: str
-    equivalent: str
-    confidence: float
-    alternatives: tuple[Alternative, ...] = ()
-
-    @property
-    def for_want(self) -> bool:
-        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
-        return self.kind == "object" and self.confidence < UNLIKE
-
-    @property
-    def how(self) -> str:
-        """How a food is handled, in words that follow its name."""
-        if self.for_want:
-            return f"has no equivalent, and is handled like {self.equivalent} for want of one"
-        return f"is handled like {self.equivalent}"
-
-    def to_json(self) -> JsonObject:
-        """Return one of the ``substitutions`` of a plan result."""
-        return {
-            "kind": self.kind,
-            "object": self.object,
-            "required": self.required,
-            "equivalent": self.equivalent,
-            "confidence": self.confidence,
-            "alternatives": [{"name": a.name, "confidence": a.confidence} for a in self.alternatives],
-        }
-
-    @classmethod
-    def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
-        return cls(
-            cast("SubstitutionKind", fields.one_of("kind", get_args(SubstitutionKind))),
-            fields.text("object"),
-            fields.text("required"),
-            fields.text("equivalent"),
-            fields.number("confidence"),
-            tuple(Alternative(a.text("name"), a.number("confidence")) for a in fields.nested_list("alternatives")),
-        )
-
-
-@dataclass(frozen=True)
-class Assumption:
-    """A leaf of the tree that is simply taken to be there, and why."""
-
-    node: ObjectNode
-    why: str
-
-    def to_json(self) -> JsonObject:
-        """Return one of the ``assumptions`` of a plan result."""
-        return {"node": node_to_json(self.node), "why": self.why}
-
-    @classmethod
-    def from_json(cls, fields: Fields) -> Self:
-        """Read back what :meth:`to_json` wrote."""
-        return cls(node_from_json(fields.nested("node")), fields.text("why"))
-
-
-@dataclass(frozen=True)
 class PlanResult:
     """A task tree for ``recipe``: ``units`` in the order of execution, from ``kitchen`` to ``goal``."""
 
@@ -205,6 +125,12 @@ class PlanResult:
             tuple(map(ProgressLine.from_json, fields.nested_list("progress_lines"))),
             tuple(map(PassedOver.from_json, fields.nested_list("passed_over"))) if "passed_over" in fields else (),
         )
+
+    @property
+    def tree(self) -> TaskTree:
+        """The plan as a task tree, as the judge takes it."""
+        name = self.recipe.id or self.recipe.title or "plan"
+        return TaskTree(name, self.units, self.goal, self.recipe, self.kitchen, self.substitutions, self.assumptions)
 
     def to_subgraph(self) -> Subgraph:
         """Return the tree as a subgraph, for FOON text: its goal marked, the videos of its units as sources."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import sys
 from collections.abc import Iterator
@@ -12,6 +13,9 @@ from importlib.metadata import PackageNotFoundError, metadata, requires, version
 from pathlib import Path
 from typing import Any
 
+from neo4j import exceptions as driver_errors
+
+from foon_kg.cypher import schema_steps
 from foon_kg.food import tables
 from foon_kg.model.errors import FoonError, ServerError
 from foon_kg.plans.kitchen import Kitchen
@@ -19,17 +23,22 @@ from foon_kg.store.graph import Connection
 from foon_kg.store.graph.schema import check_readable, read_state
 from foon_kg.store.server.home import Home, home
 from foon_kg.store.server.java import java, java_version
+from foon_kg.store.server.process import is_free
 from foon_kg.store.server.reach import settings_of
 from foon_kg.store.server.startup_cache import the_startup_cache
 from foon_kg.store.server.state import status
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
 
 OLDEST_PYTHON = (3, 11)
+OLDEST_NEO4J = (5, 26)
+PORT_OF_THE_PAGE = 8000
 ROOM_TO_START, ROOM_TO_WORK = 500_000_000, 2_000_000_000
 """Bytes that the local Neo4j needs to start at all, and to load what people load."""
 
 _OWN_EXTRAS = ("dev", "benchmarks", "docs")
 _OTHERS_MAY_NOT = 0o077
+_MADE = re.compile(r"^CREATE .*?(?:CONSTRAINT|INDEX) (\w+)", re.MULTILINE)
+_ASK_FOR_LESS = "Such a question asks for less, or is not asked: nothing can end it but that."
 _SETTINGS = {
     "dbms.security.allow_csv_import_from_file_urls": ("false", "questions cannot read the server's files"),
     "dbms.memory.transaction.total.max": ("", "one question cannot take all memory"),
@@ -64,6 +73,7 @@ def examine(*, thorough: bool = False) -> Iterator[Finding]:
     yield _python()
     yield from _extras()
     yield _own_tables()
+    yield _port_of_the_page()
     named = connection_from_environment()
     if named is not None:
         yield from _database(named, ours=False)
@@ -72,14 +82,28 @@ def examine(*, thorough: bool = False) -> Iterator[Finding]:
     yield from _local(place, thorough=thorough)
     now = status()
     if not now.running:
-        yield Finding("Neo4j", Level.FINE, "foon-kg's own is not running; the next command starts it")
+        yield from _at_rest(place)
         return
+    if now.started_again:
+        yield Finding("Neo4j", Level.NOTE, f"was started again by itself, last at {now.started_again}", _ASK_FOR_LESS)
     try:
         settings = settings_of(place, int((now.uri or ":0").rpartition(":")[2]))
     except ServerError as error:
         yield _fault("Neo4j", error)
         return
     yield from _database(settings, ours=True)
+
+
+def _at_rest(place: Home) -> Iterator[Finding]:
+    yield Finding("Neo4j", Level.FINE, "foon-kg's own is not running; the next command starts it")
+    known = place.recall()
+    if known and known.port and not is_free(known.port):
+        yield Finding(
+            "ports",
+            Level.NOTE,
+            f"another program listens on {known.port}, where foon-kg's own Neo4j answered before",
+            "The next start takes another port; to keep this one, end that program first.",
+        )
 
 
 def _python() -> Finding:
@@ -115,6 +139,14 @@ def _is_installed(package: str) -> bool:
     return True
 
 
+def _port_of_the_page() -> Finding:
+    if is_free(PORT_OF_THE_PAGE):
+        return Finding("ports", Level.FINE, f"{PORT_OF_THE_PAGE} is free for foon serve")
+    return Finding(
+        "ports", Level.NOTE, f"{PORT_OF_THE_PAGE} is in use", "Give foon serve another one: foon serve --port 0"
+    )
+
+
 def _own_tables() -> Finding:
     try:
         known = tables()
@@ -142,6 +174,12 @@ def _local(place: Home, *, thorough: bool) -> Iterator[Finding]:
     else:
         told = "each is what was pinned" if thorough else "all there, each with its size (--thorough reads them)"
         yield Finding("files", Level.FINE, f"Neo4j {jars.version}: {told}")
+    if cache.is_as_made():
+        yield Finding("start-up cache", Level.FINE, cache.state())
+    else:
+        yield Finding(
+            "start-up cache", Level.NOTE, "is not as it was made", "The next start takes it away; it is made anew."
+        )
     if place.password_file.exists() and place.password_file.stat().st_mode & _OTHERS_MAY_NOT:
         yield Finding("password", Level.FAULT, "others may read it", f"chmod 600 {place.password_file}")
 
@@ -162,7 +200,7 @@ def _room(root: Path) -> Finding:
 
 def _database(settings: ConnectionSettings, *, ours: bool) -> Iterator[Finding]:
     try:
-        with Connection(settings) as connection, connection.session() as session:
+        with Connection(settings) as connection, connection.session(writing=True) as session:
             yield from _answers(session, settings)
             if not ours:
                 yield from _configured(session)
@@ -172,19 +210,57 @@ def _database(settings: ConnectionSettings, *, ours: bool) -> Iterator[Finding]:
 
 def _answers(session: Any, settings: ConnectionSettings) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
     row = session.run("CALL dbms.components() YIELD versions, edition RETURN versions[0], edition LIMIT 1").single()
-    yield Finding("Neo4j", Level.FINE, f"{row[0]} ({row[1]}) answers at {settings.uri} as {settings.user}")
+    yield _neo4j(row[0], row[1], settings)
+    yield _rights(session, settings)
     late = session.run("SHOW INDEXES YIELD name, state WHERE state <> 'ONLINE' RETURN collect(name)").single()[0]
     if late:
         yield Finding(
             "indexes", Level.FAULT, f"not ready: {', '.join(late)}", "Wait; where it stays so, load any FOON again."
         )
     try:
-        check_readable(read_state(session), Kitchen.default())
+        state = read_state(session)
+        check_readable(state, Kitchen.default())
+        yield from _lacking_indexes(session)
         counted = session.run("MATCH (v:Video) RETURN count(v)").single()[0]
         yield Finding("FOON", Level.FINE, f"{counted} videos")
     except FoonError as error:
         level = Level.NOTE if error.code == "empty" else Level.FAULT
         yield Finding("FOON", level, error.message, error.hint)
+
+
+def _neo4j(told: str, edition: str, settings: ConnectionSettings) -> Finding:
+    what = f"{told} ({edition}) answers at {settings.uri} as {settings.user}"
+    numbers = tuple(int(part) for part in re.findall(r"\d+", told)[:2])
+    if numbers < OLDEST_NEO4J:
+        return Finding("Neo4j", Level.FAULT, f"{what}, and is too old", "Use Neo4j 5.26 LTS or newer.")
+    return Finding("Neo4j", Level.FINE, what)
+
+
+def _rights(session: Any, settings: ConnectionSettings) -> Finding:  # noqa: ANN401 - a driver's session
+    """Return whether this user may change the graph, found by a change that is taken back."""
+    try:
+        with session.begin_transaction() as transaction:
+            transaction.run("CREATE (n) DELETE n").consume()
+            transaction.rollback()
+    except driver_errors.ClientError as error:
+        return Finding(
+            "rights",
+            Level.NOTE,
+            f"{settings.user} may read and not write: {error.message}",
+            "For plans and questions that is enough; to load, use a user with the role publisher.",
+        )
+    return Finding("rights", Level.FINE, f"{settings.user} may read and write")
+
+
+def _lacking_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
+    """Yield the constraints and indexes of the schema that are not there any more: what they speed up gets slow."""
+    there = set(session.run("SHOW INDEXES YIELD name RETURN collect(name)").single()[0])
+    for step in schema_steps():
+        made = _MADE.search(step.text)
+        if made and made[1] not in there:
+            statement = " ".join(line for line in step.text.splitlines() if not line.startswith("//"))
+            remedy = f"Make it again: foon cypher --write '{statement.strip()}'"
+            yield Finding("indexes", Level.FAULT, f"{made[1]} is not there any more", remedy)
 
 
 def _configured(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session

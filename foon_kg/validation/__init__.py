@@ -10,14 +10,27 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from foon_kg.model import ObjectNode
+from foon_kg.model.tree import TaskTree
 from foon_kg.validation import dish, form, honesty, robot, table
 from foon_kg.validation.case import FREE, Case
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.repeatability import repeatable
 from foon_kg.validation.report import FORM, RULES, TABLE, WORLD, Finding, Report
-from foon_kg.validation.tree import TaskTree
+from foon_kg.validation.tree import tree_from_json, tree_from_subgraph
 
-__all__ = ["FORM", "RULES", "TABLE", "WORLD", "Finding", "KnownFoon", "Report", "TaskTree", "check", "repeatable"]
+__all__ = [
+    "FORM",
+    "RULES",
+    "TABLE",
+    "WORLD",
+    "Finding",
+    "KnownFoon",
+    "Report",
+    "check",
+    "repeatable",
+    "tree_from_json",
+    "tree_from_subgraph",
+]
 
 
 def _of_world(rule: str) -> Callable[[Case], Iterator[Finding]]:

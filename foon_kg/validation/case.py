@@ -9,9 +9,8 @@ from functools import cached_property
 from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.validation.foon import KnownFoon
-from foon_kg.validation.tree import TaskTree
 from foon_kg.world import Happening, Lump, Part, World
 from foon_kg.world.reading import Reader, Said
 

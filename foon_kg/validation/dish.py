@@ -126,21 +126,21 @@ def asked(case: Case) -> Iterator[Finding]:
     mixing = [part.mixed for part in case.parts if part.mixed is not None]
     for food in sorted(case.required_names):
         parts = _parts_of(case, food)
-        if not parts and not _was_taken_out(case, food):
+        if not parts and not was_taken_out(case, food):
             yield Finding("K6", f"{food} was asked for and is not in the dish", None, (case.goal,) if case.goal else ())
         elif parts and mixing and all(_left_out(case, part, max(mixing)) for part in parts) and _mixes(case):
             yield Finding("K6", f"{food} is not mixed with the rest", parts[0].joined)
 
 
-def _was_taken_out(case: Case, food: str) -> bool:
+def was_taken_out(case: Case, food: str) -> bool:
     """Whether a food that nobody eats gave its taste to something before it was taken out of it again."""
     given = word_list("is taken out of the dish")
     if not word_list("is drunk").isdisjoint(case.dish_types):
-        given |= word_list("is taken out of what is drunk")
+        given |= word_list("is taken out of what is drunk") | word_list("stays in a strainer")
     if not case.tables.foods.food(food).is_a(*given):
         return False
-    lumps = (lump for happening in case.happenings for lump in happening.made)
-    return any(len(lump.parts) > 1 and any(part.name == food for part in lump.parts) for lump in lumps)
+    nodes = (node for happening in case.happenings for node in happening.outputs)
+    return any(len(node.ingredients) > 1 and food in map(singular, node.ingredients) for node in nodes)
 
 
 def _parts_of(case: Case, food: str) -> list[Part]:

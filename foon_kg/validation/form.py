@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from foon_kg.food import singular, words
 from foon_kg.model import DISH_TYPES, ObjectNode
 from foon_kg.validation.case import Case
-from foon_kg.validation.dish import missing_namesakes
+from foon_kg.validation.dish import missing_namesakes, was_taken_out
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening
 from foon_kg.world.reading import Said
@@ -132,7 +132,7 @@ def complete(case: Case) -> Iterator[Finding]:
     if case.tree.error is not None:
         return
     declared = {(singular(e.object), e.required) for e in case.tree.substitutions or () if e.kind == "state"}
-    declared |= {(singular(e.object), e.equivalent or "") for e in case.tree.substitutions or () if e.kind == "state"}
+    declared |= {(singular(e.object), e.equivalent) for e in case.tree.substitutions or () if e.kind == "state"}
     shown: dict[str, set[str]] = {}
     for node in case.tree.nodes:
         shown.setdefault(singular(node.label), set()).update(node.states)
@@ -142,7 +142,7 @@ def complete(case: Case) -> Iterator[Finding]:
         if not is_shown and (food, wanted.state) not in declared:
             state = f" in the state “{wanted.state}”" if wanted.state else ""
             yield Finding("C4", f"no node of the tree is {wanted.object}{state}, as required")
-        if food not in case.parts_by_name:
+        if food not in case.parts_by_name and not was_taken_out(case, food):
             yield Finding("C4", f"{wanted.object} is required and is not in the goal", None, _one(case.goal))
 
 

@@ -8,10 +8,10 @@ from enum import IntEnum
 
 from foon_kg.food import singular
 from foon_kg.model import FunctionalUnit
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
-from foon_kg.validation.tree import Substituted
 
 KINDS = ("object", "state", "motion", "tool", "vessel")
 
@@ -49,26 +49,26 @@ def honest(case: Case) -> Iterator[Finding]:
             yield Finding("C7", f"no substitution says what {foods} is handled like", place)
 
 
-def _incomplete(entry: Substituted) -> Iterator[str]:
+def _incomplete(entry: Substitution) -> Iterator[str]:
     if entry.kind not in KINDS:
         yield f"its kind is “{entry.kind}”, not {', '.join(KINDS)}"
     if not entry.required:
         yield "it does not say what is required"
-    if entry.equivalent is None or (not entry.equivalent and entry.kind != "state"):
+    if "equivalent" in entry.untold or (not entry.equivalent and entry.kind != "state"):
         yield "it names no equivalent"
     if entry.equivalent == entry.required:
         yield "the equivalent is what was required"
-    if entry.confidence is None or not 0 <= entry.confidence <= 1:
+    if "confidence" in entry.untold or not 0 <= entry.confidence <= 1:
         yield "it has no confidence between 0 and 1"
     if not entry.object:
         yield "it does not name its object"
-    if entry.alternatives is None:
+    if "alternatives" in entry.untold:
         yield "it has no list of alternatives"
-    elif any(not name or confidence is None for name, confidence in entry.alternatives):
+    elif any(not other.name or other.untold for other in entry.alternatives):
         yield "an alternative has no name or no confidence"
 
 
-def _is_used(case: Case, entry: Substituted, named: set[str]) -> bool:
+def _is_used(case: Case, entry: Substitution, named: set[str]) -> bool:
     if entry.kind == "motion":
         return any(unit.motion == entry.required for unit in case.tree.units)
     about = entry.required if entry.kind in {"object", "tool", "vessel"} else entry.object
@@ -147,7 +147,7 @@ def _declared(case: Case, kind: str, mine: str, theirs: str) -> bool:
     return any(
         entry.kind == kind
         and singular(entry.required) == singular(mine)
-        and singular(entry.equivalent or "") == singular(theirs)
+        and singular(entry.equivalent) == singular(theirs)
         for entry in case.tree.substitutions or ()
     )
 
@@ -179,6 +179,6 @@ def _read_facts(case: Case, unit: TreeUnit | FunctionalUnit) -> _Facts:
     return _Facts(foods_in | foods_out, foods_in, tools)
 
 
-def _told(entry: Substituted) -> str:
+def _told(entry: Substitution) -> str:
     about = f"{entry.object}: " if entry.kind != "object" and entry.object else ""
     return f"{about}{entry.required or 'nothing'} for {entry.equivalent or 'nothing'} ({entry.kind or 'no kind'})"

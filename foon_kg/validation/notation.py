@@ -30,10 +30,9 @@ from typing import Any, Literal
 from foon_kg.model import Recipe
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.validation import notation_nodes as nodes
 from foon_kg.validation.notation_line import HINT, NOTHING, Line, written_rest
-from foon_kg.validation.tree import TaskTree
 from foon_kg.world import Mention
 
 SEPARATOR = "---"

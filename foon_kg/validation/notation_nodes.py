@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.validation.notation_line import LIKE, NOTHING, Line, in_quotes, written_motion, written_name, written_rest
-from foon_kg.validation.tree import Assumed, Substituted
 from foon_kg.world import Mention, Step
 
 RELATIONS = (
@@ -195,22 +195,22 @@ def _read_wanted(line: Line) -> RequiredIngredient:
     return RequiredIngredient(food, state)
 
 
-def written_substitution(entry: Substituted) -> str:
+def written_substitution(entry: Substitution) -> str:
     """Return ``kind (object): required like equivalent (confidence); alternative (confidence), …``."""
-    equivalent = NOTHING if entry.equivalent is None else written_name(entry.equivalent)
+    equivalent = NOTHING if "equivalent" in entry.untold else written_name(entry.equivalent)
     told = f"{written_name(entry.kind)} ({written_name(entry.object)}): {written_name(entry.required)} {LIKE} "
-    told += equivalent + _written_confidence(entry.confidence)
-    if entry.alternatives is None:
+    told += equivalent + _written_confidence(entry)
+    if "alternatives" in entry.untold:
         return told
-    others = ", ".join(written_name(name) + _written_confidence(sure) for name, sure in entry.alternatives)
+    others = ", ".join(written_name(other.name) + _written_confidence(other) for other in entry.alternatives)
     return f"{told}; {others or NOTHING}"
 
 
-def _written_confidence(value: float | None) -> str:
-    return "" if value is None else f" ({value!r})"
+def _written_confidence(entry: Substitution | Alternative) -> str:
+    return "" if "confidence" in entry.untold else f" ({entry.confidence!r})"
 
 
-def read_substitutions(line: Line) -> tuple[Substituted, ...]:
+def read_substitutions(line: Line) -> tuple[Substitution, ...]:
     """Return the one substitution of a line; ``()`` for ``nothing``."""
     if line.take_nothing():
         return ()
@@ -222,14 +222,14 @@ def read_substitutions(line: Line) -> tuple[Substituted, ...]:
     required = line.name()
     line.expect(LIKE)
     equivalent, confidence = line.optional_name(), _read_confidence(line)
-    alternatives: tuple[tuple[str, float | None], ...] | None = None
+    alternatives: tuple[Alternative, ...] | None = None
     if line.take(";"):
         alternatives = () if line.take_nothing() else _read_all(line, ",", _read_alternative)
-    return (Substituted(kind, about, required, equivalent, confidence, alternatives),)
+    return (Substitution.claimed(kind, about, required, equivalent, confidence=confidence, alternatives=alternatives),)
 
 
-def _read_alternative(line: Line) -> tuple[str, float | None]:
-    return line.name(), _read_confidence(line)
+def _read_alternative(line: Line) -> Alternative:
+    return Alternative.claimed(line.name(), _read_confidence(line))
 
 
 def _read_confidence(line: Line) -> float | None:
@@ -240,15 +240,15 @@ def _read_confidence(line: Line) -> float | None:
     return number
 
 
-def written_assumption(entry: Assumed) -> str:
+def written_assumption(entry: Assumption) -> str:
     """Return ``node: why``."""
     return f"{written_node(Mention(entry.node))}: {written_rest(entry.why)}"
 
 
-def read_assumptions(line: Line) -> tuple[Assumed, ...]:
+def read_assumptions(line: Line) -> tuple[Assumption, ...]:
     """Return the one assumption of a line; ``()`` for ``nothing``."""
     if line.take_nothing():
         return ()
     node = read_node(line)
     line.expect(":")
-    return (Assumed(node, line.rest()),)
+    return (Assumption(node, line.rest()),)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.tree import TreeUnit
-from foon_kg.plans.result import Substitution
 
 Place = tuple[str, int]
 """A video, and the place of a unit in it."""

@@ -20,7 +20,7 @@ from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 from foon_kg.web.evidence import Place, stands_in
 from foon_kg.web.questions import PlanQuestion
 from foon_kg.web.words import place_to_see, seen_at
@@ -48,13 +48,13 @@ def plan_to_json(
         "seen": [seen and sighting_to_json(seen) for seen in looked_at],
         "videos": [seen and seen_at([seen]) for seen in looked_at],
         "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
-        "sentences": [sentence(unit.as_unit(), kitchen, unit.measures) for unit in plan.units],
+        "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
     if question.explain:
         told["considered"] = [one.to_json() for one in answer.considered]
         told["explanations"] = list(map(explanation_to_json, answer.explanations))
-        told["judged"] = check(TaskTree.from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
+        told["judged"] = check(tree_from_json(plan.to_json()), foon, free=kitchen.free_foods).to_json()
     schedules = [schedule(plan.units, plan.kitchen, durations, kitchen, hands) for hands in question.hands]
     if schedules:
         told["schedules"] = [one.to_json() for one in schedules]
@@ -75,8 +75,8 @@ def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) ->
     from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - agents ask for none, and need no layout
 
     return {
-        "tree": tree_svg(shown, Kitchen.default()),
-        "progress": progress_svg(shown, width),
+        "tree": tree_svg(shown, Kitchen.default(), headed=False),
+        "progress": progress_svg(shown.told_once(), width),
         "schedules": [schedule_svg(shown, one, width) for one in schedules],
     }
 

@@ -10,7 +10,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from foon_kg.model.drafted import Lesson
-from foon_kg.planning.processes import collect_seldom, end_with_parent
+from foon_kg.planning.processes import collect_seldom, end_with_parent, keep_for_good
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.planning import PlanningDesk
 from foon_kg.web.questions import BusyError, InternalError, Question, Reply, TooLongError
@@ -97,6 +97,7 @@ def _plan(line: Connection[Any, Any], snapshot: Snapshot, lessons: Sequence[Less
     threading.Thread(target=end_with_parent, daemon=True).start()
     collect_seldom()
     desk = PlanningDesk(snapshot, lessons)
+    keep_for_good()
     line.send(None)  # it is ready
     while True:
         try:

@@ -22,6 +22,7 @@ def settle(out: Outcome) -> None:
     _let_go(out)
     _fill_spoon(out)
     _run_through(out)
+    _keep_back(out)
 
 
 def _fill_spoon(out: Outcome) -> None:
@@ -52,6 +53,17 @@ def _run_through(out: Outcome) -> None:
             if not lump.parts:
                 out.supply.put(lump, None)
                 lump.gone = True
+
+
+def _keep_back(out: Outcome) -> None:
+    """Take out of what is poured through a strainer what is told to stay in that."""
+    if not out.happening.does("separate"):
+        return
+    places = ((one, one.place_utensil) for one in out.said if one.utensil is None)
+    held = {one.label for one, row in places if row is not None and row.role == "vessel" and "strain" in row.can}
+    for lump in out.happening.outputs.values():
+        if held and lump.mixed and lump.label not in held:
+            lump.parts = [part for part in lump.parts if part.name not in held]
 
 
 def _gather(out: Outcome, place: int) -> None:

@@ -12,7 +12,7 @@ from foon_kg.model import ObjectNode
 _NOT_IN = frozenset({"with", "contains", "covered", "covering", "coated"})
 """Relations whose ``[]`` is not where a thing is, but what is on it."""
 
-MOST_READ = 1 << 16
+MOST_READ = 1 << 13
 """For how many nodes it is kept what they say."""
 
 _PLACE = re.compile(r"(?:in|on|inside|from) \[([^\]]+)\]")

@@ -108,11 +108,11 @@ def test_the_live_page_shows_hostile_names_as_words(wired):
         read_json(json.dumps(renamed(write_json(one), name)), one.name).subgraph for one in demo_foon().subgraphs
     ]
     with served(app(foon=FixedFoon(Snapshot.of(subgraphs, Kitchen.default())))) as address:
-        wired.get(f"{address}/#look={quote(name)}")
-        until("return around.textContent.length > 40")
-        assert name in wired.execute_script("return around.textContent")
+        wired.get(f"{address}/explore#at={quote(name)}")
+        until("return about.textContent.length > 40")
+        assert name in wired.execute_script("return about.textContent")
         touch_all(wired)
-        wired.execute_script("location.hash = ''")
+        wired.get(f"{address}/")
         until("return ingredient.offsetParent !== null")
         box = wired.find_element("id", "ingredient")
         wired.execute_script("dish.value = 'salad'")

@@ -61,6 +61,7 @@ PARTNER_IN_A_TEST = {
     "writing": "load",
 }
 HELD = 3 if WHOLE_CAMPAIGN else 1
+OUTCOME = ("what the first told", "what the second told", "the graph", "what is planned then")
 ENDS = {0, 1, 2, 3}
 """Exit codes, as they are documented: done, failed, wrong usage, no tree."""
 
@@ -131,14 +132,14 @@ class Race:
         self.wire.strike(0, Harm.HELD)
 
     def serially(self, one, other):
-        """Return the outcome of one command after another: what each told, and the graph."""
+        """Return the outcome of one command after another: what each told, the graph, and what is planned then."""
         if (one, other) not in self._serial:
             self.begin()
             self.first.begin(one)
             told = self.first.end()
             said = len(self.wire.said)
             self.second.begin(other)
-            self._serial[one, other] = (told, self.second.end(), whole_graph(self.straight)), said
+            self._serial[one, other] = (told, self.second.end(), *self._left(one, other)), said
         return self._serial[one, other]
 
     def at_once(self, one, other, number):
@@ -152,7 +153,18 @@ class Race:
         while not self.second.done.wait(0.01) and not self._somebody_waits():
             pass
         self.wire.let_go()
-        return self.first.end(), self.second.end(), whole_graph(self.straight)
+        return self.first.end(), self.second.end(), *self._left(one, other)
+
+    def _left(self, *commands):
+        """Return the graph that is left, without the trees that are kept to be quicker, and what is planned from it.
+
+        A tree that is kept just before what it was made of goes stays; but it names its grounds, and is not used.
+        """
+        graph = whole_graph(self.straight, without="Plan")
+        if "plan" not in commands:
+            return graph, None
+        self.second.begin("plan")
+        return graph, self.second.end()
 
     def _somebody_waits(self):
         with self.straight.session() as session:

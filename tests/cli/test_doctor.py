@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import socket
 
 import pytest
 from typer.testing import CliRunner
@@ -13,6 +14,7 @@ from foon_kg.loaders import read_paths
 from foon_kg.store import doctor
 from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection, load
+from foon_kg.store.server.startup_cache import the_startup_cache
 
 
 @pytest.fixture
@@ -76,6 +78,63 @@ def test_a_neo4j_that_does_not_answer_is_a_fault(alone, monkeypatch):
     code, told = asked("--json")
     assert code == 1
     assert json.loads(told)[-1]["subject"] == "Neo4j"
+
+
+def test_a_port_that_is_taken_is_told_with_what_to_do(alone, monkeypatch):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        monkeypatch.setattr(doctor, "PORT_OF_THE_PAGE", taken.getsockname()[1])
+        (finding,) = of("ports", examine())
+    assert finding.level is Level.NOTE
+    assert "--port" in finding.remedy
+
+
+def test_a_startup_cache_that_was_changed_is_told(alone):
+    the_startup_cache().file.parent.mkdir(parents=True, exist_ok=True)
+    the_startup_cache().file.write_bytes(b"changed")
+    (finding,) = of("start-up cache", examine())
+    assert finding.level is Level.NOTE
+    assert "not as it was made" in finding.what
+
+
+@pytest.fixture
+def named(alone, empty_graph, monkeypatch):
+    """A Neo4j that the environment names, with a FOON."""
+    for name in ("uri", "user", "password", "database"):
+        monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(empty_graph, name))
+    with Connection(empty_graph) as connection:
+        load(connection, [result.subgraph for result in read_paths([demo_folder()]) if result.subgraph is not None])
+        yield connection
+
+
+@pytest.mark.neo4j
+def test_a_neo4j_that_is_too_old_is_a_fault(named, monkeypatch):
+    monkeypatch.setattr(doctor, "OLDEST_NEO4J", (9999, 1))
+    (finding,) = of("Neo4j", examine())
+    assert finding.level is Level.FAULT
+    assert "5.26" in finding.remedy
+
+
+@pytest.mark.neo4j
+def test_an_index_that_somebody_dropped_is_a_fault_and_the_remedy_brings_it_back(named):
+    with named.session(writing=True) as session:
+        session.run("DROP INDEX object_label").consume()
+    (finding,) = of("indexes", examine())
+    assert finding.level is Level.FAULT
+    assert "object_label" in finding.what
+    statement = finding.remedy.partition("--write '")[2].removesuffix("'")
+    assert CliRunner().invoke(app, ["cypher", "--write", statement]).exit_code == 0
+    with named.session() as session:
+        session.run("CALL db.awaitIndexes()").consume()
+    assert of("indexes", examine()) == []
+
+
+@pytest.mark.neo4j
+def test_rights_are_tried_and_nothing_stays_of_it(named):
+    with named.session() as session:
+        before = session.run("MATCH (n) RETURN count(n)").single()[0]
+        (finding,) = of("rights", examine())
+        assert finding.level is Level.FINE
+        assert session.run("MATCH (n) RETURN count(n)").single()[0] == before
 
 
 @pytest.mark.neo4j

@@ -14,9 +14,10 @@ from foon_kg.formats.exports.recipe import video_address, write_recipe
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.model import Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Assumption, Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Assumption, PlanResult, ReferenceSummary, Substitution
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 KITCHEN = Kitchen.default()
 

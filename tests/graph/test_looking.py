@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import neo4j
 import pytest
 from hypothesis import given
@@ -10,7 +12,7 @@ from hypothesis import strategies as st
 from foon_kg.cypher import explore_queries
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph import Connection
-from foon_kg.store.graph.free_cypher import ask_freely
+from foon_kg.store.graph.free_cypher import MOST_BYTES, MOST_ON_THE_WIRE, ask_freely
 from foon_kg.store.graph.looking import only_looking
 from foon_kg.store.graph.question_words import DEEPEST, MOST_CHARACTERS, MOST_WORDS, read
 
@@ -144,9 +146,43 @@ def test_an_answer_that_is_too_large_is_given_up_and_the_server_goes_on(neo4j_se
 
 
 @pytest.mark.neo4j
+@pytest.mark.slow
+def test_of_a_row_that_is_too_large_no_more_is_read_than_is_bounded(neo4j_server, caplog):
+    """The driver makes a text of a row when all of it has come: 84 MB and their text once more were taken before."""
+    with Connection(neo4j_server) as connection:
+        tracemalloc.start()
+        try:
+            with pytest.raises(GraphError, match="larger than") as large:
+                ask_freely(connection, "RETURN reduce(s = 'abcdefghij', i IN range(1, 23) | s + s) AS n")
+            peak = tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+        assert large.value.code == "too-much"
+        assert peak < MOST_ON_THE_WIRE + MOST_BYTES
+        assert ask_freely(connection, "RETURN 1 AS one").rows == ((1,),)
+    assert not caplog.records
+
+
+@pytest.mark.neo4j
+def test_a_connection_has_the_whole_bound_for_each_question(neo4j_server):
+    question = "UNWIND range(1, 10) AS n RETURN reduce(s = 'abcdefghij', i IN range(1, 17) | s + s) AS s"
+    with Connection(neo4j_server) as connection:
+        for _ in range(2 + 2 * MOST_ON_THE_WIRE // MOST_BYTES):
+            assert len(ask_freely(connection, question).rows) == 10
+
+
+@pytest.mark.neo4j
+def test_who_wants_few_of_many_large_rows_gets_them(neo4j_server):
+    question = "UNWIND range(1, 900) AS n RETURN reduce(s = 'abcdefghij', i IN range(1, 14) | s + s) AS s"
+    with Connection(neo4j_server) as connection:
+        answer = ask_freely(connection, question, limit=5)
+    assert (len(answer.rows), answer.cut) == (5, True)
+
+
+@pytest.mark.neo4j
 def test_who_waits_is_answered_in_time_though_the_server_does_not_heed(neo4j_server):
     """To look through a list that has itself in it over and over is one step, which no server interrupts."""
-    endless = "RETURN 0 IN reduce(s = [1], i IN range(1, 31) | s + s) AS n"
+    endless = "RETURN 0 IN reduce(s = [1], i IN range(1, 31) | s + s) AS endless"
     with Connection(neo4j_server) as connection, pytest.raises(GraphError) as late:
         ask_freely(connection, endless, timeout=0.5)
     assert late.value.code == "timeout"

@@ -168,3 +168,9 @@ def test_nothing_is_downloaded():
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
     assert done.stdout.strip() == "onion", done.stdout + done.stderr
+
+
+def test_a_utensil_is_no_food():
+    skewers, skewered = read_recipe_lines(["12 bamboo skewers", "1 lb chicken breast, cut into strips"])
+    assert (skewers.object, skewers.left_over) == (None, ("bamboo skewers",))
+    assert skewered.object == "chicken breast"

@@ -8,6 +8,7 @@ import pytest
 from pictures.demo_plans import demo_foon, demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.step_changes import step_changes_svg
 from foon_kg.formats.views.schedule import clock
@@ -32,7 +33,8 @@ def test_a_chart_has_a_row_a_step_and_says_which_were_never_timed():
     plan = schedule(tree.units, tree.kitchen, Durations({"chop": chop}, chop), Kitchen.default(), 2)
     words = texts(schedule_svg(tree, plan))
     for number, unit in enumerate(tree.units, start=1):
-        assert any(text.startswith(f"{number} {unit.motion} ") for text in words)
+        said = sentence(unit.as_unit(), Kitchen.default())
+        assert any(text.startswith(f"{number} {said[:30]}") for text in words)
     titles = [one.text for one in ET.fromstring(schedule_svg(tree, plan, 640)).iter(f"{SVG}title")][1:]
     for step, title in zip(plan.steps, titles, strict=True):
         known = step.end <= plan.known_until

@@ -5,7 +5,7 @@ from __future__ import annotations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, Report, TaskTree, check
+from foon_kg.validation import KnownFoon, Report, check, tree_from_json
 
 KITCHEN = Kitchen.default()
 
@@ -13,7 +13,7 @@ KITCHEN = Kitchen.default()
 def judge(result: PlanResult, snapshot: Snapshot, kitchen: Kitchen = KITCHEN) -> Report:
     """Return the judge's report."""
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
-    return check(TaskTree.from_json(result.to_json()), foon, kitchen.free_foods, kitchen.lacks)
+    return check(tree_from_json(result.to_json()), foon, kitchen.free_foods, kitchen.lacks)
 
 
 def fatal(result: PlanResult, snapshot: Snapshot, kitchen: Kitchen = KITCHEN) -> list[str]:

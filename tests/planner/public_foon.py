@@ -48,7 +48,7 @@ def verdicts_on(answers: Iterable[Answer], snapshot: Snapshot) -> Verdicts:
     foon = validation.KnownFoon.of(snapshot.units, snapshot.goals())
     return Verdicts(
         tuple(
-            validation.check(validation.TaskTree.from_json(answer.to_json()), foon) if has_tree(answer) else None
+            validation.check(validation.tree_from_json(answer.to_json()), foon) if has_tree(answer) else None
             for answer in answers
         )
     )
@@ -61,7 +61,7 @@ def faults(answers: Iterable[Answer], snapshot: Snapshot) -> list[str]:
         f"{answer.recipe.id}: {finding}"
         for answer in answers
         if has_tree(answer)
-        for finding in validation.check(validation.TaskTree.from_json(answer.to_json()), foon).findings
+        for finding in validation.check(validation.tree_from_json(answer.to_json()), foon).findings
         if not finding.minor
     ]
 

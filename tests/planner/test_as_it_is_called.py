@@ -111,7 +111,7 @@ def test_crumble_is_strewn_on_fruit(steps):
 def test_crumbs_are_pressed_to_a_base_and_cream_that_is_to_be_whipped_is_whipped(steps):
     told = steps("pie", "Key Lime Pie", "graham cracker crumbs:crumbs", "butter:melted", "egg yolks:whole",
                  "condensed milk:thick liquid", "lime juice:juice", "whipping cream:chilled")  # fmt: skip
-    assert inside(told, "shape") == {"graham cracker crumbs", "butter"}
+    assert inside(told, "press") == {"graham cracker crumbs", "butter"}
     assert [motion for inputs, motion, _ in told if "whipping cream" in inputs and motion in {"beat", "whip", "whisk"}]
     assert first(told, "whipping cream", "pour") < motions(told).index("bake") < len(told) - 1
 
@@ -201,6 +201,12 @@ def test_lentils_are_boiled_before_the_rice_that_is_done_long_before_them(steps)
                  "water:liquid")  # fmt: skip
     assert cooked(told, "brown lentils") == ["cook"]
     assert first(told, "brown lentils", "cook") < first(told, "rice", "pour")
+
+
+def test_wedges_lie_in_the_bowl_of_a_soup(steps):
+    told = steps("soup", "Harira", "lamb:cubed", "lentils:dried", "water:liquid", "onion:chopped", "lemon wedges:whole")
+    assert {"bowl", "lemon wedges"} <= told[-1][0]
+    assert not [inputs for inputs, _, _ in told if "plate" in inputs]
 
 
 def test_wedges_are_served_beside_what_is_baked(steps):

@@ -18,6 +18,12 @@ def motions(told):
     return [motion for _, motion, _ in told]
 
 
+def inside(told, motion):
+    """The foods of what the first such motion works on."""
+    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
+    return {food for node in outputs for food in node.ingredients}
+
+
 def first(told, food, motion):
     return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
 
@@ -61,10 +67,28 @@ def test_chocolate_is_melted_and_cream_whipped_for_a_mousse(steps):
     assert {("dark chocolate", "melted"), ("heavy cream", "whipped"), ("pudding", "chilled")} <= states
 
 
-def inside(told, motion):
-    """The foods of what the first such motion works on."""
-    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
-    return {food for node in outputs for food in node.ingredients}
+def test_what_a_video_makes_by_that_name_no_table_teaches(steps):
+    told = steps("cookie", "Peanut Brittle", "sugar:granulated", "peanuts:whole", "butter:stick", "corn syrup:syrup")
+    assert "chill" not in motions(told)
+
+
+def test_rice_milk_is_blended_and_strained(steps):
+    told = steps("drinks", "Horchata", "rice:uncooked", "water:liquid", "sugar:granulated", "cinnamon:ground",
+                 "milk:liquid")  # fmt: skip
+    assert motions(told).index("blend") < motions(told).index("pour and strain") < first(told, "milk", "pour")
+
+
+def test_bagels_are_boiled_and_then_baked(steps):
+    told = steps("bread", "Bagels", "bread flour:powder", "yeast:powder", "water:warm", "honey:thick liquid",
+                 "salt:granulated", "egg:uncooked")  # fmt: skip
+    assert first(told, "dough", "boil") < motions(told).index("brush") < motions(told).index("bake")
+    assert motions(told).count("ferment") == 1
+
+
+def test_a_roll_is_baked_spread_and_rolled_up(steps):
+    told = steps("cake", "Swiss Roll", "eggs:uncooked", "sugar:granulated", "flour:powder", "strawberry jam:jelly")
+    assert motions(told).index("bake") < first(told, "cake", "roll") == motions(told).index("roll")
+    assert "strawberry jam" in inside(told, "roll")
 
 
 def test_ravioli_are_filled_closed_and_boiled_before_their_sauce_takes_them(steps):
@@ -98,3 +122,22 @@ def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
     told = steps("meatloaf", "Meatloaf", "ground beef:raw", "egg:uncooked", "breadcrumbs:crumbs", "ketchup:sauce")
     assert inside(told, "shape") == {"ground beef", "egg", "breadcrumbs"}
     assert first(told, "ketchup", "pour") < motions(told).index("bake")
+
+
+def test_a_stir_fry_needs_no_such_name_where_it_is_filed_as_one(steps):
+    told = steps("stir-fry", "Pad Krapow", "ground pork:raw", "soy sauce:liquid", "sugar:granulated", "oil:liquid",
+                 "fried eggs:whole", "rice:steamed")  # fmt: skip
+    assert first(told, "ground pork", "cook and stir") < first(told, "mixture", "pour")
+    assert first(told, "mixture", "cook and stir") < first(told, "fried eggs", "pick-and-place")
+
+
+def test_what_a_cutlet_is_eaten_with_is_not_fried_with_it(steps):
+    told = steps("pork", "Tonkatsu", "pork chops:boneless", "flour:powder", "eggs:beaten", "panko:crumbs", "oil:liquid",
+                 "cabbage:shredded", "tonkatsu sauce:sauce")  # fmt: skip
+    assert motions(told).index("flip") < first(told, "cabbage", "pour")
+    assert not [motion for inputs, motion, _ in told if "cabbage" in inputs and motion == "cook and stir"]
+
+
+def test_eggs_are_whisked_and_come_into_a_soup_last(steps):
+    told = steps("soup", "Avgolemono", "chicken stock:liquid", "orzo:uncooked", "eggs:uncooked", "lemon juice:juice")
+    assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "simmer")

@@ -63,3 +63,14 @@ def test_a_dish_that_nobody_made_is_refused_with_what_suits():
         planner("moon salad").plan(SALAD)
     assert refused.value.code == "no-goal"
     assert "greek salad" in refused.value.hint
+
+
+def test_where_the_dish_cannot_be_what_lacks_is_told_with_the_recorded_dishes_that_are_nearest():
+    foods = [("onion", "chopped"), ("cheddar", "grated"), ("cucumber", "sliced")]
+    recipe = Recipe("omelette", tuple(RequiredIngredient(*one) for one in foods))
+    with pytest.raises(NoTreeError, match="no omelette without egg") as refusal:
+        planner().plan(recipe)
+    assert refusal.value.code == "no-way"
+    omelettes = {goal.node.label for goal in demo_foon().goals() if goal.dish_type == "omelette"}
+    assert any(f"the nearest is “{label}” of the video " in refusal.value.hint for label in omelettes)
+    assert "Asked for as salad, they suit “" in refusal.value.hint

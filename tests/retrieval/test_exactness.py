@@ -16,7 +16,7 @@ from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search import NoWayError
 from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
 from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import KnownFoon, TaskTree, check
+from foon_kg.validation import KnownFoon, check, tree_from_json
 
 KITCHEN = Kitchen.default()
 
@@ -60,7 +60,7 @@ def test_a_tree_is_executable_ends_with_its_goal_and_names_every_place_where_its
     assert found.goal in found.units[-1].known.unit.output_nodes
     foon = {known.unit.key: known for known in units_at(snapshot.units, level)}
     assert [step.known for step in found.units] == [foon[step.known.unit.key] for step in found.units]
-    report = check(TaskTree.from_json(found.to_json()), KnownFoon.of(snapshot.units, snapshot.goals()))
+    report = check(tree_from_json(found.to_json()), KnownFoon.of(snapshot.units, snapshot.goals()))
     assert report.findings == ()
 
 

@@ -143,3 +143,20 @@ def test_the_log_of_a_failed_start_is_put_into_words(place, log, code, words):
 )
 def test_use_is_an_open_connection_or_a_number_that_is_not_the_watchers(before, now, used):
     assert now.saw_use(before) is used
+
+
+STUCK = {"neo4j-transaction-7": "RETURN 1"}
+
+
+@pytest.mark.parametrize(
+    ("before", "now", "told"),
+    [
+        (Visit(4, 1, STUCK), Visit(5, 1, STUCK), "RETURN 1"),
+        (Visit(4, 1, {}), Visit(5, 1, STUCK), None),  # it may end yet
+        (Visit(4, 1, STUCK), Visit(5, 1, {}), None),  # it has ended
+        (Visit(4, 1, STUCK), Visit(5, 1, {"neo4j-transaction-9": "RETURN 1"}), None),  # another one
+        (Visit(4, 1, STUCK), Visit(5, 2, STUCK, busy=True), None),  # somebody else is at work
+    ],
+)
+def test_a_question_is_stuck_where_it_was_to_end_before_the_look_before(before, now, told):
+    assert now.still_stuck(before) == told

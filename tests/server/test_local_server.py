@@ -13,6 +13,9 @@ import psutil
 import pytest
 from server.live_server import START, kill, servers_of, up
 
+from foon_kg.model.errors import GraphError
+from foon_kg.store.graph import Connection
+from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.store.server import connection_settings, ensure_running, status, stop
 from foon_kg.store.server.process import is_free
 
@@ -108,6 +111,28 @@ def test_an_unused_server_stops_by_itself_and_a_used_one_does_not(place, ask):
     assert status().running is False
     up(idle_minutes=30)
     assert status().idle_minutes == 30
+
+
+def test_a_server_that_does_not_let_go_of_a_question_is_started_again_and_says_why(place, ask):
+    """To look through a list that has itself in it over and over is one step, which no Neo4j interrupts."""
+    stop()
+    settings = up(idle_minutes=0.2)
+    ask(settings, "CREATE (n:Note {text: 'still there'}) RETURN n.text")
+    server = psutil.Process(status().pid)
+    assert status().started_again is None
+    with Connection(settings) as connection:
+        ask_freely(connection, "RETURN 1 AS one")
+        with pytest.raises(GraphError) as late:
+            ask_freely(connection, "RETURN 0 IN reduce(s = [1], i IN range(1, 60) | s + s) AS endless", timeout=5)
+    assert "started again" in late.value.hint
+    server.wait(300)
+    assert up(idle_minutes=30) == settings  # waits for whoever starts it
+    assert status().pid != server.pid
+    assert "AS endless" in status().started_again
+    assert ask(settings, "MATCH (n:Note) RETURN n.text") == "still there"
+    running = ask(settings, "SHOW TRANSACTIONS YIELD currentQuery WHERE currentQuery CONTAINS 'AS endless' "
+                            "AND NOT currentQuery CONTAINS 'SHOW' RETURN count(*)")  # fmt: skip
+    assert running == 0
 
 
 def test_status_tells_where_everything_is(place):

@@ -14,11 +14,12 @@ import sys
 import psutil
 import pytest
 from server.live_server import START, servers_of, up
+from server.test_fetch import repository  # noqa: F401 - a Maven repository of its own
 
 from foon_kg.model.errors import ServerError
 from foon_kg.store.server import status, stop
 from foon_kg.store.server.fetch import fetch
-from foon_kg.store.server.jars import pinned
+from foon_kg.store.server.jars import pinned, sha256_of
 from foon_kg.store.server.startup_cache import the_startup_cache
 
 pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("local-server")]
@@ -139,24 +140,43 @@ def test_a_lost_password_is_said_with_its_path(place):
     up()
 
 
-def test_a_broken_startup_cache_does_not_stop_the_start(place, private_cache):
+@pytest.mark.parametrize("told", ["", "0" * 64])
+def test_a_startup_cache_that_was_changed_is_taken_away_and_the_server_starts(place, private_cache, told):
     stop()
     the_startup_cache().file.write_bytes(b"no cache at all" * 1000)
+    the_startup_cache().digest.write_text(told)
+    said = []
+    up(say=said.append)
+    assert any("start-up cache is not as it was made" in line for line in said)
+    assert servers_of(place) != []
+    stop()
+
+
+def test_a_startup_cache_that_java_cannot_use_does_not_stop_the_start(place, private_cache):
+    stop()
+    cache = the_startup_cache()
+    cache.file.write_bytes(b"no cache at all" * 1000)
+    cache.digest.write_text(sha256_of(cache.file))
+    assert cache.is_as_made()
     up()
     assert servers_of(place) != []
     stop()
 
 
-def test_a_damaged_jar_is_named_and_removed_so_that_it_is_fetched_again(place, private_cache):
+def test_a_jar_that_was_changed_is_fetched_again_before_anything_of_it_runs(place, private_cache, repository):  # noqa: F811 - the fixture
     stop()
     (kernel,) = [jar for jar in pinned().jars if jar.coordinates.startswith("org.neo4j:neo4j-kernel:")]
-    broken = private_cache / kernel.name
-    broken.write_bytes(b"\0" * kernel.size)
-    with pytest.raises(ServerError, match=f"damaged on disk.*{kernel.name}") as caught:
-        up()
-    assert "start it again" in caught.value.hint
-    assert pinned().missing(private_cache) == (kernel,)
-    assert servers_of(place) == []
+    changed = private_cache / kernel.name
+    repository.contents[f"/{kernel.path}"] = changed.read_bytes()
+    times = changed.stat()
+    changed.write_bytes(b"\0" * kernel.size)
+    os.utime(changed, ns=(times.st_atime_ns, times.st_mtime_ns))
+    said = []
+    up(say=said.append)
+    assert any(f"{kernel.name} is not what was pinned" in line for line in said)
+    assert sha256_of(changed) == kernel.sha256
+    assert [path for path, _ in repository.requests] == [f"/{kernel.path}"]
+    stop()
 
 
 def test_a_server_whose_folder_was_removed_ends(tmp_path, monkeypatch):

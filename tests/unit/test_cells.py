@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import doctest
-
 from hypothesis import given
 from hypothesis import strategies as st
 
-from foon_kg.model import cells
 from foon_kg.model.cells import as_cell, from_cell
 
 texts = st.text(st.sampled_from("=+-@\t\r'a1. "), max_size=6) | st.text(max_size=6)
@@ -19,7 +16,3 @@ def test_no_cell_is_a_formula_and_what_was_written_is_read(text):
     assert cell[:1] not in set("=@\t\r")
     assert cell[:1] not in set("+-") or float(cell) is not None
     assert cell == text or from_cell(cell) == text
-
-
-def test_the_examples_are_true():
-    assert doctest.testmod(cells).failed == 0

@@ -8,9 +8,10 @@ import pytest
 
 from foon_kg.formats.views.notebook import plan_html, steps_frame
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import UsageError
 from foon_kg.model.tree import Step, TreeUnit
-from foon_kg.plans.result import Alternative, Assumption, PlanResult, ReferenceSummary, Substitution
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 
 KOHLRABI, GRATED = ObjectNode("kohlrabi", ("whole",)), ObjectNode("kohlrabi", ("grated",), (), "in", "bowl")
 SALAD = ObjectNode("salad", ("mixed",), ("kohlrabi",))

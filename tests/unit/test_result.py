@@ -10,19 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import FunctionalUnit, ObjectNode, Participant, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.tree import Mention, Step, TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.progress import ProgressLine, ProgressStep
-from foon_kg.plans.result import (
-    Alternative,
-    Assumption,
-    PlanFailure,
-    PlanResult,
-    ReferenceSummary,
-    Substitution,
-)
+from foon_kg.plans.result import PlanFailure, PlanResult, ReferenceSummary
 
 words = st.text(st.characters(codec="utf-8", exclude_characters="\x00"), min_size=1, max_size=8)
 confidences = st.floats(0, 1)

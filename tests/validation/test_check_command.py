@@ -12,7 +12,7 @@ from foon_kg.cli import app
 from foon_kg.loaders import write_text
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.snapshot import Snapshot
-from foon_kg.validation import RULES, KnownFoon, TaskTree
+from foon_kg.validation import RULES, KnownFoon, tree_from_json
 from foon_kg.validation import check as judge
 from foon_kg.validation.contract import rule, rules
 
@@ -119,7 +119,7 @@ def test_json_is_the_report(check):
     snapshot = Snapshot.of(SUBGRAPHS, Kitchen.default())
     foon = KnownFoon.of(snapshot.units, snapshot.goals())
     for tree in (salad(), soup(without(SOUP, 6)), soup(UNPEELED)):
-        expected = judge(TaskTree.from_json(tree), foon).to_json()
+        expected = judge(tree_from_json(tree), foon).to_json()
         assert json.loads(check(json.dumps(tree), "--json").stdout) == expected
 
 

@@ -44,7 +44,7 @@ def judged(one, text):
     """What the judge says of an example; of several answers only whether they repeat."""
     trees = read_trees(text, one.id)
     if one.id == "C9":
-        return Report("C9", repeatable([json.loads(json.dumps(asdict(tree))) for tree in trees]))
+        return Report("C9", repeatable([json.loads(json.dumps(asdict(tree), default=sorted)) for tree in trees]))
     (tree,) = trees
     return check(tree, known_foon() if one.id in COMPARED_WITH_A_FOON else None)
 

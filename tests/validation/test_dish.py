@@ -6,7 +6,8 @@ import pytest
 from validation.judging import ONE_TOMATO, foon_of, found, report
 
 from foon_kg.model import ObjectNode
-from foon_kg.validation import TaskTree, check
+from foon_kg.model.tree import TaskTree
+from foon_kg.validation import check
 
 
 def lines(*steps):

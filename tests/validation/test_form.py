@@ -6,7 +6,8 @@ import pytest
 from validation.judging import ONE_TOMATO, found, report
 
 from foon_kg.model import ObjectNode
-from foon_kg.validation import TaskTree, check
+from foon_kg.model.tree import TaskTree
+from foon_kg.validation import check
 
 POURED = (
     "tomato (sliced; on plate) + plate ({tomato}) + bowl (empty) → POUR → tomato (sliced; in bowl) + bowl ({tomato})"

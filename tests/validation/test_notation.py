@@ -7,14 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
-from foon_kg.model.tree import TreeUnit
-from foon_kg.validation import TaskTree
+from foon_kg.model.tree import TaskTree, TreeUnit
 from foon_kg.validation.contract import rules
 from foon_kg.validation.notation import Remark, read_tree, read_trees, remarks, write_tree
 from foon_kg.validation.notation_nodes import RELATIONS, written_node
-from foon_kg.validation.tree import Assumed, Substituted
 from foon_kg.world import Mention, Step
 
 # names as a kitchen has them, names that look like the notation itself, and any text at all
@@ -43,13 +42,13 @@ units = st.builds(
 )
 confidences = st.none() | st.floats(allow_nan=False, allow_infinity=False)
 substitutions = st.builds(
-    Substituted,
+    Substitution.claimed,
     names,
     names,
     names,
     st.none() | names,
-    confidences,
-    st.none() | st.lists(st.tuples(names, confidences), max_size=2).map(tuple),
+    confidence=confidences,
+    alternatives=st.none() | st.lists(st.builds(Alternative.claimed, names, confidences), max_size=2).map(tuple),
 )
 recipes = st.builds(
     Recipe,
@@ -66,7 +65,7 @@ trees = st.builds(
     st.none() | recipes,
     st.none() | st.lists(nodes, max_size=2).map(tuple),
     st.none() | st.lists(substitutions, max_size=2).map(tuple),
-    st.none() | st.lists(st.builds(Assumed, nodes, names), max_size=2).map(tuple),
+    st.none() | st.lists(st.builds(Assumption, nodes, names), max_size=2).map(tuple),
     st.none() | names,
     st.none() | st.sampled_from(Level),
 )
@@ -209,10 +208,17 @@ def test_everything_that_is_told_of_a_tree_is_read():
         ),
         (LEEK, KNIFE),
         (
-            Substituted("object", "leek", "leek", "onion", 0.87, (("shallot", 0.8), ("garlic", None))),
-            Substituted("tool", "leek", "knife", None, None, None),
+            Substitution(
+                "object",
+                "leek",
+                "leek",
+                "onion",
+                0.87,
+                (Alternative("shallot", 0.8), Alternative("garlic", 0.0, frozenset({"confidence"}))),
+            ),
+            Substitution("tool", "leek", "knife", "", 0.0, (), frozenset({"equivalent", "confidence", "alternatives"})),
         ),
-        (Assumed(ObjectNode("leek", ("cleaned",)), "nobody washes: it is clean"),),
+        (Assumption(ObjectNode("leek", ("cleaned",)), "nobody washes: it is clean"),),
         level=Level.INGREDIENTS,
     )
 

@@ -8,7 +8,8 @@ import pytest
 from validation.judging import ONE_TOMATO, report
 
 from foon_kg.model import ObjectNode
-from foon_kg.validation import FORM, RULES, TABLE, WORLD, Finding, Report, TaskTree, check, repeatable
+from foon_kg.model.tree import TaskTree
+from foon_kg.validation import FORM, RULES, TABLE, WORLD, Finding, Report, check, repeatable
 from foon_kg.validation.notation import read_tree
 
 TOMATO = ObjectNode("tomato", ("sliced",))

@@ -18,12 +18,12 @@ from foon_kg.model import (
     Sighting,
     Subgraph,
 )
+from foon_kg.model.claims import Alternative, Assumption, Substitution
 from foon_kg.model.errors import ReadError
 from foon_kg.model.levels import Level
 from foon_kg.model.tree import TreeUnit
-from foon_kg.validation import TaskTree
+from foon_kg.validation import tree_from_json, tree_from_subgraph
 from foon_kg.validation.notation import read_tree
-from foon_kg.validation.tree import Assumed, Substituted
 from foon_kg.world import Mention
 
 TOMATO = {"label": "tomato", "states": ["whole"], "ingredients": [], "relation": None, "container": None}
@@ -31,6 +31,7 @@ SLICED = TOMATO | {"states": ["sliced"]}
 KNIFE = TOMATO | {"label": "knife", "states": []}
 ENTRY = {"kind": "object", "object": "leek", "required": "leek", "equivalent": "onion", "confidence": 0.8,
          "alternatives": [{"name": "shallot", "confidence": 0.7}]}  # fmt: skip
+SHALLOT = Alternative("shallot", 0.7)
 
 
 def result(**changed):
@@ -55,7 +56,7 @@ def result(**changed):
 
 
 def read(**changed):
-    return TaskTree.from_json(result(**changed))
+    return tree_from_json(result(**changed))
 
 
 # --- JSON ---
@@ -71,8 +72,8 @@ def test_a_plan_result_is_read_whole():
     assert (unit.input_nodes, unit.motion, unit.output_nodes) == ((tomato, knife), "slice", (tree.goal,))
     assert (unit.origin, unit.grounding, unit.seen_in) == ("foon", "food", (Sighting("salad", 3),))
     assert tree.kitchen == (tomato, knife)
-    assert tree.substitutions == (Substituted("object", "leek", "leek", "onion", 0.8, (("shallot", 0.7),)),)
-    assert tree.assumptions == (Assumed(tomato, "it is summer"),)
+    assert tree.substitutions == (Substitution("object", "leek", "leek", "onion", 0.8, (SHALLOT,)),)
+    assert tree.assumptions == (Assumption(tomato, "it is summer"),)
     assert (tree.level, tree.error) == (None, None)
 
 
@@ -86,15 +87,15 @@ def test_a_plan_result_is_read_whole():
 )
 def test_a_tree_is_named_by_the_id_or_title_of_its_recipe_else_by_where_it_stands(recipe, name):
     value = result(recipe={"dish_type": "salad", "ingredients": [], **recipe})
-    assert TaskTree.from_json(value, "line 3").name == name
+    assert tree_from_json(value, "line 3").name == name
 
 
 def test_without_a_place_a_nameless_tree_is_a_plan():
-    assert TaskTree.from_json(result(recipe={"dish_type": "salad", "ingredients": [], "title": None})).name == "plan"
+    assert tree_from_json(result(recipe={"dish_type": "salad", "ingredients": [], "title": None})).name == "plan"
 
 
 def test_a_result_with_an_error_has_no_steps():
-    tree = TaskTree.from_json({"recipe": result()["recipe"], "error": {"code": "no_goal", "message": "none is near"}})
+    tree = tree_from_json({"recipe": result()["recipe"], "error": {"code": "no_goal", "message": "none is near"}})
     assert (tree.error, tree.units, tree.goal, tree.kitchen) == ("none is near", (), None, None)
     assert tree.recipe.dish_type == "salad"
     assert tree.name == "r7"
@@ -108,7 +109,7 @@ def test_a_classic_retrieval_says_its_level_and_is_named_after_its_goal():
 @pytest.mark.parametrize("level", [0, 4])
 def test_a_level_that_no_foon_has_is_refused(level):
     with pytest.raises(ReadError, match=f"line 3: a FOON has no level {level}") as caught:
-        TaskTree.from_json(result(level=level, recipe=None), "line 3")
+        tree_from_json(result(level=level, recipe=None), "line 3")
     assert caught.value.hint == "The levels are 1, 2 and 3."
 
 
@@ -121,7 +122,7 @@ def test_a_level_that_no_foon_has_is_refused(level):
 )  # fmt: skip
 def test_a_field_of_the_wrong_type_is_told_with_its_place(broken):
     with pytest.raises(ReadError, match=r"^line 3"):
-        TaskTree.from_json(result(**broken), "line 3")
+        tree_from_json(result(**broken), "line 3")
 
 
 @pytest.mark.parametrize("field", ["units", "kitchen", "goal", "recipe", "substitutions", "assumptions"])
@@ -164,12 +165,12 @@ def test_two_things_with_one_node_are_two():
 @pytest.mark.parametrize(
     ("field", "kept"),
     [
-        ("kind", Substituted("", "leek", "leek", "onion", 0.8, (("shallot", 0.7),))),
-        ("object", Substituted("object", "", "leek", "onion", 0.8, (("shallot", 0.7),))),
-        ("required", Substituted("object", "leek", "", "onion", 0.8, (("shallot", 0.7),))),
-        ("equivalent", Substituted("object", "leek", "leek", None, 0.8, (("shallot", 0.7),))),
-        ("confidence", Substituted("object", "leek", "leek", "onion", None, (("shallot", 0.7),))),
-        ("alternatives", Substituted("object", "leek", "leek", "onion", 0.8, None)),
+        ("kind", Substitution("", "leek", "leek", "onion", 0.8, (SHALLOT,))),
+        ("object", Substitution("object", "", "leek", "onion", 0.8, (SHALLOT,))),
+        ("required", Substitution("object", "leek", "", "onion", 0.8, (SHALLOT,))),
+        ("equivalent", Substitution("object", "leek", "leek", "", 0.8, (SHALLOT,), frozenset({"equivalent"}))),
+        ("confidence", Substitution("object", "leek", "leek", "onion", 0.0, (SHALLOT,), frozenset({"confidence"}))),
+        ("alternatives", Substitution("object", "leek", "leek", "onion", 0.8, (), frozenset({"alternatives"}))),
     ],
 )
 def test_what_a_substitution_does_not_say_is_left_open(field, kept):
@@ -179,12 +180,12 @@ def test_what_a_substitution_does_not_say_is_left_open(field, kept):
 
 def test_what_an_alternative_or_an_assumption_does_not_say_is_left_open():
     tree = read(substitutions=[ENTRY | {"alternatives": [{}]}], assumptions=[{"node": TOMATO}])
-    assert tree.substitutions[0].alternatives == (("", None),)
+    assert tree.substitutions[0].alternatives == (Alternative("", 0.0, frozenset({"confidence"})),)
     assert tree.assumptions[0].why == ""
 
 
 def test_a_plan_of_the_planner_is_read():
-    tree = TaskTree.from_json(salad())
+    tree = tree_from_json(salad())
     assert (tree.name, len(tree.units), tree.goal.label) == ("r1", 5, "tomato salad")
 
 
@@ -192,7 +193,7 @@ def test_a_plan_of_the_planner_is_read():
 
 
 def test_foon_text_has_the_last_marked_output_for_its_goal_and_claims_nothing():
-    tree = TaskTree.from_subgraph(SUBGRAPHS[0])
+    tree = tree_from_subgraph(SUBGRAPHS[0])
     assert (tree.name, tree.goal.label) == ("tomato_salad", "tomato salad")
     assert (tree.kitchen, tree.substitutions, tree.assumptions, tree.recipe) == (None, None, None, None)
     assert {(unit.origin, unit.grounding, unit.seen_in) for unit in tree.units} == {(None, None, None)}
@@ -205,14 +206,14 @@ def test_of_two_marked_outputs_the_later_is_the_goal():
         FunctionalUnit((), "mix", (Participant(node, dish_type="salad"), Participant(ObjectNode("bowl"))))
         for node in (first, second)
     ]
-    tree = TaskTree.from_subgraph(Subgraph("two", tuple(map(Annotation, units))), Recipe("salad", ()))
+    tree = tree_from_subgraph(Subgraph("two", tuple(map(Annotation, units))), Recipe("salad", ()))
     assert tree.goal == second
     assert tree.recipe == Recipe("salad", ())
 
 
 def test_unmarked_food_and_marked_utensils_are_no_goal():
     outputs = (Participant(ObjectNode("salad")), Participant(ObjectNode("bowl"), dish_type="salad"))
-    tree = TaskTree.from_subgraph(Subgraph("one", (Annotation(FunctionalUnit((), "mix", outputs)),)))
+    tree = tree_from_subgraph(Subgraph("one", (Annotation(FunctionalUnit((), "mix", outputs)),)))
     assert tree.goal is None
     assert tree.units[0].motion == "mix"
 

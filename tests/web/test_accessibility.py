@@ -19,7 +19,6 @@ STATES = {
     "compared": f"{SOUP}&view=compare&other={quote(SOUP + '&without=leek')}",
     "not compared": f"{SOUP}&view=compare&other={quote(SOUP + '&have=spoon')}",
     "suggestions": "with=egg&with=chopped+onion&view=make",
-    "around": "look=onion",
     "refused": "with=egg&dish=soup&have=spoon",
 }
 THERE = """

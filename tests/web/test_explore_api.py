@@ -243,3 +243,12 @@ def test_every_thing_is_told_alike_from_files_and_from_neo4j(of_files, of_neo4j)
     assert len(names) > 200
     for name in sorted(names)[::5]:
         assert around(of_files, name, depth=2, utensils=True) == around(of_neo4j, name, depth=2, utensils=True)
+
+
+def test_a_thing_is_found_by_its_name_alone_and_a_misspelled_one_says_what_may_be_meant(client):
+    told = client.post("/api/explore/around", json={"id": "onion"}).json()
+    assert told["things"][0]["id"] == "food:onion"
+    assert client.post("/api/explore/around", json={"id": "knife"}).json()["things"][0]["id"] == "utensil:knife"
+    wrong = client.post("/api/explore/around", json={"id": "onionn"})
+    assert wrong.status_code == 404
+    assert wrong.json()["error"]["hint"].startswith("Did you mean onion")

@@ -24,8 +24,8 @@ from world.kitchen_things import VESSELS
 from world.kitchen_walk import walks, without_numbers
 
 from foon_kg.model import ObjectNode
-from foon_kg.model.tree import TreeUnit
-from foon_kg.validation import TABLE, WORLD, TaskTree, check
+from foon_kg.model.tree import TaskTree, TreeUnit
+from foon_kg.validation import TABLE, WORLD, check
 from foon_kg.validation.notation import read_tree, write_tree
 from foon_kg.world import Mention, Step, World
 

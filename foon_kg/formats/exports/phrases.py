@@ -45,6 +45,11 @@ def with_object(verb: str, thing: str) -> str:
     return f"{' '.join(words)} {thing}"
 
 
+def motion_said(verb: str) -> str:
+    """Return a motion alone as it is said: ``put``, ``rise``."""
+    return _said("motions").get(verb, verb).removeprefix("let \u2026 ")
+
+
 def joined_by(verb: str) -> str | None:
     """Return what stands between a thing and the other one it is joined to or taken from (attach: to), or None."""
     return _said("joins").get(verb)
@@ -60,7 +65,7 @@ def in_words(verb: str, states: Iterable[str]) -> tuple[str, str]:
     """
     if verb.rsplit(maxsplit=1)[-1] in _PARTS:
         return "", ""
-    silent, shapes = shipped("speech")["states"]["goes without saying"], _said("shapes")
+    silent, shapes = _unsaid(), _said("shapes")
     told = [state for state in states if not is_place(state) and state not in silent and not _is_said_by(verb, state)]
     manner = next((state for state in told if _is_manner(verb, state)), "")
     cut = listed(shapes[state] for state in told if state in shapes)
@@ -115,3 +120,9 @@ def resting_in(label: str) -> str:
 @cache
 def _said(table: str) -> Mapping[str, str]:
     return dict(shipped("speech")[table])
+
+
+@cache
+def _unsaid() -> frozenset[str]:
+    """Return the states that go without saying."""
+    return frozenset(shipped("speech")["states"]["goes without saying"])

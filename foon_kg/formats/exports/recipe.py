@@ -7,10 +7,12 @@ from urllib.parse import quote, urlsplit
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.exports.tree import ExportedTree
+from foon_kg.formats.substitution import handled
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen, is_place
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 _MARKUP = frozenset("\\`*_[]<>#|~&!")
 _IN_LINKS = "/:?=&%#+,;@~-._"
@@ -67,7 +69,7 @@ def _notes(result: PlanResult) -> list[list[str]]:
 
 def _substituted(one: Substitution) -> str:
     if one.kind == "object":
-        return f"{one.required} {one.how} (confidence {one.confidence:.2f})"
+        return f"{one.required} {handled(one)} (confidence {one.confidence:.2f})"
     if one.kind == "state":
         said = f"{one.object} is {one.required}"
     else:

@@ -8,7 +8,7 @@ into the bowl), foods change where they are (chop the onion on the cutting board
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from foon_kg.food import motions
 from foon_kg.food.lists import word_list
@@ -24,6 +24,7 @@ from foon_kg.formats.exports.phrases import (
     with_object,
 )
 from foon_kg.model import UNMEASURED, FunctionalUnit, Measures, ObjectNode
+from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.measures import measured_words
 
@@ -31,22 +32,33 @@ _PLACES = frozenset({"in", "inside", "on", "over", None})
 _FEW = 3
 
 
-def sentence(unit: FunctionalUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
+MOST_SAID = 1 << 12
+"""For how many units it is kept how they are said: steps come again in many plans."""
+
+
+def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
     """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
-    said = _Reading(unit, kitchen).said() + measured_words(measures, unit.motion)
+    said = _said(unit.input_nodes, unit.motion, unit.output_nodes, kitchen) + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
 
-class _Reading:
-    """What ``unit`` changes, and the words for it."""
+@lru_cache(maxsize=MOST_SAID)
+def _said(inputs: tuple[ObjectNode, ...], motion: str, outputs: tuple[ObjectNode, ...], kitchen: Kitchen) -> str:
+    return _Reading(inputs, motion, outputs, kitchen).said()
 
-    def __init__(self, unit: FunctionalUnit, kitchen: Kitchen) -> None:
+
+class _Reading:
+    """What a unit changes, and the words for it."""
+
+    def __init__(
+        self, inputs: tuple[ObjectNode, ...], motion: str, outputs: tuple[ObjectNode, ...], kitchen: Kitchen
+    ) -> None:
         self._kitchen = kitchen
-        self._verb, self._inputs, self._outputs = unit.motion, unit.input_nodes, unit.output_nodes
-        self._foods = [node for node in unit.input_nodes if kitchen.is_food(node)]
-        self._utensils = [node for node in unit.input_nodes if not kitchen.is_food(node)]
-        self._food_made = [node for node in unit.output_nodes if kitchen.is_food(node)]
-        self._changed = [node for node in unit.input_nodes if node not in unit.output_nodes]
+        self._verb, self._inputs, self._outputs = motion, inputs, outputs
+        self._foods = [node for node in inputs if kitchen.is_food(node)]
+        self._utensils = [node for node in inputs if not kitchen.is_food(node)]
+        self._food_made = [node for node in outputs if kitchen.is_food(node)]
+        self._changed = [node for node in inputs if node not in outputs]
 
     def said(self) -> str:
         """Return the sentence as it begins in the middle of a text."""

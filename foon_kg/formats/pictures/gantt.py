@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.pictures.svg import (
     Line,
     as_text,
@@ -19,7 +20,7 @@ from foon_kg.formats.pictures.svg import (
 )
 from foon_kg.formats.views.schedule import CAUTION, clock, seen_words, summary
 from foon_kg.formats.views.shown_tree import ShownTree
-from foon_kg.formats.views.words import handled
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import Schedule, ScheduledStep
 
 WIDTH = 1180.0
@@ -126,19 +127,17 @@ class _Sheet:
 
     def _write_name(self, row: ET.Element, step: ScheduledStep, foot: float) -> None:
         unit = self.tree.units[step.place]
-        number, motion = f"{step.place + 1} ", f"{unit.motion} "
-        room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width(number + motion, 13)
-        foods = wrapped(handled(unit.input_nodes), room, 12, most=1)
+        number, said = f"{step.place + 1} ", sentence(unit.as_unit(), Kitchen.default())
+        room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width(number, 13)
         text = element(row, "text", {"x": _EDGE, "y": foot, "font-size": 12})
-        for words, kind in ((number, "aside"), (motion, "verb"), (foods[0], "name")):
-            written = element(text, "tspan", {"font-weight": "bold"} if kind == "verb" else {}, kind)
-            written.text = writable(words)
+        for words, kind in ((number, "aside"), (wrapped(said, room, 12, most=1)[0], "name")):
+            element(text, "tspan", {}, kind).text = writable(words)
 
     def _words(self, step: ScheduledStep) -> str:
-        unit = self.tree.units[step.place]
+        said = sentence(self.tree.units[step.place].as_unit(), Kitchen.default())
         who = ITSELF if step.hands is None else f"pair of hands {step.hands + 1}"
         seen = f"seen {seen_words(step.duration)}" if step.duration else NEVER
-        what = f"step {step.place + 1}, {unit.motion} {handled(unit.input_nodes)}"
+        what = f"step {step.place + 1}, {said.rstrip('.')}"
         when = f"{clock(step.start)} to {clock(step.end)}" if step.end <= self.plan.known_until else "nobody knows when"
         return f"{when}: {what}; {who}; {seen}"
 

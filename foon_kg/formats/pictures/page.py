@@ -10,12 +10,13 @@ from urllib.parse import urlsplit
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.pictures.svg import writable
 from foon_kg.formats.pictures.tree import tree_svg
+from foon_kg.formats.substitution import done_like, handled
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN, shown_inputs, shown_outputs
 from foon_kg.model import ObjectNode, Sighting
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Substitution
 from foon_kg.plans.shopping import shopping_list
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
@@ -55,7 +56,9 @@ def page_of(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
         parts.append(_section("passed-over", "Nearer by their foods, and passed over", _list(nearer)))
     if tree.lines:
         parts.append(
-            _section("progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree)}</div>')
+            _section(
+                "progress", "Progress of each ingredient", f'<div class="wide">{progress_svg(tree.told_once())}</div>'
+            )
         )
     return (
         f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -116,9 +119,9 @@ def _span(kind: str, text: str, title: str = "") -> str:
 
 def _substitution(one: Substitution) -> str:
     if one.kind == "object":
-        told = f"{'! ' if one.for_want else ''}{_span('unseen', UNSEEN_SIGN + one.required)} {_text(one.how)}"
+        told = f"{'! ' if one.for_want else ''}{_span('unseen', UNSEEN_SIGN + one.required)} {_text(handled(one))}"
     else:
-        told = f"{_text(one.object)}: {_text(one.required)} where FOON has {_text(one.equivalent)}"
+        told = _text(done_like(one))
     others = ", ".join(f"{_text(other.name)} {other.confidence:.2f}" for other in one.alternatives)
     return f"<b>{one.confidence:.2f}</b> {told}" + (f' <span class="aside">or {others}</span>' if others else "")
 

@@ -23,8 +23,8 @@ from foon_kg.formats.pictures.svg import (
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import UNSEEN_SIGN
 from foon_kg.model import ObjectNode
+from foon_kg.model.claims import Substitution
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Substitution
 
 _TEXT_WIDTH = 150.0
 _EDGE = 24.0
@@ -43,9 +43,12 @@ _LEGEND = (
 )
 
 
-def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True) -> str:
-    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``."""
-    return as_text(_Picture.of(tree, kitchen, folded=folded).drawn())
+def tree_svg(tree: ShownTree, kitchen: Kitchen, *, folded: bool = True, headed: bool = True) -> str:
+    """Return the text of an SVG file that shows ``tree``; see :func:`scene_of` for ``folded``.
+
+    Its title and legend are left out where it is not ``headed``: a page that moves the picture tells them beside it.
+    """
+    return as_text(_Picture.of(tree, kitchen, folded=folded, head=_HEAD if headed else _EDGE).drawn())
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,10 @@ class _Picture:
     layout: Layout
     phases: Sequence[int]
     foods: Sequence[frozenset[str]]
+    head: float
 
     @classmethod
-    def of(cls, tree: ShownTree, kitchen: Kitchen, *, folded: bool) -> _Picture:
+    def of(cls, tree: ShownTree, kitchen: Kitchen, *, folded: bool, head: float) -> _Picture:
         scene = scene_of(tree.units, tree.goal, kitchen, folded=folded)
         words = _Words(tree, set())
         texts = [words.of_motion(box) if isinstance(box, MotionBox) else words.of_object(box) for box in scene.boxes]
@@ -67,17 +71,21 @@ class _Picture:
         phases = phases_of(scene)
         layout = banded(sizes, scene.arrows, phases) if len(set(phases)) > 1 else None
         foods = foods_of(scene, kitchen)
-        return cls(tree, scene, texts, sizes, layout or layered(sizes, scene.arrows), phases if layout else (), foods)
+        placed = layout or layered(sizes, scene.arrows)
+        return cls(tree, scene, texts, sizes, placed, phases if layout else (), foods, head)
 
     def drawn(self) -> ET.Element:
         width, height = self.layout.size
-        wide = max(width, _legend_width(self.tree), text_width(self.tree.title, 18)) + 2 * _EDGE
-        root = picture(wide, height + _HEAD + _EDGE, f"Task tree: {self.tree.title}")
+        headed = self.head == _HEAD
+        told = max(_legend_width(self.tree), text_width(self.tree.title, 18)) if headed else 0.0
+        wide = max(width, told) + 2 * _EDGE
+        root = picture(wide, height + self.head + _EDGE, f"Task tree: {self.tree.title}")
         _arrow_head(root)
-        write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
-        _draw_legend(root, self.tree)
+        if headed:
+            write_line(root, Line(self.tree.title, "name", 18, bold=True), _EDGE, 32, anchor="start")
+            _draw_legend(root, self.tree)
         self._draw_bands(root, wide)
-        stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {_HEAD})")
+        stage = ET.SubElement(root, "g", transform=f"translate({(wide - width) / 2:.1f} {self.head:g})")
         for arrow in self.scene.arrows:
             self._draw_arrow(stage, arrow)
         for place in range(len(self.scene.boxes)):
@@ -87,7 +95,7 @@ class _Picture:
     def _draw_bands(self, root: ET.Element, wide: float) -> None:
         """Draw what is made ready, cooked and served as bands from side to side, each with its name."""
         ends = [
-            (phase, y + _HEAD - height / 2, y + _HEAD + height / 2)
+            (phase, y + self.head - height / 2, y + self.head + height / 2)
             for phase, (_, y), (_, height) in zip(
                 self.phases, self.layout.middles, self.sizes, strict=bool(self.phases)
             )

@@ -8,10 +8,12 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.views.shown_tree import ShownTree
-from foon_kg.formats.views.words import ASIDE, handled, motion_words, node_words
+from foon_kg.formats.views.words import ASIDE, node_words
 from foon_kg.model import ObjectNode
 from foon_kg.plans.durations import Duration
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import Schedule, ScheduledStep
 
 HANDS = ("cyan", "yellow", "magenta", "blue")
@@ -86,8 +88,8 @@ def _hands(step: ScheduledStep) -> Text:
 
 
 def _step(tree: ShownTree, step: ScheduledStep) -> Text:
-    unit = tree.units[step.place]
-    return Text.assemble((f"{step.place + 1} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))
+    said = sentence(tree.units[step.place].as_unit(), Kitchen.default())
+    return Text.assemble((f"{step.place + 1} ", ASIDE), said.rstrip("."))
 
 
 def _seen(duration: Duration | None) -> Text:

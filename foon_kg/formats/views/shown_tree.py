@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
 
+from foon_kg.formats.views.lives import lives
 from foon_kg.model import ObjectNode, RequiredIngredient, Sighting, Subgraph
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit, leaves_of
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine, progress_lines
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,10 @@ class ShownTree:
         goal = marked[-1] if marked else subgraph.annotations[-1].unit.output_nodes[0]
         leaves = leaves_of(units)
         return cls(subgraph.name, units, goal, leaves, _lines_of_leaves(units, goal, leaves))
+
+    def told_once(self) -> Self:
+        """Return it with what several foods become part of in a line of its own."""
+        return replace(self, lines=lives(self.lines))
 
     @property
     def substitutions(self) -> tuple[Substitution, ...]:

@@ -12,6 +12,8 @@ from rich.table import Table
 from rich.text import Text
 
 from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.substitution import done_like, handled
+from foon_kg.formats.views.lives import lives
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import (
     ALARM,
@@ -29,10 +31,11 @@ from foon_kg.formats.views.words import (
     stage_words,
 )
 from foon_kg.model import ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.claims import Substitution
 from foon_kg.model.tree import TreeUnit
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import ProgressLine
-from foon_kg.plans.result import PlanResult, Substitution
+from foon_kg.plans.result import PlanResult
 
 WIDE = 140
 """From so many columns on, what belongs to the steps stands beside them."""
@@ -46,7 +49,7 @@ def plan_view(result: PlanResult) -> RenderableType:
 def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     """Return the same of any tree, as far as it is known; its steps as sentences, or ``as_units`` of the FOON."""
     unseen = frozenset(tree.unseen)
-    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in tree.kitchen), " · "))]
+    rest = [_section("Kitchen", in_a_row((node_words(n, unseen) for n in _at_hand(tree.kitchen)), " · "))]
     if tree.substitutions:
         rest.append(_section("Substitutions", _substitutions(tree.substitutions)))
     if tree.result and tree.result.assumptions:
@@ -54,12 +57,20 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     if tree.result and tree.result.passed_over:
         rest.append(_section("Nearer by their foods, and passed over", _passed_over(tree.result)))
     if tree.lines:
-        rest.append(_section("Progress of each ingredient", _progress(tree.lines, unseen)))
+        rest.append(_section("Progress of each ingredient", _progress(lives(tree.lines), unseen)))
     if unseen and not as_units:
         rest.append(Padding(Text(f"{UNSEEN_SIGN} no video of this FOON has it", ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
     steps = _units(tree.units, unseen) if as_units else _sentences(tree.units, unseen)
     return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
+
+
+def _at_hand(kitchen: Sequence[ObjectNode]) -> Iterator[ObjectNode]:
+    """Yield what has to be there; a packet is told by what is sold in it."""
+    within = {(node.label, node.container) for node in kitchen}
+    for node in kitchen:
+        if not node.ingredients or not all((food, node.label) in within for food in node.ingredients):
+            yield node
 
 
 def progress_view(tree: ShownTree) -> RenderableType:
@@ -111,7 +122,9 @@ def _asked(wanted: RequiredIngredient) -> Text:
 
 def _reference(result: PlanResult) -> Text:
     reference = result.reference
-    proven = "proven: none covers more, or as much in fewer" if reference.exact else "the best one found in time"
+    proven = (
+        "proven: no shorter way, and none that takes more of them" if reference.exact else "the best one found in time"
+    )
     covered = f"{reference.units} steps, {reference.overlap} of the {len(result.recipe.ingredients)} ingredients"
     seen = f" (video {', '.join(reference.videos)})" if reference.videos else ""
     if reference.draft_confidence is None:
@@ -134,7 +147,7 @@ def _sentences(units: Sequence[TreeUnit], unseen: frozenset[str]) -> Table:
     table = Table.grid(padding=(0, 1))
     table.add_column(justify="right", style=ASIDE)
     for number, unit in enumerate(units, start=1):
-        text = Text(_marked(sentence(unit.as_unit(), kitchen, unit.measures), unseen))
+        text = Text(_marked(sentence(unit, kitchen, unit.measures), unseen))
         text.highlight_words([f"{UNSEEN_SIGN}{name}" for name in unseen], UNSEEN, case_sensitive=False)
         table.add_row(str(number), _with_source(text, unit))
     return table
@@ -190,11 +203,11 @@ def _substitutions(substitutions: tuple[Substitution, ...]) -> Table:
 
 def _substitution(one: Substitution) -> Text:
     if one.for_want:
-        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {one.how}", ALARM))
+        return Text.assemble(("! ", ALARM), (UNSEEN_SIGN + one.required, UNSEEN), (f" {handled(one)}", ALARM))
     if one.kind == "object":
-        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {one.how}")
+        text = Text.assemble((UNSEEN_SIGN + one.required, UNSEEN), f" {handled(one)}")
     else:
-        text = Text(f"{one.object}: {one.required} where FOON has {one.equivalent}")
+        text = Text(done_like(one))
     others = ", ".join(f"{other.name} {other.confidence:.2f}" for other in one.alternatives)
     return text.append(f"  or {others}", ASIDE) if others else text
 

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from foon_kg.model import ObjectNode, Recipe
+from foon_kg.model.claims import Assumption
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.model.knowledge import KnowledgeView
 from foon_kg.model.tree import TreeUnit, leaves_of
@@ -20,7 +21,7 @@ from foon_kg.planning.paper.final import construct_final_task_tree, made_for
 from foon_kg.planning.paper.reference import MOST_PATHS, Knowledge, identify_goal_node, retrieve_reference_task_tree
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.progress import progress_lines
-from foon_kg.plans.result import Assumption, PlanResult, ReferenceSummary
+from foon_kg.plans.result import PlanResult, ReferenceSummary
 from foon_kg.similarity import Similarity, cosine_similarity
 
 __all__ = ["MOST_PATHS", "plan_by_the_paper"]

@@ -6,13 +6,13 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import ObjectNode, RequiredIngredient
+from foon_kg.model.claims import Alternative, Substitution, SubstitutionKind
 from foon_kg.model.errors import NoTreeError
 from foon_kg.model.knowledge import Neighbour, Vocabulary
 from foon_kg.model.names import canonical
 from foon_kg.model.tree import Step, TreeUnit
 from foon_kg.planning.paper.reference import Knowledge
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.result import Alternative, Substitution, SubstitutionKind
 from foon_kg.search import NoWayError, ReferenceTree, SearchProblem, retrieve
 from foon_kg.similarity import Similarity
 

@@ -64,15 +64,21 @@ class Connection:
         return bookmarks_of(self.settings)
 
     @contextmanager
-    def session(self, *, writing: bool = False, warned: bool = False) -> Iterator[neo4j.Session]:
+    def session(
+        self, *, writing: bool = False, warned: bool = False, at_once: int | None = None
+    ) -> Iterator[neo4j.Session]:
         """Open a session. Whatever the driver raises becomes a GraphError.
 
         Of a cluster, reads go to followers, and see what programs of this user wrote (:mod:`bookmarks`).
 
-        Who wants to be ``warned`` finds in the summaries what the server finds odd about a question.
+        Who wants to be ``warned`` finds in the summaries what the server finds odd about a question. ``at_once`` says
+        how many rows the server sends without being asked for more, where that is not what the driver has chosen.
         """
-        told: dict[str, Any] = {"notifications_min_severity": neo4j.NotificationMinimumSeverity.WARNING}
+        told: dict[str, Any] = {}
+        if at_once is not None:
+            told["fetch_size"] = at_once
         if warned:
+            told["notifications_min_severity"] = neo4j.NotificationMinimumSeverity.WARNING
             logging.getLogger("neo4j.notifications").setLevel(logging.ERROR)  # who asks reads them, and tells them
         mode = neo4j.WRITE_ACCESS if writing else neo4j.READ_ACCESS
         with (
@@ -81,7 +87,7 @@ class Connection:
                 database=self.settings.database,
                 default_access_mode=mode,
                 bookmark_manager=self._bookmarks,
-                **(told if warned else {}),
+                **told,
             ) as session,
         ):
             yield session

@@ -19,6 +19,7 @@ from neo4j import exceptions as driver_errors
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.cypher_faults import told_error, unknown_names
+from foon_kg.store.graph.incoming import bound, too_much_came
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking
 from foon_kg.store.graph.preface import unplanned
@@ -34,6 +35,12 @@ GRACE = 2.0
 
 MOST_BYTES = 16_000_000
 """How large an answer may be."""
+
+MOST_ON_THE_WIRE = 2 * MOST_BYTES
+"""So much of it is read: what a row holds is known only once it is there whole."""
+
+MOST_AT_ONCE = 1_000
+"""Rows that the server sends without being asked for more."""
 
 _REFUSED_OPERATORS = ("AdministrationCommand", "LoadCSV", "Show", "Terminate", "Transaction")
 _SHOWN = frozenset({"ShowIndexes", "ShowConstraints"})
@@ -82,7 +89,7 @@ def ask_freely(
         text, endable = "".join(piece.text for piece in pieces), interruptible(pieces)
 
     def ask() -> Answer:
-        with connection.session(writing=write, warned=True) as session:
+        with connection.session(writing=write, warned=True, at_once=min(limit + 1, MOST_AT_ONCE)) as session:
             try:
                 planned = _planned(session, text, typed, parameters, timeout, write=write)
                 if planned is not None and planned.mode == "explain":
@@ -94,7 +101,9 @@ def ask_freely(
                 return replace(answer, columns=columns, warnings=planned.warnings)
             except driver_errors.Neo4jError as error:
                 raise _explained(error, endable, timeout) from error
-            except driver_errors.SessionExpired as error:
+            except (driver_errors.SessionExpired, driver_errors.ServiceUnavailable) as error:
+                if too_much_came(error):
+                    raise _too_large() from error
                 raise GraphError(
                     "the server ended while it was at this question, most likely because it needed too much memory",
                     hint="Ask for less. foon-kg's own server starts again with the next command.",
@@ -131,7 +140,10 @@ def _within(seconds: float, ask: Callable[[], Answer], late: GraphError) -> Answ
 def _late(timeout: float, *, stubborn: bool = False) -> GraphError:
     hint = "Ask for less, or allow more with --timeout."
     if stubborn:
-        hint += " The server does not let go of this question: “foon server stop” ends it, if it is foon-kg's own."
+        hint += (
+            " The server does not let go of this question. foon-kg's own is started again for it within two minutes, "
+            "once nobody else is at work; “foon server stop” ends it at once."
+        )
     return GraphError(f"no answer within {timeout:g} seconds", hint=hint, code="timeout")
 
 
@@ -185,24 +197,29 @@ def _answered_plan(
 def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float) -> Answer:
     result = session.run(_typed(text, timeout), dict(parameters or {}))
     columns, records, size = tuple(result.keys()), [], 0
-    for record in result:
-        size += sum(map(_size, record.values()))
-        if size > MOST_BYTES:
-            raise GraphError(
-                f"the answer is larger than {MOST_BYTES // 1_000_000} MB",
-                hint="Ask for fewer rows or columns, or for counts.",
-                code="too-much",
-            )
-        records.append(record)
-        if len(records) > limit:
-            break
-    summary = result.consume()
+    with bound(session, MOST_ON_THE_WIRE):
+        for record in result:
+            size += sum(map(_size, record.values()))
+            if size > MOST_BYTES:
+                raise _too_large()
+            records.append(record)
+            if len(records) > limit:
+                break
+        summary = result.consume()
     counters = vars(summary.counters)
     if summary.profile:
         return _answered_plan(summary.profile, (), limit, profiled=True)
     changes = {name: count for name, count in sorted(counters.items()) if type(count) is int and count}
     rows = tuple(tuple(record.values()) for record in records[:limit])
     return Answer(columns, rows, len(records) > limit, changes)
+
+
+def _too_large() -> GraphError:
+    return GraphError(
+        f"the answer is larger than {MOST_BYTES // 1_000_000} MB",
+        hint="Ask for fewer rows or columns, or for counts.",
+        code="too-much",
+    )
 
 
 def _size(value: object) -> int:

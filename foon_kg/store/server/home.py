@@ -89,6 +89,11 @@ class Home:
         return self.root / "run" / "watch.lock"
 
     @property
+    def started_again(self) -> Path:
+        """The line that says when and why the server was last ended and started by itself."""
+        return self.root / "run" / "started-again.txt"
+
+    @property
     def memory_file(self) -> Path:
         """The JSON of ``Memory``."""
         return self.root / "run" / "server.json"

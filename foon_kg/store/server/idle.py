@@ -4,6 +4,10 @@ Bolt connections are numbered by the server, one after another. The watcher look
 its own: if others are open, or the numbers have moved on by more than its own visit, somebody has used the server
 since, with foon or with any driver. A driver that stays open counts as use. Beside that, the watcher makes the start-up
 cache, in the first quiet moment.
+
+It also ends a server that does not let go of a question: one that was told to end and still runs at the next look would
+keep a processor for ever, for there are expressions that no Neo4j interrupts. That waits until nobody else is at work,
+and the server is started again at once.
 """
 
 from __future__ import annotations
@@ -11,12 +15,14 @@ from __future__ import annotations
 import os
 import sys
 import time
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import psutil
 from filelock import FileLock
 
+from foon_kg.model.kept import write_private
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.home import Home, Memory
 from foon_kg.store.server.lifecycle import stop_locked
@@ -27,18 +33,32 @@ from foon_kg.store.settings import ConnectionSettings
 LOOK_SECONDS = 60.0
 NICE = 19
 VISIT = "foon-kg-idle-watch"
+CONNECTIONS = "CALL dbms.listConnections() YIELD connectionId, userAgent RETURN connectionId, userAgent"
+TRANSACTIONS = "SHOW TRANSACTIONS YIELD transactionId, connectionId, status, currentQuery"
+MOST_TOLD = 200
+"""Characters of a question that are told."""
 
 
 @dataclass(frozen=True, slots=True)
 class Visit:
-    """What one look showed: the number of the newest Bolt connection (our own), and how many others are open."""
+    """What one look showed: the ``newest`` Bolt connection's number (our own), and how many ``others`` are open."""
 
     newest: int
     others: int
+    stuck: Mapping[str, str] = field(default_factory=dict)
+    """Of each transaction that was told to end and has not ended, what it asks."""
+
+    busy: bool = False
+    """Whether other transactions run."""
 
     def saw_use(self, before: Visit) -> bool:
         """Say whether anybody else was there since the look before."""
         return self.others > 0 or self.newest > before.newest + 1
+
+    def still_stuck(self, before: Visit) -> str | None:
+        """Return a question that was to end before the look before and has not, where nobody else is at work."""
+        both = sorted(self.stuck.keys() & before.stuck.keys())
+        return self.stuck[both[0]] if both and not self.busy else None
 
 
 def visit(settings: ConnectionSettings) -> Visit | None:
@@ -47,17 +67,19 @@ def visit(settings: ConnectionSettings) -> Visit | None:
     from neo4j.exceptions import DriverError, Neo4jError  # noqa: PLC0415 - the same
 
     auth = (settings.user, settings.password)
-    query = "CALL dbms.listConnections() YIELD connectionId, userAgent RETURN connectionId, userAgent"
     try:
         with (
             neo4j.GraphDatabase.driver(settings.uri, auth=auth, user_agent=VISIT) as driver,
             driver.session(database=settings.database) as session,
         ):
-            rows = list(session.run(query))
+            rows = list(session.run(CONNECTIONS))
+            ours = {row["connectionId"] for row in rows if row["userAgent"] == VISIT}
+            running = [row for row in session.run(TRANSACTIONS) if row["connectionId"] not in ours]
     except (DriverError, Neo4jError):
         return None
-    others = [row for row in rows if row["userAgent"] != VISIT]
-    return Visit(max(int(row["connectionId"].rpartition("-")[2]) for row in rows), len(others))
+    stuck = {row["transactionId"]: row["currentQuery"] for row in running if row["status"].startswith("Terminated")}
+    newest = max(int(row["connectionId"].rpartition("-")[2]) for row in rows)
+    return Visit(newest, len(rows) - len(ours), stuck, busy=len(running) > len(stuck))
 
 
 def watch(place: Home, server: psutil.Process, settings: ConnectionSettings) -> None:
@@ -73,6 +95,8 @@ def watch(place: Home, server: psutil.Process, settings: ConnectionSettings) -> 
         elif not quiet:
             quiet = True
             the_startup_cache().make()
+        if now and before and (asked := now.still_stuck(before)) and _start_again(place, server, asked):
+            break
         before = now or before
         if limit and time.monotonic() - used >= limit and _stop_unless_wanted(place, server, seconds=limit):
             break
@@ -101,6 +125,22 @@ def _stop_unless_wanted(place: Home, server: psutil.Process, *, seconds: float) 
     with place.locked():
         asked = place.used.stat().st_mtime if place.used.exists() else 0.0
         return time.time() - asked >= seconds and _memory_of(place, server) is not None and stop_locked(place)
+
+
+def _start_again(place: Home, server: psutil.Process, asked: str) -> bool:
+    """End a server that does not let go of what it was ``asked``, and start it again where it was."""
+    from foon_kg.store.server.starting import launch  # noqa: PLC0415 - seldom needed
+
+    with place.locked():
+        known = _memory_of(place, server)
+        if known is None:
+            return False
+        told = f"{asked[:MOST_TOLD]}{'…' if len(asked) > MOST_TOLD else ''}"
+        when = time.strftime("%Y-%m-%d %H:%M:%S")
+        write_private(place.started_again, f"{when}: it did not let go of a question: {' '.join(told.split())}\n")
+        stop_locked(place)
+        launch(place, replace(known, pid=None), print, explicit_port=False)
+    return True
 
 
 def main(root: str, pid: str) -> None:

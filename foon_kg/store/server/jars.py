@@ -60,6 +60,10 @@ class JarSet:
         present = (jar for jar in self.jars if (folder / jar.name).exists())
         return tuple(jar for jar in present if sha256_of(folder / jar.name) != jar.sha256)
 
+    def hashes(self) -> dict[str, str]:
+        """Return the SHA-256 that each file has to have, by its name."""
+        return {jar.name: jar.sha256 for jar in self.jars}
+
     def class_path(self, folder: Path) -> tuple[Path, ...]:
         """Return the files in ``folder`` in the order in which Java must see them."""
         return tuple(folder / jar.name for jar in self.jars)

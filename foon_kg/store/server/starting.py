@@ -21,6 +21,7 @@ from foon_kg.store.server.jars import JarSet, pinned
 from foon_kg.store.server.java import java
 from foon_kg.store.server.launch import launched
 from foon_kg.store.server.startup_cache import StartupCache, the_startup_cache
+from foon_kg.store.server.verified import other_than
 from foon_kg.store.settings import ConnectionSettings
 
 
@@ -39,11 +40,10 @@ def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Con
     java()
     cache = the_startup_cache()
     jar_set, folder = cache.jar_set, cache.folder
-    if missing := jar_set.missing(folder):
-        size = sum(jar.size for jar in missing) / 1e6
-        say(f"fetching Neo4j {jar_set.version} into {folder}: {len(missing)} files, {size:.0f} MB, only this once")
-        with _fetching():
-            fetch(jar_set, folder)
+    _fetch_what_is_not_there(jar_set, folder, say)
+    if not cache.is_as_made():
+        say("the start-up cache is not as it was made: it is taken away, and made anew in a quiet moment")
+        cache.discard()
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)
     try:
@@ -55,6 +55,19 @@ def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Con
             raise
         say(f"{error.message}; starting again without the start-up cache")
         return _launch_on(place, port, memory, cache)
+
+
+def _fetch_what_is_not_there(jar_set: JarSet, folder: Path, say: Say) -> None:
+    """Fetch the files that are not there, and those that somebody has changed since they were compared."""
+    for name in other_than(folder, jar_set.hashes()):
+        say(f"{folder / name} is not what was pinned: it is taken away and fetched again")
+        with explain_os_error(f"cannot take away {folder / name}"):
+            (folder / name).unlink(missing_ok=True)
+    if missing := jar_set.missing(folder):
+        size = sum(jar.size for jar in missing) / 1e6
+        say(f"fetching Neo4j {jar_set.version} into {folder}: {len(missing)} files, {size:.0f} MB, only this once")
+        with _fetching():
+            fetch(jar_set, folder)
 
 
 def _launch_on(place: Home, port: int, memory: Memory, cache: StartupCache) -> ConnectionSettings:

@@ -7,7 +7,6 @@ whole start and stop, so it is done on a throw-away home, in the background, by 
 from __future__ import annotations
 
 import hashlib
-import os
 import shutil
 import subprocess
 import tempfile
@@ -19,15 +18,17 @@ import psutil
 from filelock import FileLock, Timeout
 
 from foon_kg.model.errors import FoonError, ServerError
-from foon_kg.model.kept import cache_folder
+from foon_kg.model.kept import cache_folder, write_private
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.home import Home
-from foon_kg.store.server.jars import JarSet, pinned
+from foon_kg.store.server.jars import JarSet, pinned, sha256_of
 from foon_kg.store.server.java import FLAGS, java, java_version, write_arguments
 from foon_kg.store.server.launch import launched
+from foon_kg.store.server.verified import other_than
 from foon_kg.store.settings import ConnectionSettings
 
 UNUSED_SECONDS = 60 * 86_400
+DIGEST = ".sha256"
 TRAINING_PREFIX = "training-"
 TRAINING = (
     "CREATE CONSTRAINT IF NOT EXISTS FOR (n:Training) REQUIRE n.key IS UNIQUE",
@@ -62,17 +63,30 @@ class StartupCache:
         """The lock of whoever makes a cache."""
         return cache_folder() / "startup.lock"
 
+    @property
+    def digest(self) -> Path:
+        """The file that says what the SHA-256 of the cache was when it was made; its time is that of the last use."""
+        return self.file.with_suffix(DIGEST)
+
     def flags(self) -> list[str]:
         """Return the Java flags that use the cache, none while there is no cache."""
         if not self.file.exists():
             return []
-        os.utime(self.file)  # a cache in use is not swept away
+        self.digest.touch()  # a cache in use is not swept away
         return [f"-XX:AOTCache={self.file}"]
+
+    def is_as_made(self) -> bool:
+        """Say whether the cache, if there is one, has the content that it was made with."""
+        if not self.file.exists():
+            return True
+        made = self.digest.read_text(encoding="utf-8") if self.digest.exists() else ""
+        return not other_than(cache_folder(), {self.file.name: made})
 
     def discard(self) -> bool:
         """Remove the cache; return whether there was one."""
         there = self.file.exists()
         self.file.unlink(missing_ok=True)
+        self.digest.unlink(missing_ok=True)
         return there
 
     def state(self) -> str:
@@ -104,6 +118,7 @@ class StartupCache:
             _sweep()
             self._record(recording)
             self._build(recording, draft)
+            write_private(self.digest, sha256_of(draft))
             draft.replace(self.file)
         finally:
             recording.unlink(missing_ok=True)
@@ -144,9 +159,10 @@ def the_startup_cache() -> StartupCache:
 
 def _sweep() -> None:
     """Remove caches that nobody uses any more, and what a training that was killed has left behind."""
-    for cache in cache_folder().glob("startup-*.aot"):
-        if cache.stat().st_mtime < time.time() - UNUSED_SECONDS:
-            cache.unlink()
+    for digest in cache_folder().glob(f"startup-*{DIGEST}"):
+        if digest.stat().st_mtime < time.time() - UNUSED_SECONDS:
+            digest.with_suffix(".aot").unlink(missing_ok=True)
+            digest.unlink()
     for folder in cache_folder().glob(f"{TRAINING_PREFIX}*"):
         if left := processes.find(Home(folder), None):
             processes.end(left)

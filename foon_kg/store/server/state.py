@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.home import Memory, home
@@ -26,6 +27,8 @@ class Status:
     password_file: str
     log_file: str
     startup_cache: str
+    started_again: str | None
+    """When and why it was ended and started by itself, the last time that was so."""
 
 
 def status() -> Status:
@@ -46,4 +49,12 @@ def status() -> Status:
         password_file=str(place.password_file),
         log_file=str(place.console_log),
         startup_cache=the_startup_cache().state(),
+        started_again=_line(place.started_again),
     )
+
+
+def _line(file: Path) -> str | None:
+    try:
+        return file.read_text(encoding="utf-8").strip()
+    except OSError:
+        return None

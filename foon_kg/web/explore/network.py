@@ -6,6 +6,7 @@ the same whether that came from files or from Neo4j; the indexes are made when t
 
 from __future__ import annotations
 
+import difflib
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
@@ -65,6 +66,9 @@ class Filters:
 
 NO_FILTERS = Filters()
 
+_CALLED: tuple[ThingKind, ...] = ("food", "utensil", "motion", "dish", "video")
+"""What a name alone may be the name of, in this order."""
+
 K = TypeVar("K")
 V = TypeVar("V")
 
@@ -77,15 +81,23 @@ class Network:
         self.kitchen = snapshot.kitchen
 
     def thing(self, name: str) -> Thing:
-        """Return the thing with the id ``name``; raises UnknownError where there is none."""
+        """Return the thing with the id ``name``, else the one of that name; raises UnknownError where there is none."""
         made = self._made.get(name)
         if made is not None:
             return made
         if not self.has(name):
-            raise UnknownError(f"this FOON has no “{name}”", hint="Search for it: /api/explore/search finds ids.")
+            called = next((one for kind in _CALLED if self.has(one := f"{kind}:{name}")), None)
+            if called is None:
+                raise UnknownError(f"this FOON has no “{name}”", hint=self._meant(name))
+            return self.thing(called)
         kind, _, rest = name.partition(":")
         made = self._made[name] = self._make(cast("ThingKind", kind), rest)
         return made
+
+    def _meant(self, name: str) -> str:
+        known = [other for kind in _CALLED for other in self.names(kind)]
+        near = difflib.get_close_matches(name, known, n=2)
+        return f"Did you mean {' or '.join(near)}?" if near else "Search for a part of its name."
 
     def has(self, name: str) -> bool:
         """Return whether there is a thing with the id ``name``."""

@@ -24,7 +24,6 @@ export const fromAddress = (address = location.hash) => {
   const with_drafts = fields.has("drafts");
   const [ingredients, avoid, kitchen] = ["with", "without", "have"].map((name) => fields.getAll(name));
   return {
-    look: fields.get("look"),
     view: fields.get("view") ?? "",
     step: Number.parseInt(fields.get("step"), 10) || null,
     other: fields.get("other") ?? "",

@@ -129,4 +129,4 @@ const things = (plan) => buying(plan, plain).map((told, i) => {
   return [`${label} ${plan.shopping.slice(0, i).filter((one) => one.label === label).length}`, told.join("").trim()];
 });
 const stands = (plan) => plan.substitutions.map((one) => [`${one.kind} ${one.object} ${one.kind === "object" ? "" : one.required}`,
-  one.kind === "object" ? `${one.object} like ${one.equivalent} ${one.confidence.toFixed(2)}` : `${one.object} ${one.required} for ${one.equivalent} ${one.confidence.toFixed(2)}`]);
+  one.kind === "object" ? `${one.object} like ${one.equivalent} ${one.confidence.toFixed(2)}` : `${one.required} ${one.object} like ${one.equivalent} ${one.object} ${one.confidence.toFixed(2)}`]);

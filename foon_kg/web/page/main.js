@@ -1,11 +1,9 @@
-// The page: what its address asks is shown (the opening, a plan in one of its views, what could be made, an object), and
+// The page: what its address asks is shown (the opening, a plan in one of its views, what could be made), and
 // whatever is asked by hand becomes an address first.
 
 import { fromAddress, toAddress } from "./address.js";
 import * as api from "./api.js";
-import { aroundView } from "./around.js";
 import { chipField } from "./chips.js";
-import { combobox } from "./combobox.js";
 import { element, errorNotice } from "./element.js";
 import { examplesView, knows, recentView, remember } from "./opening.js";
 import { planPage, suggestionsView } from "./plan.js";
@@ -17,7 +15,6 @@ const say = (text) => { status.textContent = text; };
 const foods = chipField(ingredient, at("wanted"), { most: 60, say });
 const wished = wishes(say);
 const goTo = (address) => { if (location.hash === address) follow(true); else location.hash = address; };
-const looked = combobox(at("object"), (text) => goTo(`#look=${encodeURIComponent(text)}`));
 let turn = 0;
 let [examples, empty] = [null, false];
 let shown = { key: "", show: () => {}, leave: () => {} }; // the answer that is there, by what was asked
@@ -87,24 +84,6 @@ const suggest = (key) => answer("Looking at every dish …", key, () => api.sugg
   return { parts: suggestionsView(told, (dishType) => { dish.value = dishType; plan(); }) };
 });
 
-const look = async (label) => {
-  at("object").value = label;
-  looked.close();
-  const around = at("around");
-  document.title = `${label || "Look around"} · foon`;
-  if (!label) return at("object").focus();
-  around.replaceChildren(element("p", { class: "aside" }, "Looking …"));
-  try {
-    around.replaceChildren(...aroundView(await api.around(label)));
-  } catch (error) {
-    if (!(error instanceof api.Refusal)) throw error;
-    around.replaceChildren(errorNotice(error));
-    if (error.status === 401) askToken();
-  }
-  scrollTo({ top: 0 });
-  around.focus({ preventScroll: true });
-};
-
 const openingShown = async () => {
   result.replaceChildren();
   document.title = "foon: task trees for cooking";
@@ -120,17 +99,15 @@ const openingShown = async () => {
 // Show what the address asks; `again`: ask it again, though its answer is there.
 const follow = (again = false) => {
   const asked = fromAddress();
-  const page = asked.look !== null ? "look" : asked.ingredients.length ? "plan" : "home";
+  const page = asked.ingredients.length ? "plan" : "home";
   document.body.dataset.page = page;
   at("opening").hidden = page !== "home";
-  at("plan").hidden = at("look").hidden = false;
-  at(page === "look" ? "plan" : "look").hidden = true;
   result.hidden = page !== "plan";
   if (page !== "plan") {
     turn += 1; // what still comes is for a page that is no longer there
     shown.leave?.();
     shown = { key: "" };
-    return page === "look" ? look(asked.look) : openingShown();
+    return openingShown();
   }
   const key = toAddress(asked.question, asked.view === "make" ? "make" : "");
   if (!again && key === shown.key) return shown.show?.(asked);
@@ -182,11 +159,6 @@ at("clear").addEventListener("click", () => {
   say("All ingredients are removed.");
   ingredient.focus();
 });
-at("find").addEventListener("submit", (event) => {
-  event.preventDefault();
-  const label = at("object").value.trim();
-  if (label) goTo(`#look=${encodeURIComponent(label)}`);
-});
 at("token-form").addEventListener("submit", (event) => {
   event.preventDefault();
   api.keepToken(at("token-text").value.trim());
@@ -194,7 +166,7 @@ at("token-form").addEventListener("submit", (event) => {
 });
 at("skip").addEventListener("click", (event) => { // an address of its own would lead away from the plan
   event.preventDefault();
-  at(document.body.dataset.page === "look" ? "around" : result.hidden ? "opening" : "result").focus();
+  at(result.hidden ? "opening" : "result").focus();
 });
 addEventListener("hashchange", () => follow());
 api.tokenFromAddress();

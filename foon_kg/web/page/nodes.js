@@ -2,7 +2,7 @@
 
 import { element } from "./element.js";
 
-const lookAt = (label) => `#look=${encodeURIComponent(label)}`;
+const lookAt = (label) => `explore#at=${encodeURIComponent(label)}`;
 
 export const nodeWords = (node, unseen = new Map()) => {
   const like = unseen.get(node.label);

@@ -23,9 +23,8 @@ const chart = (text, one) =>
 
 const table = (plan, one) => {
   const row = (step) => {
-    const unit = plan.units[step.unit];
     return element("tr", {}, ...[when(one, step.start), when(one, step.end), step.hands === null ? "by itself" : String(step.hands + 1),
-      `${step.unit + 1} ${unit.motion_node} ${unit.input_nodes.map((node) => node.label).join(", ")}`, seen(step.duration)].map((words) => element("td", {}, words)));
+      `${step.unit + 1}. ${plan.sentences[step.unit]}`, seen(step.duration)].map((words) => element("td", {}, words)));
   };
   const head = ["From", "To", "Hands", "Step", "Seen"].map((words) => element("th", { scope: "col" }, words));
   return element("details", {}, element("summary", {}, "The same as a table"),

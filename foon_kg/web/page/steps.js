@@ -54,8 +54,9 @@ export const evidence = (plan, i) => {
 
 const step = (plan, i, { unseen, to }) => {
   const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
-  return element("li", { "data-step": i + 1 }, ...marked(plan.sentences[i], unseen), element("div", { class: "where" }, ...evidence(plan, i),
-      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`))),
+  return element("li", { "data-step": i + 1 },
+    element("div", { class: "step" }, element("span", {}, ...marked(plan.sentences[i], unseen)), element("div", { class: "where" }, ...evidence(plan, i),
+      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`)))),
     element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
 };
 
@@ -64,10 +65,10 @@ export const stepsView = (plan, { unseen, to }) => {
   const own = element("button", { type: "button", class: "small", "aria-pressed": "false", onclick: () => {
     own.setAttribute("aria-pressed", String(steps.classList.toggle("formulas")));
   } }, "In the FOON's own words");
-  const like = [...unseen].map(([name, one]) => `~${name} is handled like ${one.equivalent}`).join(", ");
+  const like = [...unseen].map(([name, one]) => `~${name} handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `; ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},

@@ -28,7 +28,9 @@ export const treeView = (plan, { to, unseen }) => {
     if (number) location.hash = to("tree", number);
   });
   const foods = follow(box, plan.progress_lines.map((line) => line.ingredient), unseen);
-  const part = element("section", {}, foods, element("div", { class: "beside tree" }, element("div", {}, ...parts), steps),
+  const keys = [["kitchen", "from the kitchen"], ["motion", "as a video has it"], ["changed", "as a video has it of another food"], unseen.size && ["unseen", "~ never seen so"]].filter(Boolean);
+  const legend = list(keys.map(([kind, words]) => element("li", {}, element("span", { class: `key ${kind}` }), words)), { class: "legend aside" });
+  const part = element("section", {}, foods, element("div", { class: "beside tree" }, element("div", {}, ...parts, legend), steps),
     heading(2, "The life of each ingredient"),
     element("div", { class: "wide", tabindex: "0", role: "group", "aria-label": "Progress lines" }, picture(plan.pictures.progress)));
   return { part, shown };

@@ -31,7 +31,7 @@ const others = ({ considered }, nearer, asked, to) => considered.filter((one) =>
 });
 
 // A food as it was asked: a state that nobody named is not told.
-const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.state) && text.includes(one.object)) ? foodAndState(one) : one.object);
+const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.includes(one.object) && text.replace(one.object, "").includes(one.state)) ? foodAndState(one) : one.object);
 
 const after = (plan, asked, { recipe, reference } = plan) => [
   element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
@@ -49,7 +49,7 @@ const substitutions = (plan, unseen, chosen, choose) => {
 const food = (one, all, chosen, choose) => {
   const also = all.filter((other) => other.kind === "object" && other.object === one.object && other !== one);
   const own = chosen.get(one.object) === one.equivalent;
-  const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " is handled like ",
+  const said = element("p", {}, element("span", { class: "unseen" }, `~${one.object}`), " handled like ",
     element("strong", {}, one.equivalent), " ", sure(one.confidence), own ? " (your choice)" : "",
     also.length ? element("span", { class: "aside" }, `, in single steps like ${inWords(also.map((other) => `${other.equivalent} ${other.confidence.toFixed(2)}`))}`) : "");
   const others = one.alternatives.filter((other) => other.name !== one.equivalent).map((other) =>
@@ -62,8 +62,7 @@ const food = (one, all, chosen, choose) => {
 };
 
 const word = (one) =>
-  element("p", {}, `${one.object}: `, element("span", { class: one.kind === "motion" ? "motion" : "state" }, one.required),
-    ` where the FOON has ${one.equivalent} `, sure(one.confidence),
+  element("p", {}, one.kind === "state" ? `${one.required} ${one.object} is made like ${one.equivalent} ${one.object} ` : `to ${one.required} the ${one.object} is done as to ${one.equivalent} it `, sure(one.confidence),
     one.alternatives.length ? ` (or ${one.alternatives.map((other) => other.name).join(", ")})` : "");
 
 const HOW = {

@@ -1,0 +1,120 @@
+"""What a task tree says of itself: what stands for what in it, and what is simply taken to be there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal, Self, get_args
+
+from foon_kg.model.json_fields import Fields, JsonObject
+from foon_kg.model.node_json import node_from_json, node_to_json
+from foon_kg.model.nodes import ObjectNode
+
+SubstitutionKind = Literal["object", "state", "motion", "tool", "vessel"]
+
+UNLIKE = 0.1
+"""Below this confidence a food is like nothing that is known."""
+
+_NOTHING = frozenset[str]()
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """Another equivalent that was considered, with its confidence between 0 and 1.
+
+    ``untold`` names the fields that a stranger's tree leaves out.
+    """
+
+    name: str
+    confidence: float
+    untold: frozenset[str] = _NOTHING
+
+    @classmethod
+    def claimed(cls, name: str, confidence: float | None) -> Self:
+        """Return an alternative of a tree that may leave its confidence out."""
+        return cls(name, confidence or 0.0, _untold(confidence=confidence))
+
+
+@dataclass(frozen=True)
+class Substitution:
+    """What stood in FOON (``equivalent``) where the recipe wants ``required``, and how sure that is (0 to 1).
+
+    ``kind`` is one of :data:`SubstitutionKind` in every plan of ours. ``object`` is the required food concerned; for an
+    object substitution it equals ``required``. ``untold`` names the fields that a stranger's tree leaves out.
+    """
+
+    kind: str
+    object: str
+    required: str
+    equivalent: str
+    confidence: float
+    alternatives: tuple[Alternative, ...] = ()
+    untold: frozenset[str] = _NOTHING
+
+    @classmethod
+    def claimed(
+        cls,
+        kind: str,
+        about: str,
+        required: str,
+        equivalent: str | None = None,
+        *,
+        confidence: float | None = None,
+        alternatives: Iterable[Alternative] | None = None,
+    ) -> Self:
+        """Return an entry of a tree that may leave anything out; the judge says what (C7).
+
+        >>> Substitution.claimed("object", "leek", "leek", "onion").untold == {"confidence", "alternatives"}
+        True
+        """
+        untold = _untold(equivalent=equivalent, confidence=confidence, alternatives=alternatives)
+        return cls(kind, about, required, equivalent or "", confidence or 0.0, tuple(alternatives or ()), untold)
+
+    @property
+    def for_want(self) -> bool:
+        """Whether nothing that is known is like the food: it is handled like something for want of anything."""
+        return self.kind == "object" and self.confidence < UNLIKE
+
+    def to_json(self) -> JsonObject:
+        """Return one of the ``substitutions`` of a plan result."""
+        return {
+            "kind": self.kind,
+            "object": self.object,
+            "required": self.required,
+            "equivalent": self.equivalent,
+            "confidence": self.confidence,
+            "alternatives": [{"name": a.name, "confidence": a.confidence} for a in self.alternatives],
+        }
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote; raises ReadError where anything is missing."""
+        return cls(
+            fields.one_of("kind", get_args(SubstitutionKind)),
+            fields.text("object"),
+            fields.text("required"),
+            fields.text("equivalent"),
+            fields.number("confidence"),
+            tuple(Alternative(a.text("name"), a.number("confidence")) for a in fields.nested_list("alternatives")),
+        )
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """A leaf of the tree that is simply taken to be there, and why."""
+
+    node: ObjectNode
+    why: str
+
+    def to_json(self) -> JsonObject:
+        """Return one of the ``assumptions`` of a plan result."""
+        return {"node": node_to_json(self.node), "why": self.why}
+
+    @classmethod
+    def from_json(cls, fields: Fields) -> Self:
+        """Read back what :meth:`to_json` wrote."""
+        return cls(node_from_json(fields.nested("node")), fields.text("why"))
+
+
+def _untold(**values: object) -> frozenset[str]:
+    return frozenset(name for name, value in values.items() if value is None)
