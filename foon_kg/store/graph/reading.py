@@ -73,6 +73,9 @@ Row = TypeVar("Row")
 MOST_LEARNT_ANEW = 500
 """Of so many videos what another program learnt is learnt anew to read it, which takes some ten seconds."""
 
+UNITS_AT_ONCE = 1_000
+"""So many units are asked for in one question: ten thousand take more memory than a server of ours has for it."""
+
 
 class GraphView:
     """One read transaction on the graph; implements :class:`~foon_kg.model.knowledge.KnowledgeView`.
@@ -166,7 +169,8 @@ class GraphView:
     def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:
         units = self._edition.units
         missing = [key for key in keys if key not in units]
-        for row in self._ask(KNOWN_UNITS, keys=missing) if missing else ():
+        for start in range(0, len(missing), UNITS_AT_ONCE):
+            (row,) = self._ask(KNOWN_UNITS, keys=missing[start : start + UNITS_AT_ONCE])
             units.update((known.unit.key, known) for known in known_units(row))
             rows = groupby(sorted(seen_as(row.foods)), key=attrgetter("label"))
             self._edition.rows_of.update((label, tuple(found)) for label, found in rows)
