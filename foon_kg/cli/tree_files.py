@@ -80,7 +80,8 @@ def text_of(file: Path) -> str:
     try:
         return sys.stdin.read() if str(file) == STANDARD_INPUT else regular_files.read_text(file)
     except (OSError, UnicodeDecodeError) as error:
-        raise ReadError(f"{file}: cannot be read: {error}", hint=_HINT) from error
+        why = getattr(error, "strerror", None) or "it is no text in UTF-8"
+        raise ReadError(f"{file}: cannot be read: {why}", hint=_HINT) from error
 
 
 def _from_text(file: Path, text: str, recipe: Recipe | None) -> TreeDocument:

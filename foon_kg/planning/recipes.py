@@ -130,8 +130,7 @@ class IngredientWords:
 
     def meant(self, text: str) -> str | None:
         """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
-        found = [_spelled(word.lower()) for word in text.replace(",", " ").split()]
-        return " ".join(filter(None, found)) if all(found) else None
+        return as_spelled(text)
 
     def _food_begins(self, words: Sequence[str]) -> int:
         """Return the place of the first word of the food."""
@@ -209,6 +208,12 @@ def _spelled(word: str) -> str | None:
     letters = "".join(sorted(word))
     swapped = next((one for one, own in known.items() if own == letters), None)
     return swapped or next(iter(difflib.get_close_matches(word, known, n=1, cutoff=_CLOSE)), None)
+
+
+def as_spelled(text: str) -> str | None:
+    """Return ``text`` with its words as they are spelled; ``None`` where one of them is like none that is known."""
+    found = [_spelled(word.lower()) for word in text.replace(",", " ").split()]
+    return " ".join(filter(None, found)) if all(found) else None
 
 
 def names_in(texts: Iterable[str]) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from importlib.resources import files
 
 import numpy as np
@@ -50,8 +50,12 @@ class _Known:
 
     names: npt.NDArray[np.str_]
     about: Names
-    roles: npt.NDArray[np.int64]
     answered: dict[str, Table]
+
+    @cached_property
+    def roles(self) -> npt.NDArray[np.int64]:
+        """The roles that each may play, a bit for each."""
+        return _roles(self.names.tolist())
 
 
 class FoodSimilarity:
@@ -128,7 +132,7 @@ class FoodSimilarity:
         return self._known(columns) if len(columns) > _FEW else self._about_known(columns)
 
     def _about_known(self, known: tuple[str, ...]) -> _Known:
-        return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), _roles(known), {})
+        return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), {})
 
     def _odds(self, rows: Sequence[str], side: _Known) -> Table:
         """Answer the log odds that each known name stands for each of ``rows``, which are remembered."""

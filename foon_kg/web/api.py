@@ -190,6 +190,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         tuple(asked.kitchen),
         asked.after,
         with_drafts=asked.with_drafts,
+        export=asked.export,
         explain=asked.explain,
         hands=tuple(asked.hands),
         picture_width=asked.picture_width if asked.pictures else None,

@@ -28,6 +28,9 @@ After = Annotated[
         description="The recorded dish, or the video, to make it after; empty for the one that suits best.",
     ),
 ]
+EXPORT = (
+    "Also answer the plan as files of this format: foon, json, dot, mermaid, graphml, markdown, behaviour-tree, pddl."
+)
 DRAFTS = "Plan after dishes, too, that were only drafted from the words of recipes."
 Pairs = Annotated[int, Field(ge=1, le=4)]
 Kitchen = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND, examples=[[]])]
@@ -61,6 +64,7 @@ class PlanAsked(Asked):
     kitchen: Kitchen = []
     after: After = ""
     with_drafts: bool = Field(default=False, description=DRAFTS)
+    export: str = Field("", max_length=40, description=EXPORT, examples=["markdown"])
     explain: bool = Field(default=False, description="Also answer why each ingredient is made as it is.")
     hands: list[Pairs] = Field(
         [], max_length=4, description="Also answer a schedule for each of these pairs of hands.", examples=[[1, 2]]

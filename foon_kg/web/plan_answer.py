@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 
+from foon_kg.formats.exports.formats import export_tree
 from foon_kg.formats.exports.sentences import sentence
+from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
@@ -51,6 +53,8 @@ def plan_to_json(
         "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
         "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
     }
+    if question.export:
+        told["files"] = [asdict(file) for file in export_tree(ExportedTree.of_plan(plan), question.export)]
     if question.explain:
         told["considered"] = [one.to_json() for one in answer.considered]
         told["explanations"] = list(map(explanation_to_json, answer.explanations))

@@ -227,6 +227,13 @@ class JudgedTold(BaseModel):
     notes: list[str]
 
 
+class FileTold(BaseModel):
+    """A file of an export: its name and its text."""
+
+    name: str
+    text: str
+
+
 class PlanTold(BaseModel):
     """A plan: what ``foon plan --json`` prints, and more.
 
@@ -234,7 +241,7 @@ class PlanTold(BaseModel):
     video that the plan is made after where that shows it, ``videos`` the web address of its second, or null, ``stands``
     the foods that stand for others in what was seen, ``sentences`` what a cook does; ``amounts`` how much of each
     ingredient of the recipe was asked, or "". Explanations with the dishes
-    considered and the judge's findings, schedules and pictures are there where they are asked.
+    considered and the judge's findings, schedules, pictures and the files of an export are there where they are asked.
     """
 
     recipe: RecipeTold
@@ -251,6 +258,7 @@ class PlanTold(BaseModel):
     considered: list[ConsideredTold] | None = None
     judged: JudgedTold | None = None
     schedules: list[ScheduleTold] | None = None
+    files: list[FileTold] | None = None
     shopping: list[Node]
     seen: list[SeenIn | None]
     videos: list[str | None]

@@ -91,6 +91,8 @@ KITCHEN = Kitchen.default()
          "Finely chop the onion on the cutting board with the knife."),
         ("fig@on cutting_board; knife > cut > fig(quartered)@on cutting_board",
          "Cut the fig on the cutting board with the knife into quarters."),
+        ("pot{onion}; onion@pot; stove(on) > cook > pot{onion}; onion(cooked)@pot",
+         "Cook the onion in the pot on the stove."),
         ("chicken@on cutting_board; knife > chop > chicken(cut)@on cutting_board",
          "Chop the chicken on the cutting board with the knife."),
         ("tray{cookie}; refrigerator(on); cookie@on tray > chill > cookie(cold)@on tray",

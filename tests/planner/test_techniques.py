@@ -124,6 +124,18 @@ def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
     assert first(told, "ketchup", "pour") < motions(told).index("bake")
 
 
+def test_ginger_in_the_strainer_makes_a_tea(steps):
+    told = steps("drinks", "Ginger Tea", "ginger:sliced", "water:liquid", "honey:thick liquid")
+    assert "pour and strain" in motions(told)
+
+
+def test_what_is_asked_cut_is_not_mashed_for_a_filling(steps):
+    told = steps("pie", "Cornish Pasties", "flour:powder", "lard:block", "water:cold", "beef skirt:diced",
+                 "potatoes:diced", "onion:chopped")  # fmt: skip
+    assert "mash" not in motions(told)
+    assert "potatoes" in inside(told, "fold and pinch")
+
+
 def test_a_stir_fry_needs_no_such_name_where_it_is_filed_as_one(steps):
     told = steps("stir-fry", "Pad Krapow", "ground pork:raw", "soy sauce:liquid", "sugar:granulated", "oil:liquid",
                  "fried eggs:whole", "rice:steamed")  # fmt: skip

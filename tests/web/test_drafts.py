@@ -50,7 +50,9 @@ def test_a_dish_that_drafts_alone_have_is_asked_with_them_and_told_as_one(browse
         browser.find_element("id", "go").click()
         asked(browser)
         assert "drafts=yes" in browser.current_url
-        assert "not reviewed: 0.52 sure" in text_of(browser, "#view-steps")
+        told = text_of(browser, "#view-steps")
+        assert "nobody has reviewed (0.52 sure)" in told
+        assert "Made like the cookie of draft c1" in told
         browser.refresh()
         asked(browser)
         assert browser.find_element("id", "with-drafts").is_selected()

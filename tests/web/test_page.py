@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import itertools
 
 import pytest
@@ -261,6 +262,10 @@ def test_on_paper_there_is_the_whole_plan_and_no_form(page):
         forms = "return [...document.querySelectorAll('form, nav, .cook')].map(e => e.checkVisibility())"
         assert not any(page.execute_script(forms))
         assert page.find_element("css selector", ".steps").is_displayed(), "whatever view was on the screen"
+        views = "return [...document.querySelectorAll('.view')].filter(e => e.checkVisibility()).map(e => e.id)"
+        assert page.execute_script(views) == ["view-steps", "view-tree"]
+        paper = base64.b64decode(page.execute_cdp_cmd("Page.printToPDF", {})["data"])
+        assert paper.count(b"/Type /Page\n") == 2, "a page of steps, a page of the tree"
         uncut = """
             const { bottom } = document.querySelector('.stage svg').getBoundingClientRect();
             return document.querySelector('.stage').getBoundingClientRect().bottom >= bottom"""

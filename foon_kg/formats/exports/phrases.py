@@ -100,10 +100,10 @@ def is_flat(label: str) -> bool:
     return bool(label) and label.rsplit(maxsplit=1)[-1] in word_list("flat utensils")
 
 
-def is_room(label: str) -> bool:
-    """Return whether a utensil is an appliance in which things stand: an oven, a fridge."""
+def hosts_things(label: str) -> str:
+    """Return ``in`` or ``on`` for an appliance in or on which things stand (an oven, a stove), ``""`` for the rest."""
     row = tables().utensil(label)
-    return row is not None and row.role == "appliance" and row.holds == "in"
+    return row.holds if row is not None and row.role == "appliance" and row.holds in {"in", "on"} else ""
 
 
 def motion_to(label: str, after: Iterable[ObjectNode]) -> str:

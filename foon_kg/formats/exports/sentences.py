@@ -13,9 +13,9 @@ from functools import cached_property, lru_cache
 from foon_kg.food import motions
 from foon_kg.food.lists import word_list
 from foon_kg.formats.exports.phrases import (
+    hosts_things,
     in_words,
     is_flat,
-    is_room,
     joined_by,
     motion_to,
     resting_in,
@@ -253,9 +253,11 @@ class _Reading:
         taken = {node.container for node in self._inputs if node.container} | set(places)
         free = (node for node in self._utensils if not node.ingredients and node.container not in taken)
         tools = [node.label for node in free if node.label not in taken]
-        rooms = [label for label in tools if is_room(label)]
-        said = f" in {the(rooms)}" if rooms else ""
-        tools = [label for label in tools if label not in rooms]
+        said = ""
+        for how in ("in", "on"):  # an oven, a stove
+            hosts = [label for label in tools if hosts_things(label) == how]
+            tools = [label for label in tools if label not in hosts]
+            said += f" {how} {the(hosts)}" if hosts else ""
         return said + (f" with {the(tools)}" if tools else "")
 
     @cached_property

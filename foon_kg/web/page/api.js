@@ -47,4 +47,5 @@ export const summary = () => ask("summary");
 export const examples = () => ask("examples");
 export const complete = (kind, text, signal) => ask(`complete?${query({ kind, text, limit: 12 })}`, { signal });
 export const plan = (question, pictures = true) => post("plan", { ...question, explain: true, hands: HANDS, pictures, picture_width: matchMedia("(max-width: 700px)").matches ? 326 : 1100 });
+export const exported = async (question, form) => (await post("plan", { ...question, export: form })).files;
 export const suggest = (foods, kitchen) => post("suggest", { foods, kitchen });

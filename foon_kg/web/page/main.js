@@ -50,8 +50,9 @@ const answer = async (words, key, question, view) => {
 // What a named kitchen lacks is there after all: a button for each.
 const remedies = (missing) => {
   const plain = missing.filter(({ node, remedy }) => /^(get|buy) /.test(remedy) && !node.ingredients.length);
-  const things = wished.question().kitchen.length ? [...new Set(plain.map(({ node }) => node.label))].slice(0, 8) : [];
-  const buttons = things.map((thing) => element("button", { type: "button", class: "small", onclick: () => { wished.have(thing); plan(); } }, `I have ${thing}`));
+  const things = new Map(wished.question().kitchen.length ? plain.map(({ node, remedy }) => [node.label, remedy.replace(/^(get|buy) /, "")]) : []);
+  const have = (thing) => () => { wished.have(thing); plan(); };
+  const buttons = [...things].slice(0, 8).map(([thing, words]) => element("button", { type: "button", class: "small", onclick: have(thing) }, `I have ${words}`));
   return buttons.length ? [element("div", { class: "choices" }, ...buttons)] : [];
 };
 

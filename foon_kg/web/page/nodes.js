@@ -30,12 +30,15 @@ const joined = (nodes, unseen) => nodes.flatMap((node, i) => (i ? [" + ", ...nod
 export const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
 
 // Where a unit is seen; `address` leads there.
+// A video, or the draft of a recipe.
+export const named = (video) => (video.startsWith("draft:") ? `draft ${video.slice(6)}` : `video ${video}`);
+
 export const seenWords = (seen, address) => {
   if (!seen) return null;
   const when = seen.start === null ? "" : ` at ${minutes(seen.start)}`;
-  if (!address) return element("span", { class: "seen aside" }, `video ${seen.video}${when}`);
+  if (!address) return element("span", { class: "seen aside" }, `${named(seen.video)}${when}`);
   const link = { href: address, target: "_blank", rel: "noreferrer noopener" };
-  return element("span", { class: "seen" }, element("a", link, `video ${seen.video}${when}`));
+  return element("span", { class: "seen" }, element("a", link, `${named(seen.video)}${when}`));
 };
 
 export const unitWords = (unit, unseen) => [

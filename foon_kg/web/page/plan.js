@@ -7,6 +7,7 @@ import { cookView } from "./cook.js";
 import { counted, element, heading, list } from "./element.js";
 import { scheduleView } from "./schedule.js";
 import { notes, stepsView } from "./steps.js";
+import { takeAlong } from "./take.js";
 import { treeView } from "./tree.js";
 import { whyView } from "./why.js";
 
@@ -42,7 +43,7 @@ export const planPage = (plan, { asked, chosen, ...rest }) => {
     now.shown?.(step, other);
   };
   const parts = [heading(1, `${plan.goal.label}: ${counted(plan.units.length, "step")}`),
-    element("nav", { class: "tabs", "aria-label": "Views of this plan" }, ...links), ...views.map(({ part }) => part)];
+    element("nav", { class: "tabs", "aria-label": "Views of this plan" }, ...links), ...views.map(({ part }) => part), takeAlong(asked)];
   return { parts, show, leave };
 };
 

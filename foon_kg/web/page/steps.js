@@ -1,7 +1,7 @@
 // A plan to read: what it is made after, what to buy, and its steps as sentences; the FOON's own words on demand.
 
 import { element, heading, list, sentence } from "./element.js";
-import { nodeWords, seenWords, unitWords } from "./nodes.js";
+import { named, nodeWords, seenWords, unitWords } from "./nodes.js";
 
 export const notes = (told) => (told.length ? element("div", { class: "notice notes" }, ...told.map((note) => element("p", {}, sentence(note)))) : null);
 
@@ -15,17 +15,11 @@ export const marked = (text, unseen) => {
   return text.split(around).map((part, i) => (i % 2 ? element("span", { class: "unseen", title: `like ${unseen.get(part.toLowerCase())?.equivalent}` }, `~${part}`) : part));
 };
 
-// The videos that a plan is made after, each a link where one of its steps has an address in it.
+// The videos (or the draft) that a plan is made after, each a link where one of its steps has an address in it.
 export const videos = (plan) => plan.reference.videos.flatMap((name, place) => {
   const i = plan.seen.findIndex((seen, at) => plan.videos[at] && seen.video === name);
-  return [place ? ", " : "", i < 0 ? name : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, name)];
+  return [place ? ", " : "", i < 0 ? named(name) : element("a", { href: plan.videos[i], target: "_blank", rel: "noreferrer noopener" }, named(name))];
 });
-
-// What a plan is made after: a video, or a draft that nobody has reviewed.
-export const from = (plan) => {
-  const sure = plan.reference.draft_confidence;
-  return [sure === undefined ? "video " : "draft ", ...videos(plan), sure === undefined ? "" : ` (made of the words of a recipe, not reviewed: ${sure.toFixed(2)} sure)`];
-};
 
 export const besides = (plan) => {
   const bought = new Set(plan.shopping.map((node) => node.label));
@@ -56,7 +50,7 @@ const step = (plan, i, { unseen, to }) => {
   const jump = (view, words) => element("a", { href: to(view, i + 1), "aria-label": words }, view);
   return element("li", { "data-step": i + 1 },
     element("div", { class: "step" }, element("span", {}, ...marked(plan.sentences[i], unseen)), element("div", { class: "where" }, ...evidence(plan, i),
-      element("span", { class: "jumps" }, " · ", jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`)))),
+      element("span", { class: "jumps" }, jump("cook", `Cook from step ${i + 1}`), " · ", jump("tree", `Step ${i + 1} in the tree`)))),
     element("div", { class: "formula" }, ...unitWords(plan.units[i], unseen)));
 };
 
@@ -68,7 +62,7 @@ export const stepsView = (plan, { unseen, to }) => {
   const like = [...unseen].map(([name, one]) => `~${name} handled like ${one.equivalent}`).join(", ");
   const part = element("section", {},
     notes(plan.notes),
-    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...from(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
+    element("p", {}, `Made like the ${plan.reference.goal.label} of `, ...videos(plan), like ? `, with ${like}. ` : ". ", element("a", { href: to("why") }, "Why?")),
     element("div", { class: "beside" },
       element("div", {}, element("div", { class: "titled" }, heading(2, "Steps"), own), steps),
       element("div", {},

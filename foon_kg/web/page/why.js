@@ -4,7 +4,7 @@
 import { toAddress } from "./address.js";
 import { counted, element, heading, list, sentence } from "./element.js";
 import { nodeWords } from "./nodes.js";
-import { foodAndState, from } from "./steps.js";
+import { foodAndState, videos } from "./steps.js";
 
 const sure = (confidence) => element("span", { class: "score" }, confidence.toFixed(2));
 const inWords = (names) => names.join(", ").replace(/, ([^,]*)$/, " and $1");
@@ -26,7 +26,7 @@ const titled = (title, items) => (items.length ? [heading(2, title), list(items)
 const others = ({ considered }, nearer, asked, to) => considered.filter((one) => one.nearer === nearer).map((one) => {
   const rival = { ...asked, after: one.video };
   return [element("strong", {}, one.goal.label), ` of video ${one.video} `, sure(one.similarity), nearer ? `: ${one.why}` : "",
-    element("span", { class: "jumps" }, " · ", element("a", { href: toAddress(rival, "why"), "aria-label": `make it so, after the ${one.goal.label} of ${one.video}` }, "make it so"),
+    element("span", { class: "jumps" }, element("a", { href: toAddress(rival, "why"), "aria-label": `make it so, after the ${one.goal.label} of ${one.video}` }, "make it so"),
       " · ", element("a", { href: to("compare", null, toAddress(rival)), "aria-label": `compare with the ${one.goal.label} of ${one.video}` }, "compare"))];
 });
 
@@ -35,7 +35,7 @@ const asAsked = (one, { ingredients }) => (ingredients.some((text) => text.inclu
 
 const after = (plan, asked, { recipe, reference } = plan) => [
   element("p", {}, `${sentence(`${recipe.dish_type} with ${inWords(recipe.ingredients.map((one) => asAsked(one, asked)))}`).slice(0, -1)}, made like the `, element("strong", {}, reference.goal.label),
-    ` of ${counted(reference.units, "step")} in `, ...from(plan), "."),
+    ` of ${counted(reference.units, "step")} in `, ...videos(plan), "."),
   element("p", {}, `That dish takes ${reference.overlap} of the ${recipe.ingredients.length} foods asked, or their like`,
     reference.core.length ? ` (${inWords(reference.core)})` : "", reference.exact ? ": it is proven that no way to make it takes more." : "; it is the best that was found in time."),
 ];

@@ -1,6 +1,7 @@
 // The page /teach: a draft row by row, each beside what was said; what is decided is kept in this browser until it is closed.
 
 import { Refusal, ask, keepToken, tokenFromAddress } from "../api.js";
+import { download } from "../download.js";
 import { counted, errorNotice } from "../element.js";
 import { rowView } from "./row.js";
 
@@ -87,14 +88,6 @@ const begin = async (name, table) => {
   draw();
   say("");
   focusOn(0);
-};
-
-const download = (name, text, type) => {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000); // the browser may still be reading it
 };
 
 at("file").addEventListener("change", async () => {
