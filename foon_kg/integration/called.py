@@ -16,8 +16,7 @@ from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
-from foon_kg.integration.layered import layered
-from foon_kg.integration.lined import lined, rolled, topped
+from foon_kg.integration.lined import lined, topped
 from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.places import Join
@@ -134,7 +133,7 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
 
 def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made that is given its form: by dough around it, in a roll, as balls; else as it is."""
-    for way in (rubbed, layered, rolled, lined):
+    for way in (rubbed, lined):
         made, found = way(line, joins, called.told)
         if made is not line:
             return made, found

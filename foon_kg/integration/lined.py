@@ -9,7 +9,6 @@ from dataclasses import replace
 from foon_kg.food import singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
-from foon_kg.integration.patterns import BAKE, LAID, MIX, STIR, fresh, put_at
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want
 
@@ -66,26 +65,6 @@ def lined(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Lin
         want = _hollow(join.want) if stuffed and join in holders else join.want
         found.append(Join(want, spot, min(join.fit, NATURAL), fried))
     return Line(stages), tuple(found)
-
-
-def rolled(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return how thin bread is filled, rolled up, and baked under its sauce, where ``told`` call a dish so.
-
-    Nothing changes where no such bread is there, or nothing to fill it with.
-    """
-    thin = [join for join in joins if join.want.facts.is_a(*word_list("can be rolled"))]
-    over = [join for join in joins if join.want.facts.is_a(*word_list("is baked on what is rolled"))]
-    late = word_list("lies on flesh") | word_list("is spooned onto it")
-    tops = [join for join in joins if join.want.facts.is_a(*late) and join not in over]
-    inside = [join for join in joins if join not in (*thin, *over, *tops)]
-    if len(thin) != 1 or not inside or word_list("is filled and rolled").isdisjoint(told):
-        return line, tuple(joins)
-    raw = any(_is_raw(join) for join in inside)
-    mix, laid, bake, top = fresh(STIR if raw else MIX, replace(LAID, vessel="plate", relation="on"), BAKE, LAID)
-    closed = replace(laid, adds=(Line((mix,)),), motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
-    places = [(thin, laid), (over, bake), (tops, top)]
-    stages = (laid, closed, bake, top) if tops else (laid, closed, bake)
-    return put_at(Line(stages), joins, lambda join: next((stage for some, stage in places if join in some), mix))
 
 
 def topped(line: Line, joins: Sequence[Join], told: Sequence[str]) -> tuple[Line, tuple[Join, ...]]:

@@ -1,4 +1,4 @@
-"""Dough of flour and cold fat: scones and biscuits, the made of pies, and the crumble that is strewn on fruit."""
+"""Dough of flour and cold fat: that of pies, pressed crumbs, and the crumble that is strewn on fruit."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import replace
 from foon_kg.food import words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.patterns import BAKE, CHILL, COOL, LAID, MIX, SHAPE, STIR, TOP, fresh, put_at
+from foon_kg.integration.patterns import BAKE, CHILL, COOL, LAID, MIX, STIR, fresh, put_at
 from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Want
 
@@ -19,8 +19,6 @@ _BASE = replace(_FINE, label=min(word_list("is called so when it is pressed")))
 _INSIDE = replace(MIX, label=min(word_list("is called so inside")))
 _FLAT = replace(_KNEAD, motion=min(word_list("is rolled up by")), does=frozenset({"shape"}))
 _FLAT = replace(_FLAT, tools=("rolling pin",), vessel="cutting board")
-_CUT = replace(_FLAT, motion="cut", does=frozenset({"cut"}), tools=("knife",), relation="on")
-_ON_TRAY = replace(BAKE, vessel="baking tray", relation="on")
 
 
 def rubbed(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
@@ -32,11 +30,7 @@ def rubbed(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Li
     dough = _Dough(joins, told)
     if dough.base and not dough.is_bought and not word_list("is held by dough").isdisjoint(told):
         return dough.pressed()
-    if dough.dry and not dough.is_bought and not word_list("is kneaded at once").isdisjoint(told):
-        return dough.whole()
     if dough.dry and dough.fat is not None and not dough.is_bought:
-        if not word_list("is rubbed and cut").isdisjoint(told):
-            return dough.pieces()
         if not word_list("is rubbed and strewn").isdisjoint(told) and dough.inside:
             return dough.crumble()
         if not word_list("is held by dough").isdisjoint(told) and dough.inside:
@@ -93,32 +87,6 @@ class _Dough:
         """Whether it is cream that is called so because it is whipped."""
         called = not word_list("is called so to be whipped").isdisjoint(words(join.want.label))
         return called and join.want.facts.is_a("creamy") and join.want.facts.is_a("liquid")
-
-    def pieces(self) -> tuple[Line, tuple[Join, ...]]:
-        """Return a line that cuts pieces of dough and bakes them."""
-        fine, dough, flat, cut, bake, cool, top = fresh(_FINE, _KNEAD, _FLAT, _CUT, _ON_TRAY, COOL, TOP)
-        late = [join for join in self.joins if join.want.facts.is_a(*word_list("is put on what is baked"))]
-        stages: tuple[Stage, ...] = (fine, dough, flat, cut, bake)
-        stages = (*stages, replace(cool, vessel="baking tray"), top) if late else (*stages, top)
-
-        def stage_of(join: Join) -> Stage:
-            facts = join.want.facts
-            if join in late:
-                return top
-            first = join is self.fat or facts.is_a(*word_list("is dry in a batter"), *word_list("sweetens a batter"))
-            return fine if first else dough
-
-        return put_at(Line(stages), self.joins, stage_of)
-
-    def whole(self) -> tuple[Line, tuple[Join, ...]]:
-        """Return a line that kneads a dough without yeast, shapes and bakes it."""
-        dry, knead, shape, bake, top = fresh(_FINE, _KNEAD, replace(SHAPE, label=_KNEAD.label), _ON_TRAY, TOP)
-
-        def stage_of(join: Join) -> Stage:
-            dusty = (*word_list("is dry in a batter"), *word_list("sweetens a batter"))
-            return dry if join.want.facts.is_a(*dusty) else knead
-
-        return put_at(Line((dry, knead, shape, bake, top)), self.joins, stage_of)
 
     def crumble(self) -> tuple[Line, tuple[Join, ...]]:
         """Return a line that strews what is rubbed on what is laid in a dish, and bakes it."""

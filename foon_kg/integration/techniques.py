@@ -119,9 +119,10 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
         return want, None
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
-    if "make" in row and (row.get("always") or not want.make or not known.state(want.make).fine):
+    cut = bool(want.make) and bool(known.state(want.make).fine)
+    if "make" in row and (row.get("always") or not cut):
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
-    if "then" in row and not want.then:
+    if "then" in row and not want.then and not cut:
         want = replace(want, then=row["then"], cooked=True)
     kept = {name: level for name, level in want.facts.owes.items() if name not in row.get("waives", ())}
     return replace(want, facts=replace(want.facts, owes=kept)), slot

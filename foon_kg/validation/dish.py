@@ -70,7 +70,10 @@ def missing_namesakes(case: Case, label: str) -> Iterator[str]:
 
 
 def _has_one(case: Case, needs: tuple[str, ...]) -> bool:
-    return any(meets(need, part.food, case.tables) for need in needs for part in case.parts)
+    if any(meets(need, part.food, case.tables) for need in needs for part in case.parts):
+        return True
+    gone = (name for name in case.required_names if name not in case.parts_by_name and was_taken_out(case, name))
+    return any(meets(need, case.tables.foods.food(name), case.tables) for name in gone for need in needs)
 
 
 def _unfinished(case: Case) -> Iterator[Finding]:

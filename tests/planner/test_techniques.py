@@ -124,6 +124,18 @@ def test_a_dish_of_a_type_that_no_video_has_is_made_by_its_technique(steps):
     assert first(told, "ketchup", "pour") < motions(told).index("bake")
 
 
+def test_ginger_in_the_strainer_makes_a_tea(steps):
+    told = steps("drinks", "Ginger Tea", "ginger:sliced", "water:liquid", "honey:thick liquid")
+    assert "pour and strain" in motions(told)
+
+
+def test_what_is_asked_cut_is_not_mashed_for_a_filling(steps):
+    told = steps("pie", "Cornish Pasties", "flour:powder", "lard:block", "water:cold", "beef skirt:diced",
+                 "potatoes:diced", "onion:chopped")  # fmt: skip
+    assert "mash" not in motions(told)
+    assert "potatoes" in inside(told, "fold and pinch")
+
+
 def test_a_stir_fry_needs_no_such_name_where_it_is_filed_as_one(steps):
     told = steps("stir-fry", "Pad Krapow", "ground pork:raw", "soy sauce:liquid", "sugar:granulated", "oil:liquid",
                  "fried eggs:whole", "rice:steamed")  # fmt: skip
@@ -141,3 +153,16 @@ def test_what_a_cutlet_is_eaten_with_is_not_fried_with_it(steps):
 def test_eggs_are_whisked_and_come_into_a_soup_last(steps):
     told = steps("soup", "Avgolemono", "chicken stock:liquid", "orzo:uncooked", "eggs:uncooked", "lemon juice:juice")
     assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "simmer")
+
+
+def test_a_bowl_on_rice_has_its_eggs_fried_apart(steps):
+    told = steps("rice", "Bibimbap", "short-grain rice:uncooked", "ground beef:raw", "carrot:julienned",
+                 "eggs:uncooked", "gochujang:paste", "sesame oil:liquid")  # fmt: skip
+    assert first(told, "short-grain rice", "boil") < first(told, "ground beef", "cook and stir")
+    assert first(told, "ground beef", "cook and stir") < first(told, "eggs", "crack") < first(told, "eggs", "cook")
+
+
+def test_pieces_in_a_crust_are_fried_before_their_sauce_comes(steps):
+    told = steps("stir-fry", "Sweet and Sour Pork", "pork loin:cubed", "egg:uncooked", "cornstarch:powder",
+                 "ketchup:sauce", "rice vinegar:liquid", "sugar:granulated", "oil:liquid")  # fmt: skip
+    assert first(told, "egg", "crack") < motions(told).index("flip") < motions(told).index("cook and stir")
