@@ -177,7 +177,7 @@ class GraphView:
         return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
+        """Return, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
 
         Where the graph was written with other word lists than this program's, its foods are compared in memory.
         """
