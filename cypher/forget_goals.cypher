@@ -1,10 +1,11 @@
-// Takes away what the named videos say about goals: a node that is no goal any more is made of nothing any more.
+// Takes away what the named videos, whose sightings are still there, say about goals: a node that is no goal any more is made
+// of nothing any more.
 // param: names LIST<STRING>
-// param: dish_types LIST<STRING>
 // mode: write
-UNWIND $dish_types AS dish_type
-MATCH (:DishType {name: dish_type})<-[goal:IS_A]-(o:Object)
-WHERE goal.video IN $names
+UNWIND $names AS name
+MATCH (:Video {name: name})<-[:SEEN_IN]-(:Motion)-[:OUTPUTS]->(o:Object)
+MATCH (o)-[goal:IS_A {video: name}]->(:DishType)
+WITH DISTINCT o, goal
 DELETE goal
 WITH DISTINCT o
 WHERE NOT EXISTS { (o)-[:IS_A]->() }

@@ -1,6 +1,7 @@
 // The named units with every place where they were seen. A node stands in several units: it is answered once, and units
 // name it by its number in the store, which is shorter than its key. Besides, how often each food in them is made and
 // used in each state: each state once, with its foods and their counts side by side.
+// The names are collected first: what groups rows in a subquery that reads all nodes has them in each of its keys.
 // param: keys LIST<STRING>
 // column: nodes
 // column: units
@@ -15,6 +16,11 @@ CALL (motions) {
   WITH DISTINCT o
   RETURN collect([id(o), o.key, o.label, o.states, o.ingredients, o.relation, o.container]) AS nodes
 }
+CALL (nodes) {
+  UNWIND nodes AS node
+  UNWIND [node[2]] + node[4] AS name
+  RETURN collect(DISTINCT name) AS names
+}
 RETURN nodes, [m IN motions | [
   m.key, m.verb, m.accepts_any,
   [(o)-[:INPUT_OF]->(m) | id(o)],
@@ -24,9 +30,7 @@ RETURN nodes, [m IN motions | [
     s.inputs, s.inputs_moving, s.inputs_dish, s.outputs, s.outputs_moving, s.outputs_dish
   ]]
 ]] AS units, COLLECT {
-  UNWIND nodes AS node
-  UNWIND [node[2]] + node[4] AS name
-  WITH DISTINCT name
+  UNWIND names AS name
   MATCH (i:Ingredient {name: name})-[r:SEEN_AS]->(s:State)
   WITH s, collect(i.name) AS labels, collect(r.made) AS made, collect(r.used) AS used
   RETURN [s.name, labels, made, used]

@@ -1,14 +1,19 @@
-// Takes away the words that nothing in the graph uses any more.
+// Takes away those of the named words that nothing in the graph uses any more, and such dish types.
+// param: words LIST<STRING>
 // mode: write
-// scans: words are few beside units
+// scans: dish types are few
 CALL () {
-  MATCH (l:Label) WHERE NOT EXISTS { (l)<-[:CALLED]-() } DETACH DELETE l
+  UNWIND $words AS word
+  MATCH (l:Label {name: word}) WHERE NOT EXISTS { (l)<-[:CALLED]-() } DETACH DELETE l
   UNION ALL
-  MATCH (i:Ingredient) WHERE NOT EXISTS { (i)--() } DELETE i
+  UNWIND $words AS word
+  MATCH (i:Ingredient {name: word}) WHERE NOT EXISTS { (i)--() } DELETE i
   UNION ALL
-  MATCH (s:State) WHERE NOT EXISTS { (s)--() } DELETE s
+  UNWIND $words AS word
+  MATCH (s:State {name: word}) WHERE NOT EXISTS { (s)--() } DELETE s
   UNION ALL
-  MATCH (v:Verb) WHERE v.units = 0 AND NOT EXISTS { (v)--() } DELETE v
+  UNWIND $words AS word
+  MATCH (v:Verb {name: word}) WHERE v.units = 0 AND NOT EXISTS { (v)--() } DELETE v
   UNION ALL
   MATCH (d:DishType) WHERE NOT EXISTS { (d)--() } DELETE d
 }

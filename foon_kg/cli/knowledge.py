@@ -35,25 +35,14 @@ def lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
 @contextmanager
 def open_knowledge(files: Sequence[Path] | None, say: Say) -> Iterator[Snapshot | GraphView]:
     """Open a FOON for reading: of ``files``, else the environment's Neo4j, else the local one (started if down)."""
-    if files:
-        yield snapshot_of(files, say)
-        return
-    from foon_kg.store.graph import Neo4jGraph
-    from foon_kg.store.server import connection_settings
-
-    with Neo4jGraph(connection_settings(say)) as graph, graph.reading() as view:
+    with front_door(files, say) as foon, foon.reading() as view:
         yield view
 
 
 def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
     """Bring a whole FOON into memory: of ``files``, else from Neo4j."""
-    if files:
-        return snapshot_of(files, say)
-    from foon_kg.store.graph import Neo4jGraph
-    from foon_kg.store.server import connection_settings
-
-    with Neo4jGraph(connection_settings(say)) as graph:
-        return graph.snapshot()
+    with front_door(files, say) as foon:
+        return foon.snapshot()
 
 
 def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:

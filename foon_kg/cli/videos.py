@@ -15,7 +15,6 @@ from foon_kg.model.errors import ReadError, UsageError
 if TYPE_CHECKING:
     from foon_kg.model import Subgraph
     from foon_kg.plans.difference import VideoDifference
-    from foon_kg.store.graph import Connection
 
 DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff new_salad.csv --units", "foon diff subgraphs/ --json")
 REMOVE_EXAMPLES = examples(
@@ -58,17 +57,10 @@ def found_differences(
     subgraphs: Sequence[Subgraph], files: Sequence[Path] | None, say: Say
 ) -> Sequence[VideoDifference]:
     """Return what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
-    if files:
-        from foon_kg.cli.knowledge import snapshot_of
-        from foon_kg.plans.difference import differences as differences_in_memory
+    from foon_kg.cli.knowledge import front_door
 
-        return differences_in_memory(subgraphs, snapshot_of(files, say).subgraphs)
-    from foon_kg.store.graph import Connection
-    from foon_kg.store.graph.differences import differences
-    from foon_kg.store.server import connection_settings
-
-    with Connection(connection_settings(say)) as connection:
-        return differences(connection, subgraphs)
+    with front_door(files, say) as foon:
+        return foon.differences(subgraphs)
 
 
 def remove(
@@ -86,35 +78,22 @@ def remove(
 
     With videos go the units that no other video shows. All of the named ones are taken out, or none.
     """
+    from foon_kg.cli.knowledge import front_door
+    from foon_kg.cli.loading import show_counts
     from foon_kg.model.drafted import is_draft
-    from foon_kg.store.graph import Connection
-    from foon_kg.store.graph import remove as remove_videos
-    from foon_kg.store.graph.differences import losses
-    from foon_kg.store.server import connection_settings
 
     chosen = list(dict.fromkeys(names))
     drafts = [name for name in chosen if is_draft(name)]
     videos = [name for name in chosen if name not in drafts]
     if drafts and videos:
         raise UsageError("these are videos and drafts", hint="Remove drafts by a command of their own.")
-    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
+    with front_door(None, sayer(quiet=quiet)) as foon:
         if drafts:
-            _remove_drafts(connection, drafts, dry_run=dry_run, as_json=as_json)
+            foon.remove_drafts(drafts, dry_run=dry_run)
+            show_counts({"drafts_gone": len(drafts)}, as_json=as_json)
             return
-        found = losses(connection, videos)
-        if not dry_run:
-            remove_videos(connection, videos)
+        found = foon.remove(videos, dry_run=dry_run)
     _show(found, units=units, as_json=as_json)
-
-
-def _remove_drafts(connection: Connection, names: Sequence[str], *, dry_run: bool, as_json: bool) -> None:
-    from foon_kg.cli.loading import show_counts
-    from foon_kg.store.graph.drafts import check_drafts, remove_drafts
-
-    check_drafts(connection, names)
-    if not dry_run:
-        remove_drafts(connection, names)
-    show_counts({"drafts_gone": len(names)}, as_json=as_json)
 
 
 def _show(found: Sequence[VideoDifference], *, units: bool, as_json: bool) -> None:

@@ -158,8 +158,11 @@ class Technique:
             return True
         if self.types and dish_type not in self.types:
             return False
-        spans = {tuple(told[place : place + len(name)]) for name in self.called for place in range(len(told))}
-        return not self.called or not spans.isdisjoint(self.called)
+        return not self.called or any(name[0] in told and _stands_in(name, told) for name in self.called)
+
+
+def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
+    return any(tuple(told[place : place + len(name)]) == name for place in range(len(told)))
 
 
 @cache

@@ -12,20 +12,19 @@ True
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar
+from typing import TYPE_CHECKING, Any, Literal
 
-from foon_kg.model.errors import ReadError, UsageError
+from foon_kg.foon.changing import Changing
+from foon_kg.foon.opened import Paths
+from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
-    from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer, Cook, Question
@@ -37,21 +36,16 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.plans.stock import StockedKitchen
     from foon_kg.search.classic import GoalSought, RetrievalResult
     from foon_kg.similarity import Similarity
-    from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
-    from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
-    from foon_kg.store.graph.loading import LoadReport
+    from foon_kg.store.graph import GraphView
     from foon_kg.store.server import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
-    from foon_kg.store.with_drafts import WithDrafts
     from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
 
-Found = TypeVar("Found")
-Paths = str | os.PathLike[str]
-Say = Callable[[str], None]
-"""Takes one line for a person."""
+_MOST_KEPT = 8
+"""For so many different settings what plans is kept ready."""
 
 
 def __getattr__(name: str) -> object:
@@ -61,11 +55,7 @@ def __getattr__(name: str) -> object:
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
-def _silent(_: object) -> None:
-    """Say nothing."""
-
-
-class Foon:
+class Foon(Changing):
     """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
 
     It is a context manager; :meth:`close` gives connections back.
@@ -77,129 +67,13 @@ class Foon:
         server: ConnectionSettings | None = None,
         lessons: Sequence[Lesson] = (),
     ) -> None:
-        if (snapshot is None) == (server is None):
-            raise UsageError("a FOON is in files or in a Neo4j", hint="Call Foon.from_files or Foon.connect.")
-        self._snapshot = snapshot
-        self._server = server
-        self._lessons = lessons
+        super().__init__(snapshot, server, lessons)
         self._cooks: dict[PlanSettings, Cook] = {}
-
-    @classmethod
-    def from_files(cls, *paths: Paths, drafts: Sequence[Paths] = ()) -> Self:
-        """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
-
-        ``drafts`` are files that ``foon draft recipes`` wrote: kept apart, for whoever plans ``with_drafts``.
-
-        Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
-
-        >>> Foon.from_files(demo_folder())
-        <Foon of 23 videos in memory>
-        """
-        from foon_kg.loaders.lessons import lessons_of, read_drafted
-        from foon_kg.loaders.video_tables import read_videos
-        from foon_kg.model.drafted import surest
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.store.snapshot import Snapshot
-
-        found = [result.subgraph for result in read_videos([Path(path) for path in paths])]
-        subgraphs = [subgraph for subgraph in found if subgraph is not None]
-        if not subgraphs:
-            names = ", ".join(map(str, paths)) or "no path"
-            raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
-        return cls(
-            snapshot=Snapshot.of(subgraphs, Kitchen.default()),
-            lessons=surest(lessons_of(read_drafted(map(Path, drafts)))) if drafts else (),
-        )
-
-    @classmethod
-    def connect(
-        cls,
-        uri: str | None = None,
-        user: str = "neo4j",
-        password: str = "",
-        database: str = "neo4j",
-        *,
-        say: Say = _silent,
-    ) -> Self:
-        """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
-
-        What is done to start it, line by line, goes to ``say`` (``print``, say). Raises
-        :class:`~foon_kg.model.errors.ServerError` where it cannot be started; whether a Neo4j answers shows the first
-        question (:class:`~foon_kg.model.errors.GraphError`).
-        """
-        from foon_kg.store.server import ConnectionSettings, connection_settings
-
-        return cls(
-            server=connection_settings(say) if uri is None else ConnectionSettings(uri, user, password, database)
-        )
 
     def close(self) -> None:
         """Forget what is kept ready, and give connections back. Another question opens them again."""
         self._cooks.clear()
-        for name in ("_graph", "_connection"):
-            if name in self.__dict__:
-                self.__dict__.pop(name).close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __repr__(self) -> str:
-        if self._snapshot is not None:
-            return f"<Foon of {len(self._snapshot.subgraphs)} videos in memory>"
-        return f"<Foon at {self._server.uri if self._server else ''}>"
-
-    @contextmanager
-    def reading(self) -> Iterator[Snapshot | GraphView]:
-        """Open the FOON for reading, for what this class has no method for.
-
-        >>> with foon.reading() as view:
-        ...     len(view.goals())
-        23
-        """
-        if self._snapshot is not None:
-            yield self._snapshot
-            return
-        with self._graph.reading() as view:
-            yield view
-
-    def _of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
-        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile."""
-        with self.reading() as view:
-            found = ask(view)
-            while view.moved():
-                found = ask(view)
-            return found
-
-    def snapshot(self) -> Snapshot:
-        """Return the whole FOON in memory, as it stands now."""
-        return self._snapshot or self._graph.snapshot()
-
-    def with_drafts(self) -> WithDrafts:
-        """Return the whole FOON in memory with what its drafts of recipes teach; there may be none."""
-        from foon_kg.store.with_drafts import WithDrafts
-
-        if self._snapshot is not None:
-            return self._with_drafts
-        with self._graph.reading() as view:
-            return WithDrafts.of(self._graph.snapshot(), view.lessons())
-
-    @cached_property
-    def _with_drafts(self) -> WithDrafts:
-        """What :meth:`with_drafts` returns of files: it never changes."""
-        from foon_kg.store.with_drafts import WithDrafts
-
-        return WithDrafts.of(self.snapshot(), self._lessons)
-
-    @cached_property
-    def known(self) -> KnownFoon:
-        """What the judge compares a tree's evidence with."""
-        from foon_kg.validation import KnownFoon
-
-        whole = self.snapshot()
-        return KnownFoon.of(whole.units, whole.goals())
+        super().close()
 
     def known_with(self, settings: PlanSettings) -> KnownFoon:
         """Return what the judge compares a tree's evidence with that was planned with such settings."""
@@ -209,20 +83,6 @@ class Foon:
 
         with self._cook(settings) as cook:
             return KnownFoon.of(cook.units or (), cook.view.goals())
-
-    @cached_property
-    def _graph(self) -> Neo4jGraph:
-        from foon_kg.store.graph import Neo4jGraph
-
-        return Neo4jGraph(self._needs_server("to read"))
-
-    @cached_property
-    def _connection(self) -> Connection:
-        from foon_kg.store.graph.connection import Connection
-
-        return Connection(self._needs_server("to ask"))
-
-    # --- questions ---
 
     def plan(
         self,
@@ -420,7 +280,7 @@ class Foon:
             known = view.motion_costs() if costs is None else costs
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
 
-        return self._of_one_state(retrieved)
+        return self.of_one_state(retrieved)
 
     def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
         """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
@@ -467,7 +327,7 @@ class Foon:
         """
         from foon_kg.planning.suggestion import suggest
 
-        return self._of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
+        return self.of_one_state(lambda view: suggest(view, kitchen, most=most, time_limit=time_limit))
 
     def statistics(self) -> Statistics:
         """Return how much the FOON holds: videos, units, objects, goals. Neo4j counts its own, of any size.
@@ -482,62 +342,3 @@ class Foon:
         from foon_kg.store.graph.counting import count
 
         return count(self._connection)
-
-    # --- Neo4j alone ---
-
-    def cypher(
-        self,
-        text: str,
-        parameters: Mapping[str, Any] | None = None,
-        *,
-        write: bool = False,
-        limit: int = 1_000,
-        timeout: float = 30,
-    ) -> CypherAnswer:
-        """Return the rows of a question in Cypher with its ``parameters``: at most ``limit``, in ``timeout`` seconds.
-
-        What is more than a look at the graph is refused (:class:`~foon_kg.model.errors.WriteRefused`) unless it shall
-        ``write``. Raises :class:`~foon_kg.model.errors.GraphError`, and :class:`~foon_kg.model.errors.UsageError` for a
-        FOON in files.
-        """
-        self._needs_server("to be asked in Cypher")
-        from foon_kg.store.graph.free_cypher import ask_freely
-
-        return ask_freely(self._connection, text, parameters, write=write, limit=limit, timeout=timeout)
-
-    def load(self, *paths: Paths) -> LoadReport:
-        """Bring files and tables into the graph, all or none, and return which were new, replaced and unchanged.
-
-        Raises :class:`~foon_kg.model.errors.ReadError` where one of them cannot be read whole, and
-        :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
-        """
-        self._needs_server("to load files")
-        from foon_kg.loaders import Severity
-        from foon_kg.loaders.video_tables import read_videos
-
-        results = list(read_videos([Path(path) for path in paths]))
-        bad = [notice for result in results for notice in result.notices if notice.severity is Severity.REJECTED]
-        if bad:
-            raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")
-        return self.store([result.subgraph for result in results if result.subgraph is not None])
-
-    def store(self, subgraphs: Sequence[Subgraph], stored: Callable[[LoadReport], None] = _silent) -> LoadReport:
-        """Bring subgraphs that were read already into the graph, as :meth:`load` does.
-
-        ``stored`` is told of each part of them that is in the graph.
-        """
-        self._needs_server("to load files")
-        from foon_kg.store.graph import load
-
-        report = load(self._connection, subgraphs, stored=stored)
-        self.__dict__.pop("known", None)
-        return report
-
-    def _needs_server(self, what: str) -> ConnectionSettings:
-        if self._server is None:
-            raise UsageError(f"a FOON in files has no Neo4j {what}", hint="Use Foon.connect().")
-        return self._server
-
-
-_MOST_KEPT = 8
-"""For so many different settings what plans is kept ready."""

@@ -139,7 +139,7 @@ class Plan:
         >>> plan.to_frame()["motion"][2]
         'peel'
         """
-        from foon_kg.formats.views.notebook import steps_frame  # noqa: PLC0415 - notebooks alone ask this
+        from foon_kg.formats.views.notebook import steps_frame
 
         return steps_frame(self.to_json())
 
@@ -153,7 +153,7 @@ class Plan:
         'motion'
         """
         try:
-            import networkx as nx  # noqa: PLC0415 - only this needs it, and it is not always there
+            import networkx as nx
         except ModuleNotFoundError as error:
             raise UsageError("to_networkx() needs networkx", hint="Install it with: pip install networkx") from error
         graph = nx.DiGraph()
@@ -172,9 +172,9 @@ class Plan:
         >>> plan.to_svg()[:4]
         '<svg'
         """
-        from foon_kg.formats.pictures.tree import tree_svg  # noqa: PLC0415 - what draws takes long to import
-        from foon_kg.formats.views.shown_tree import ShownTree  # noqa: PLC0415
-        from foon_kg.model.extras import missing  # noqa: PLC0415
+        from foon_kg.formats.pictures.tree import tree_svg
+        from foon_kg.formats.views.shown_tree import ShownTree
+        from foon_kg.model.extras import missing
 
         try:
             return tree_svg(ShownTree.of_result(self.result), self._settings.kitchen)
@@ -209,6 +209,6 @@ class Plan:
         return f"<Plan of {recipe.title or recipe.dish_type or self.goal.label}: {len(self)} steps>"
 
     def _repr_html_(self) -> str:
-        from foon_kg.formats.views.notebook import plan_html  # noqa: PLC0415 - notebooks alone ask this
+        from foon_kg.formats.views.notebook import plan_html
 
         return plan_html(self.to_json())

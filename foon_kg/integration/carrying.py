@@ -297,7 +297,8 @@ class Carrier:
         """Bring one food into a vessel: as the slot has it, where that suits its form, else as is usual for it."""
         bath = word_list("goes into the water")
         foods = [self.known.foods.food(stuff.label) for stuff in vessel.contents]
-        boiled = any(food.is_a("water") for food in foods) and all(food.is_a(*bath) for food in foods)
+        boiled = any(food.is_a("water") for food in foods)
+        boiled = boiled and (ready.want.cooked or all(food.is_a(*bath) for food in foods))
         if ready.whole_shell and not boiled:
             self.open_into(ready, vessel)
             return

@@ -168,7 +168,8 @@ class Worker:
         Return what the rest is in then: what is drunk is poured through a strainer.
         """
         wants = self._inside(vessel, self.is_taken_out)
-        if self.plan.drunk and wants and len(vessel.contents) == 1:
+        loose = any(not want.facts.is_a(*word_list("is taken out of the dish")) for want in wants)
+        if self.plan.drunk and loose and len(vessel.contents) == 1:  # a bag or a stick is lifted out
             return self._strain(vessel, wants)
         for want in wants:
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)

@@ -196,7 +196,7 @@ class KnowledgeView(Protocol):
         ...
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it.
+        """Return, for each of ``names``, the ``limit`` known foods that can best stand for it.
 
         They are those of the default similarity (``foon_kg.similarity``), best first, ties by name; fewer only where
         the FOON knows fewer. A name need not be known.

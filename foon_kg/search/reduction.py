@@ -112,7 +112,7 @@ def _chosen_from(choice: Choice) -> set[int]:
 
 
 def _behind(choice: Choice) -> tuple[list[int], list[int], list[int]]:
-    """Answer, for each node, the steps that may take part in making it, their nodes and their foods."""
+    """Return, for each node, the steps that may take part in making it, their nodes and their foods."""
     core = choice.core
     behind = [0] * len(core.nodes)
     changed = True

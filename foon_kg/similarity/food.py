@@ -82,7 +82,7 @@ class FoodSimilarity:
         return _sure(self._odds(rows, side), rows, side)
 
     def in_slots(self, wanted: Sequence[str], known: Sequence[str]) -> Confidences:
-        """Answer how sure a cook is to accept each known food for what the wanted one does in the slot of a dish.
+        """Return how sure a cook is to accept each known food for what the wanted one does in the slot of a dish.
 
         One row for each wanted name, one column for each known one: the most that :meth:`in_slot` answers for any role.
         """
@@ -136,7 +136,7 @@ class FoodSimilarity:
         return _Known(np.array(known, dtype=np.str_), self.evidence.about(known), {})
 
     def _odds(self, rows: Sequence[str], side: _Known) -> Table:
-        """Answer the log odds that each known name stands for each of ``rows``, which are remembered."""
+        """Return the log odds that each known name stands for each of ``rows``, which are remembered."""
         new = [name for name in dict.fromkeys(rows) if name not in side.answered]
         if new and len(side.names):
             if (len(side.answered) + len(new)) * len(side.names) > _REMEMBERED:
@@ -153,13 +153,13 @@ class FoodSimilarity:
 
 
 def _roles(names: Sequence[str]) -> npt.NDArray[np.int64]:
-    """Answer the roles that each of ``names`` may play, a bit for each."""
+    """Return the roles that each of ``names`` may play, a bit for each."""
     bits = {role: 1 << place for place, role in enumerate(roles())}
     return np.array([sum(bits[role] for role in roles_of(name)) for name in names], dtype=np.int64)
 
 
 def _sure(odds: Table, rows: Sequence[str], side: _Known) -> Confidences:
-    """Answer the confidences that odds amount to: 0 for the least, 1 for the same name."""
+    """Return the confidences that odds amount to: 0 for the least, 1 for the same name."""
     confidences = np.round(confidence_of(odds), DECIMALS)
     like = np.where(confidences < LEAST, 0.0, confidences)
     return np.where(np.array(rows, dtype=np.str_)[:, None] == side.names[None, :], 1.0, like)

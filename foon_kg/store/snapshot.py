@@ -102,7 +102,7 @@ class Snapshot:
         return tuple(found[key] for key in sorted(found))
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it."""
+        """Return, for each of ``names``, the ``limit`` known foods that can best stand for it."""
         return nearest_of_each(food_similarity(), names, self.vocabulary().labels, limit)
 
     def called(self, labels: Collection[str]) -> tuple[ObjectNode, ...]:

@@ -118,8 +118,29 @@ def test_how_many_frames_are_kept_changes_none(connection, graph, monkeypatch):
     keys = [frame.key for frame in whole.frames]
     with graph.reading() as view:
         part = view.methods_for(["onion"], "soup")
-    for _ in range(2):
-        assert [layout.frame for layout in part.layouts_of(keys)] == list(whole.frames)
+        for _ in range(2):
+            assert [layout.frame for layout in part.layouts_of(keys)] == list(whole.frames)
+        assert list(map(part.goal_of, whole.frames)) == list(map(whole.goal_of, whole.frames))
+
+
+def test_only_frames_that_are_looked_at_are_read(connection, graph):
+    load(connection, videos_of_the_demo())
+    with graph.reading() as view:
+        part = view.methods_for(["onion"], "soup")
+        first, second, *_ = [outline.key for outline in part.outlines.all]
+        before = view.round_trips
+        assert [layout.frame.key for layout in part.layouts_of([second, first])] == [second, first]
+        assert [layout.frame.key for layout in part.layouts_of([first])] == [first]
+        assert view.round_trips == before + 1
+
+
+def test_a_frame_that_went_meanwhile_is_left_out(connection, graph):
+    load(connection, videos_of_the_demo())
+    with graph.reading() as view:
+        part = view.methods_for(["onion"], "soup")
+        gone, stays, *_ = [outline.key for outline in part.outlines.all]
+        ask_freely(connection, f"MATCH (f:Frame {{key: '{gone}'}}) DETACH DELETE f", write=True)
+        assert [layout.frame.key for layout in part.layouts_of([gone, stays])] == [stays]
 
 
 def test_what_is_known_of_a_food_is_not_asked_twice(connection, graph):

@@ -1,7 +1,12 @@
-"""Units as the graph answers them, also while somebody removes them."""
+"""Units as the graph answers them: in memory that grows with them, and also while somebody removes them."""
 
 from __future__ import annotations
 
+import pytest
+
+from foon_kg.cli.demo import demo_subgraphs
+from foon_kg.cypher import named_query
+from foon_kg.store.graph import Neo4jGraph, load, reading
 from foon_kg.store.graph.known_units import known_units
 from foon_kg.store.graph.rows import KnownUnitsRow
 
@@ -9,3 +14,41 @@ from foon_kg.store.graph.rows import KnownUnitsRow
 def test_a_unit_that_goes_while_the_graph_answers_is_left_out():
     gone = (None, None, None, [], [], [])
     assert list(known_units(KnownUnitsRow([(None, None, None, None)], [gone], []))) == []
+
+
+def memory_for(connection, keys):
+    """Return the bytes of memory that the server takes for these units."""
+    with connection.session() as session, session.begin_transaction() as transaction:
+        result = transaction.run(f"PROFILE {named_query('known_units').text}", keys=keys)
+        return max(numbers(result.consume().profile))
+
+
+def numbers(operator):
+    yield operator["args"].get("GlobalMemory") or 0
+    for child in operator.get("children", ()):
+        yield from numbers(child)
+
+
+MOST_OF_A_UNIT = 20_000
+"""Bytes; one takes 2,000, and took 170,000 where all nodes were in the key of each group, growing with their number."""
+
+
+@pytest.mark.neo4j
+def test_units_take_memory_by_their_number(connection):
+    load(connection, demo_subgraphs())
+    with connection.session() as session:
+        keys = session.run("MATCH (m:Motion) RETURN m.key AS key ORDER BY key").value()
+    assert len(keys) > 100
+    assert 0 < memory_for(connection, keys) <= MOST_OF_A_UNIT * len(keys)
+
+
+@pytest.mark.neo4j
+def test_in_how_many_questions_units_are_asked_for_changes_none(connection, graph, empty_graph, monkeypatch):
+    load(connection, demo_subgraphs())
+    goals = [node for one in demo_subgraphs() for node in one.annotations[-1].unit.output_nodes]
+    with graph.reading() as view:
+        whole = view.behind(goals)
+    monkeypatch.setattr(reading, "UNITS_AT_ONCE", 7)
+    with Neo4jGraph(empty_graph) as another, another.reading() as view:
+        assert view.behind(goals) == whole
+        assert view.round_trips > 10

@@ -13,6 +13,7 @@ from foon_kg.language.collection import CollectionReader, classes_of
 from foon_kg.loaders.notices import NoticeKind, Severity
 from foon_kg.loaders.recipe1m import MOST_INGREDIENTS
 from foon_kg.loaders.recipe_collections import RecipeCollections
+from foon_kg.loaders.recipe_tables import MOST_COLUMNS
 from foon_kg.model.collected import LONGEST_ID, LONGEST_LINE, CollectedLine
 from foon_kg.model.errors import ReadError, UsageError
 
@@ -286,6 +287,8 @@ def test_a_line_longer_than_any_is_told_and_kept_unread(folder, lines):
         ('title,ingredients\nSoup,salt\nPie,"2 cups\n', ":3: a quote begins here and does not end"),
         ("title,ingredients\nSoup,salt\nPie,2 cups, water\n", ":3: 3 cells under 2 columns"),
         ("", ": the file is empty"),
+        ("ingredients" + ",c" * MOST_COLUMNS + "\nsalt\n", ": 1001 columns, and 1000 are the most"),
+        ('"ingredients\n"' + ",c" * MOST_COLUMNS + "\nsalt\n", ": 1001 columns, and 1000 are the most"),
     ],
 )
 def test_a_broken_table_is_told_with_its_line(tmp_path, text, told):
@@ -293,6 +296,13 @@ def test_a_broken_table_is_told_with_its_line(tmp_path, text, told):
     with pytest.raises(ReadError) as error, RecipeCollections([tmp_path / "r.csv"], lambda _: None) as collections:
         collections.check()
     assert error.value.message == f"{tmp_path / 'r.csv'}{told}"
+
+
+def test_a_table_of_columns_that_is_too_wide_is_refused(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pandas.DataFrame([{f"c{n}": "salt" for n in range(MOST_COLUMNS + 1)}]).to_parquet(tmp_path / "r.parquet")
+    with pytest.raises(ReadError, match="1001 columns"), RecipeCollections([tmp_path], lambda _: None) as collections:
+        collections.check()
 
 
 @pytest.mark.parametrize("name", ["missing", "empty", "notes.txt"])

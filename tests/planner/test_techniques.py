@@ -153,3 +153,16 @@ def test_what_a_cutlet_is_eaten_with_is_not_fried_with_it(steps):
 def test_eggs_are_whisked_and_come_into_a_soup_last(steps):
     told = steps("soup", "Avgolemono", "chicken stock:liquid", "orzo:uncooked", "eggs:uncooked", "lemon juice:juice")
     assert first(told, "eggs", "whisk") < first(told, "orzo", "simmer") < first(told, "egg mixture", "simmer")
+
+
+def test_a_bowl_on_rice_has_its_eggs_fried_apart(steps):
+    told = steps("rice", "Bibimbap", "short-grain rice:uncooked", "ground beef:raw", "carrot:julienned",
+                 "eggs:uncooked", "gochujang:paste", "sesame oil:liquid")  # fmt: skip
+    assert first(told, "short-grain rice", "boil") < first(told, "ground beef", "cook and stir")
+    assert first(told, "ground beef", "cook and stir") < first(told, "eggs", "crack") < first(told, "eggs", "cook")
+
+
+def test_pieces_in_a_crust_are_fried_before_their_sauce_comes(steps):
+    told = steps("stir-fry", "Sweet and Sour Pork", "pork loin:cubed", "egg:uncooked", "cornstarch:powder",
+                 "ketchup:sauce", "rice vinegar:liquid", "sugar:granulated", "oil:liquid")  # fmt: skip
+    assert first(told, "egg", "crack") < motions(told).index("flip") < motions(told).index("cook and stir")

@@ -15,7 +15,8 @@ import foon_kg
 from foon_kg import Foon, foon
 from foon_kg.demo import demo_folder
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.foon import plan
+from foon_kg.foon import changing, opened, plan
+from foon_kg.loaders import read_paths
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.planning.batch import Question
 from foon_kg.planning.settings import PlanSettings
@@ -34,9 +35,9 @@ def salad(door):
 
 
 def test_the_examples_of_the_docstrings_are_true(door, salad):
-    names = {"foon": door, "plan": salad, "demo_folder": demo_folder}
-    done = [doctest.testmod(module, extraglobs=names) for module in (foon, plan)]
-    assert [one.failed for one in done] == [0, 0]
+    names = {"Foon": Foon, "foon": door, "plan": salad, "demo_folder": demo_folder}
+    done = [doctest.testmod(module, extraglobs=names) for module in (foon, changing, opened, plan)]
+    assert [one.failed for one in done] == [0, 0, 0, 0]
     assert sum(one.attempted for one in done) > 20
 
 
@@ -138,7 +139,13 @@ def test_a_kitchen_says_what_had_to_be_decided_to_read_it(door, tmp_path):
 
 
 def test_what_needs_a_graph_says_so(door, tmp_path):
-    for ask in (lambda: door.cypher("RETURN 1"), lambda: door.load(demo_folder())):
+    asks = (
+        lambda: door.cypher("RETURN 1"),
+        lambda: door.load(demo_folder()),
+        lambda: door.remove(["greek_salad"]),
+        lambda: door.remove_drafts(["draft:1"]),
+    )
+    for ask in asks:
         with pytest.raises(UsageError, match="in files"):
             ask()
     with pytest.raises(ReadError):
@@ -168,3 +175,19 @@ def test_a_graph_is_asked_and_loaded_through_the_same_door(empty_graph):
         assert door.plan("salad", ASKED).check().accepted
         door.close()
         assert door.cypher("RETURN 1 AS n").rows == ((1,),)
+
+
+@pytest.mark.neo4j
+def test_a_video_is_taken_out_through_the_door_and_what_it_would_bring_is_told(empty_graph):
+    settings = (empty_graph.uri, empty_graph.user, empty_graph.password, empty_graph.database)
+    (salad,) = (one.subgraph for one in read_paths([demo_folder() / "greek_salad.txt"]))
+    with Foon.connect(*settings) as door:
+        door.store([salad])
+        (told,) = door.remove(["greek_salad"], dry_run=True)
+        assert [one.name for one in door.snapshot().subgraphs] == ["greek_salad"]
+        assert list(door.remove(["greek_salad"])) == [told]
+        assert door.snapshot().subgraphs == ()
+        (again,) = door.differences([salad])
+        assert again.added == told.dropped != ()
+        with pytest.raises(UsageError, match="greek_salad"):
+            door.remove(["greek_salad"])

@@ -28,7 +28,7 @@ SIGHTING = (
 
 
 def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
-    """Answer, for each label, the properties of its nodes."""
+    """Return, for each label, the properties of its nodes."""
     counts = _counts(foon)
     objects = _objects(foon)
     foods = sorted(
@@ -51,7 +51,7 @@ def node_tables(foon: Snapshot) -> dict[str, list[Row]]:
 
 
 def edge_tables(foon: Snapshot) -> dict[str, list[Row]]:
-    """Answer, for each type, the edges as (name of the start, name of the end, properties…).
+    """Return, for each type, the edges as (name of the start, name of the end, properties…).
 
     A node is named by its key or its name, whichever it has.
     """

@@ -29,7 +29,7 @@ Ask = Callable[[Mapping[str, Any]], list[EquivalentsRow]]
 def equivalents(
     connection: Connection, kitchen: Kitchen, names: Sequence[str], limit: int
 ) -> tuple[tuple[Neighbour, ...], ...] | None:
-    """Answer, for each of ``names``, the ``limit`` best known foods of a graph, without all that a view of it needs.
+    """Return, for each of ``names``, the ``limit`` best known foods of a graph, without all that a view of it needs.
 
     ``None`` where they cannot be told by points (see :func:`find_equivalents`). Raises GraphError where no FOON
     answers, SchemaError for one of another version or written with another kitchen.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 from itertools import chain
 from typing import Any, Protocol
 
@@ -50,6 +50,11 @@ class Learner:
         self._forgotten: set[str] = set()
         self._sighted: defaultdict[str, list[SightingValue]] = defaultdict(list)
         self._attested: dict[str, tuple[str, Sequence[str], Sequence[str]]] = {}
+
+    @property
+    def matters(self) -> Set[str]:
+        """The names of the matters that were written."""
+        return self._matters
 
     def forget(self, names: Sequence[str]) -> None:
         """Take away the frames of the named videos."""

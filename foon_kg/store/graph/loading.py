@@ -91,7 +91,7 @@ def remove(connection: Connection, names: Collection[str], kitchen: Kitchen | No
 
 
 def compare(transaction: neo4j.ManagedTransaction, wanted: Sequence[Subgraph]) -> LoadReport:
-    """Answer, as ``unchanged``, which of ``wanted`` the graph has with the same content."""
+    """Return, as ``unchanged``, which of ``wanted`` the graph has with the same content."""
     contents = _contents(transaction, [subgraph.name for subgraph in wanted])
     return LoadReport(unchanged=tuple(s.name for s in wanted if contents.get(s.name) == s.content_key))
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 
 from foon_kg.food import tables
@@ -18,7 +17,17 @@ from foon_kg.model import Goal, Sighting
 from foon_kg.model.recent import Recent
 from foon_kg.store.graph.frame_rows import frame_of
 from foon_kg.store.graph.lifting import ANYTHING, KIND
-from foon_kg.store.graph.rows import EvidenceValue, FramesRow, MatterValue, MethodsCommonRow, MethodsRow
+from foon_kg.store.graph.rows import (
+    EvidenceValue,
+    FrameReadValue,
+    FramesRow,
+    MatterValue,
+    MethodsCommonRow,
+    MethodsRow,
+)
+
+Ask = Callable[[Sequence[str]], Iterable[FrameReadValue]]
+"""Has the frames of some keys read."""
 
 
 def methods_of(row: MethodsRow, goals: Iterable[Goal]) -> Methods:
@@ -109,42 +118,45 @@ MOST_LAYOUTS = 2048
 
 
 class LearntDishes:
-    """The frames of one edition: their outlines, and each frame itself where somebody looks at it."""
+    """The frames of one edition: their outlines, and each frame itself once somebody looked at it."""
 
     def __init__(self, row: FramesRow) -> None:
-        self._texts = {key: text for key, *_, text in row.frames}
         self._layouts: Recent[str, Layout] = Recent(MOST_LAYOUTS)
-        self._videos: defaultdict[tuple[str, str], list[str]] = defaultdict(list)
-        for _, dish_type, _, _, _, _, goal, video, _ in row.frames:
-            self._videos[goal, dish_type].append(video)
+        self._videos: dict[tuple[str, str], tuple[str, ...]] = {}
         self.outlines = Outlines(
             Outline(key, dish_type, label, frozenset(foods), frozenset(kinds), (ends[0], ends[1]))
-            for key, dish_type, label, foods, kinds, ends, *_ in sorted(row.frames)
+            for key, dish_type, label, foods, kinds, ends in sorted(row.frames)
         )
 
-    def layout(self, key: str) -> Layout:
-        """Return the places of a frame."""
-        found = self._layouts.find(key)
-        if found is None:
-            found = self._layouts[key] = Layout.of(frame_of(self._texts[key]), tables())
-        return found
+    def layouts(self, keys: Sequence[str], ask: Ask) -> list[Layout]:
+        """Return the places of some frames, in that order; ``ask`` is asked for those that nobody looked at lately.
+
+        One that went meanwhile is left out: who wrote then made another edition, and the question is asked anew.
+        """
+        found = {key: layout for key in keys if (layout := self._layouts.find(key)) is not None}
+        if missing := [key for key in keys if key not in found]:
+            for key, text, videos in ask(missing):
+                frame = frame_of(text)
+                self._videos[frame.goal.key, frame.dish_type] = tuple(sorted(videos))
+                found[key] = self._layouts[key] = Layout.of(frame, tables())
+        return [found[key] for key in keys if key in found]
 
     def goal_of(self, frame: Frame) -> Goal:
-        """Return the goal that a frame is of, with the videos that show a way to it."""
+        """Return the goal that a frame is of, which was looked at, with the videos that show a way to it."""
         videos = self._videos[frame.goal.key, frame.dish_type]
-        return Goal(frame.goal, frame.dish_type, frame.goal.ingredients, tuple(sorted(videos)))
+        return Goal(frame.goal, frame.dish_type, frame.goal.ingredients, videos)
 
 
 class MethodsInPart(Methods):
     """The part of the methods that matters to one question; of the frames those are read that it looks at closely."""
 
-    def __init__(self, operators: Operators, posts: Posts, dishes: LearntDishes) -> None:
+    def __init__(self, operators: Operators, posts: Posts, dishes: LearntDishes, ask: Ask) -> None:
         super().__init__(operators, (), ())
-        vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes)
+        vars(self).update(posts=posts, outlines=dishes.outlines, _dishes=dishes, _ask=ask)
 
     def layouts_of(self, keys: Iterable[str]) -> list[Layout]:
         """Return the places of the frames of some keys, in that order."""
-        return [self._dishes.layout(key) for key in keys]
+        return self._dishes.layouts(list(keys), vars(self)["_ask"])
 
     def goal_of(self, frame: Frame) -> Goal:
         """Return the goal that a frame is of."""
@@ -209,6 +221,6 @@ class CommonMethods:
             found.foods |= evidence.foods.keys()
         return found
 
-    def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes) -> Methods:
-        """Return the methods of a question."""
-        return MethodsInPart(self.operators_with(matters), self.posts, dishes)
+    def methods_with(self, matters: Iterable[MatterValue], dishes: LearntDishes, ask: Ask) -> Methods:
+        """Return the methods of a question, which ``ask`` for the frames at which it looks."""
+        return MethodsInPart(self.operators_with(matters), self.posts, dishes, ask)

@@ -28,6 +28,7 @@ from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.methods import CommonMethods, LearntDishes, methods_of
 from foon_kg.store.graph.remembering import keep_trees
 from foon_kg.store.graph.rows import (
+    FrameReadValue,
     GoalValue,
     SeenUnit,
     SubgraphRow,
@@ -41,6 +42,7 @@ from foon_kg.store.graph.statements import (
     BEHIND,
     EQUIVALENTS,
     FRAMES,
+    FRAMES_READ,
     GOALS,
     KNOWN_UNITS,
     LIKELY_GOALS,
@@ -70,6 +72,9 @@ Row = TypeVar("Row")
 
 MOST_LEARNT_ANEW = 500
 """Of so many videos what another program learnt is learnt anew to read it, which takes some ten seconds."""
+
+UNITS_AT_ONCE = 1_000
+"""So many units are asked for in one question: ten thousand take more memory than a server of ours has for it."""
 
 
 class GraphView:
@@ -164,14 +169,15 @@ class GraphView:
     def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:
         units = self._edition.units
         missing = [key for key in keys if key not in units]
-        for row in self._ask(KNOWN_UNITS, keys=missing) if missing else ():
+        for start in range(0, len(missing), UNITS_AT_ONCE):
+            (row,) = self._ask(KNOWN_UNITS, keys=missing[start : start + UNITS_AT_ONCE])
             units.update((known.unit.key, known) for known in known_units(row))
             rows = groupby(sorted(seen_as(row.foods)), key=attrgetter("label"))
             self._edition.rows_of.update((label, tuple(found)) for label, found in rows)
         return tuple(units[key] for key in keys if key in units)  # one that went meanwhile is not behind it any more
 
     def equivalents(self, names: Sequence[str], *, limit: int = 5) -> tuple[tuple[Neighbour, ...], ...]:
-        """Answer, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
+        """Return, for each of ``names``, the ``limit`` known foods that can best stand for it; by the vector index.
 
         Where the graph was written with other word lists than this program's, its foods are compared in memory.
         """
@@ -209,7 +215,11 @@ class GraphView:
             self._edition.common = CommonMethods(*self._ask_once(METHODS_COMMON))
         if self._edition.dishes is None:
             self._edition.dishes = LearntDishes(*self._ask_once(FRAMES))
-        return self._edition.common.methods_with(matters, self._edition.dishes)
+        return self._edition.common.methods_with(matters, self._edition.dishes, self._read_frames)
+
+    def _read_frames(self, keys: Sequence[str]) -> list[FrameReadValue]:
+        (row,) = self._ask(FRAMES_READ, keys=sorted(keys))
+        return row.frames
 
     def _read_methods(self) -> Methods:
         if self._learnt_by != methods_key():

@@ -44,8 +44,11 @@ change it, and the texts of the first sightings of either."""
 MatterValue = tuple[str, list[tuple[int, EvidenceValue]], list[tuple[int, str, int]], list[str]]
 """``[name, evidence, brings, states]`` of a matter: see :class:`MethodsAskedRow`."""
 
-FrameValue = tuple[str, str, str, list[str], list[str], list[str], str, str, str]
-"""``[key, dish_type, label, foods, kinds, ends, goal, video, text]`` of a frame; the goal by its key."""
+FrameValue = tuple[str, str, str, list[str], list[str], list[str]]
+"""``[key, dish_type, label, foods, kinds, ends]`` of a frame."""
+
+FrameReadValue = tuple[str, str, list[str]]
+"""``[key, text, videos]`` of a frame; the videos are those that show a way to its goal."""
 
 Counted = list[tuple[str, int]]
 """Names with their counts."""
@@ -330,6 +333,13 @@ class FramesRow:
     """All frames, in no order."""
 
     frames: list[FrameValue]
+
+
+@dataclass(frozen=True)
+class FramesReadRow:
+    """Frames that are looked at closely, in no order."""
+
+    frames: list[FrameReadValue]
 
 
 @dataclass(frozen=True)

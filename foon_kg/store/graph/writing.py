@@ -6,12 +6,14 @@ unit is swept away while another program refers to it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import dataclasses
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import Any
 
 import neo4j
 
-from foon_kg.model import DISH_TYPES, FunctionalUnit, ObjectNode, Subgraph
+from foon_kg.model import FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.similarity.points import indexed_points
@@ -43,6 +45,8 @@ class Writer:
         self._counts = WordCounts(kitchen.is_utensil)
         self._learner = Learner(self._ask, kitchen)
         self._doubtful: set[str] = set()
+        self._words: set[str] = set()
+        """Names of what comes, which may be foods without a point, and of what goes, which nobody may use any more."""
         self.state = next(iter(self._ask(cypher.WRITING_TURN)), None)
 
     def add(self, subgraphs: Sequence[Subgraph]) -> None:
@@ -58,6 +62,7 @@ class Writer:
         self._ask(cypher.LOAD_NEXT, videos=[_steps_row(subgraph) for subgraph in subgraphs])
         self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(subgraphs))
         self._ask(cypher.LOAD_GOALS, goals=[row for s in subgraphs for row in self._goal_rows(s)])
+        self._words.update(name for node in nodes for name in node.ingredients)
         self._throw_out_trees(units[row.key] for row in new)
         self._counts.count(units[row.key] for row in new)
         self._learner.learn((units[row.key] for row in new), subgraphs)
@@ -66,9 +71,10 @@ class Writer:
         """Take away what the named videos say, but not the videos."""
         if names:
             going = [subgraph_of(row) for row in self._ask(cypher.SUBGRAPHS, names=names)]
+            self._words.update(word for subgraph in going for word in _words_of(subgraph))
             self._ask(cypher.LOAD_MOVEMENTS, rows=movement_rows(going, weight=-1))
+            self._ask(cypher.FORGET_GOALS, names=names)
             self._doubtful |= {row.key for row in self._ask(cypher.FORGET_SIGHTINGS, names=names)}
-            self._ask(cypher.FORGET_GOALS, names=names, dish_types=DISH_TYPES)
             self._learner.forget(names)
 
     def drop_videos(self, names: Sequence[str]) -> None:
@@ -84,16 +90,18 @@ class Writer:
         if gone:
             self._throw_out_trees(gone)
             self._ask(cypher.SWEEP_UNITS, keys=[row.key for row in rows])
-        foods = [{"label": r.label, "state": r.state, "made": r.made, "used": r.used} for r in self._counts.seen_as()]
-        motions = [{"state": r.state, "motion": r.motion, "count": r.count} for r in self._counts.made_by()]
-        verbs = [{"motion": r.motion, "units": r.units, "several": r.several} for r in self._counts.gatherings()]
+        foods, motions = list(self._counts.seen_as()), list(self._counts.made_by())
+        verbs = list(self._counts.gatherings())
+        self._words.update(chain.from_iterable((row.label, row.state) for row in foods))
+        self._words.update(chain.from_iterable((row.state, row.motion) for row in motions))
+        self._words.update(row.motion for row in verbs)
         if foods or motions or verbs:
-            self._ask(cypher.COUNT_FOODS, rows=foods)
-            self._ask(cypher.COUNT_MOTIONS, rows=motions)
-            self._ask(cypher.COUNT_VERBS, rows=verbs)
+            self._ask(cypher.COUNT_FOODS, rows=[row._asdict() for row in foods])
+            self._ask(cypher.COUNT_MOTIONS, rows=list(map(dataclasses.asdict, motions)))
+            self._ask(cypher.COUNT_VERBS, rows=list(map(dataclasses.asdict, verbs)))
         self._learner.finish(self._doubtful)
         if self._doubtful:
-            self._ask(cypher.SWEEP_WORDS)
+            self._ask(cypher.SWEEP_WORDS, words=sorted(self._words))
         self._write_vectors()
 
     def write_anew(self) -> None:
@@ -135,7 +143,10 @@ class Writer:
         words = word_lists_key()
         if self.state is None or self.state.words != words:
             self._ask(cypher.FORGET_VECTORS, words=words)
-        names = sorted(row.name for row in self._ask(cypher.FOODS_WITHOUT_VECTOR))
+            found = self._ask(cypher.FOODS_WITHOUT_VECTOR)
+        else:
+            found = self._ask(cypher.FOODS_NEW, names=sorted(self._words | self._learner.matters))
+        names = sorted(row.name for row in found)
         if names:
             rows = zip(names, indexed_points(names), strict=True)
             self._ask(
@@ -167,6 +178,14 @@ class Writer:
     def _goal_rows(self, subgraph: Subgraph) -> list[dict[str, str]]:
         goals = goals_of(subgraph, self._kitchen)
         return [{"key": node.key, "dish_type": dish_type, "video": subgraph.name} for node, dish_type in goals]
+
+
+def _words_of(subgraph: Subgraph) -> Iterator[str]:
+    """Yield the labels, ingredients, states and motions of a video, each as often as it says them."""
+    for annotation in subgraph.annotations:
+        yield annotation.unit.motion
+        for node in (*annotation.unit.input_nodes, *annotation.unit.output_nodes):
+            yield from (node.label, *node.ingredients, *node.states)
 
 
 def _video_row(subgraph: Subgraph) -> dict[str, Any]:
