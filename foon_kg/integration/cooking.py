@@ -248,12 +248,10 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
-        return self._take_out(stage, vessel, later, main=main)
+        return self._take_out(stage, vessel, later)
 
-    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> Vessel:
-        """Take out of a pot what only gave its taste, before the dish is served or blended; return what it is in."""
-        if not (main or self.plan.drunk or self.plan.one_pot):
-            return vessel
+    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> Vessel:
+        """Take out of a pot what only gave its taste, before it is poured on, served or blended; return what it is in."""
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return vessel

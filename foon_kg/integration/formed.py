@@ -98,6 +98,8 @@ class _Mass:
     def is_of_mass(self, join: Join, *, alone: bool) -> bool:
         """Whether a food is mixed with what is shaped; ``alone``: there is nothing else that it could belong to."""
         facts = join.want.facts
+        if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join):
+            return False
         if join in self.main or facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")):
             return True
         if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
