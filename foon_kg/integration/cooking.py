@@ -251,7 +251,7 @@ class Cooking:
         return self._take_out(stage, vessel, later)
 
     def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> Vessel:
-        """Take out of a pot what only gave its taste, before it is poured on, served or blended; return what it is in."""
+        """Take out of a pot what only gave its taste, before that is poured, served or blended; return its vessel."""
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
             return vessel
