@@ -197,7 +197,8 @@ def _csv_columns(path: Path) -> int:
     """Return how many columns the first row has; of one that cannot be read the reader itself tells what is wrong."""
     try:
         with TextIOWrapper(open_regular(path), encoding="utf-8-sig", errors="replace", newline="") as stream:
-            return len(next(csv.reader(stream), ()))
+            lines = iter(partial(stream.readline, LONGEST_LINE), "")  # a line without end is not read to its end
+            return len(next(csv.reader(lines), ()))
     except csv.Error:
         return 0
 
