@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -79,6 +80,10 @@ Avoided = Annotated[
 After = Annotated[
     str, typer.Option("--after", metavar="DISH|VIDEO", help="Make it after this recorded dish, or after this video.")
 ]
+Title = Annotated[
+    str | None,
+    typer.Option("--title", metavar="TEXT", help="What the dish is called, which is read: “Cold tomato soup”."),
+]
 Output = Annotated[
     Path | None,
     typer.Option(
@@ -111,6 +116,7 @@ Limit = Annotated[
 def plan(  # noqa: PLR0917 - each parameter is an option of its own
     wanted: Wanted = None,
     dish: Dish = None,
+    title: Title = None,
     recipe: RecipeIds = None,
     recipes: Collection = None,
     kitchen: KitchenFile = None,
@@ -146,6 +152,7 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
 
     A food that --substitute names is handled like the known one, however unlike they are; the answer says how unlike.
     What --avoid names is matched with care, kinds of food and parts of names included; what is left out is said.
+    --title is read for ingredients in words: a creamy soup is blended, a lasagna laid in layers.
     --after says which recorded dish to follow, instead of the one that suits best.
     --with-drafts takes dishes, too, that were drafted from the words of recipes: those that foon load drafts brought
     in, or of files that --files names (.jsonl, .jsonl.gz, .jsonl.zst). What is made after one says so.
@@ -168,14 +175,14 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid), "--after": bool(after)})
     if recipes is not None:
         _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
-        _alone(wanted or recipe or dish)
+        _alone(wanted or recipe or dish or title)
         chosen = tuple(map(_substitute, substitute or ()))
         settings = PlanSettings(
             substitutes=chosen, avoided=tuple(avoid or ()), after=after, method=method, with_drafts=with_drafts
         )
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
-    questions = _questions(wanted or [], dish, recipe or [], say)
+    questions = _called(_questions(wanted or [], dish, recipe or [], say), title)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with front_door(files, say) as door:
         at_hand = kitchen_of(kitchen, door, say)
@@ -246,6 +253,13 @@ def _questions(wanted: Sequence[str], dish_type: str | None, ids: Sequence[str],
     if dish_type is None and any(map(_looks_like_a_file, wanted)):
         return [Question(path) for path in recipe_files(Path(name) for name in wanted)]
     return [Question(dish_type=dish_type or "", texts=tuple(wanted))]
+
+
+def _called(questions: list[Question], title: str | None) -> list[Question]:
+    """Return questions in words with the title of the dish; recipes from files and of the graph have their own."""
+    if title is not None and not all(question.texts for question in questions):
+        raise UsageError("--title is for ingredients in words", hint="A recipe has its own title.")
+    return [replace(question, title=title) for question in questions] if title is not None else questions
 
 
 def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:

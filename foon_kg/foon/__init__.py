@@ -131,20 +131,14 @@ class Foon(Changing):
         pairs = [one for one in asked if not isinstance(one, str)]
         if words and pairs:
             raise UsageError("ingredients are words or pairs", hint="Give all of them in one way.")
-        question = Question(dish_type=dish_type, texts=tuple(words))
-        if pairs or title is not None:
-            given = pairs or self._read(question, settings)
-            wanted = tuple(RequiredIngredient(food, state) for food, state in given)
+        question = Question(dish_type=dish_type, texts=tuple(words), title=title)
+        if pairs:
+            wanted = tuple(RequiredIngredient(food, state) for food, state in pairs)
             question = Question(given=Recipe(dish_type, wanted, title=title))
         answer = self.answer(question, settings)
         if answer.error is not None or not isinstance(answer.outcome, PlanResult):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return Plan(answer.outcome, self, settings, answer.notes)
-
-    def _read(self, question: Question, settings: PlanSettings) -> list[tuple[str, str]]:
-        with self._cook(settings) as cook:
-            read = question.read(cook.words_for(question))
-        return [(wanted.object, wanted.state) for wanted in read.recipe.ingredients]
 
     def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
         """Return the answer to a question, with its notes; ``error`` is what stands in its way."""

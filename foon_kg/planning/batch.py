@@ -39,19 +39,25 @@ MANY = 4
 
 @dataclass(frozen=True)
 class Question:
-    """A recipe still to be read: its file, a dish type and ingredients in words, or ``given`` without all states."""
+    """A recipe still to be read: its file, ``given`` without all states, or a dish type and ingredients in words.
+
+    ``title`` is what a recipe in words is called.
+    """
 
     path: Path | None = None
     dish_type: str = ""
     texts: tuple[str, ...] = ()
     given: Recipe | None = None
+    title: str | None = None
 
     def read(self, words: IngredientWords, avoided: Sequence[str] = ()) -> ReadRecipe:
         """Return the recipe without what is avoided; raises ReadError or UsageError where it cannot be read."""
         if self.given is not None:
             read = with_states(self.given, words)
+        elif self.path is not None:
+            read = read_recipe(self.path, words)
         else:
-            read = recipe_of(self.dish_type, self.texts, words) if self.path is None else read_recipe(self.path, words)
+            read = recipe_of(self.dish_type, self.texts, words, self.title)
         recipe, notes = without_avoided(read.recipe, avoided)
         return ReadRecipe(recipe, (*read.notes, *notes))
 

@@ -225,8 +225,8 @@ def names_in(texts: Iterable[str]) -> tuple[str, ...]:
     return tuple(names)
 
 
-def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> ReadRecipe:
-    """Return the recipe that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
+def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, title: str | None = None) -> ReadRecipe:
+    """Return the recipe called ``title`` that asks for ``texts`` (``chopped onion``, …) as a ``dish_type``.
 
     Raises :class:`~foon_kg.model.errors.UsageError` where no food of it is known.
     """
@@ -235,7 +235,8 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords) -> R
         notes = [note for _, said in read for note in said if note.startswith(NO_FOOD)]
         told = " ".join(f"N{note[1:]}" + ("" if note.endswith("?") else ".") for note in notes)
         raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
-    return ReadRecipe(Recipe(dish_type, tuple(wanted for wanted, _ in read)), _gathered(read))
+    recipe = Recipe(dish_type, tuple(wanted for wanted, _ in read), title=title)
+    return ReadRecipe(recipe, _gathered(read))
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:

@@ -39,6 +39,9 @@ Substitutes = Annotated[
     dict[str, str], Field(max_length=MOST_INGREDIENTS, description="Handle this food like that known one.")
 ]
 Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kinds of food (nuts) to leave out.")]
+Title = Annotated[
+    str, Field(max_length=200, description="What the dish is called, which is read: a lasagna is laid in layers.")
+]
 AtHand = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND)]
 Names = Annotated[list[Words], Field(min_length=1, max_length=20, description="Foods, known or not.")]
 Role = Annotated[str, Field(max_length=40, description="What it does in a dish: acid, fat, liquid, milk, protein …")]
@@ -100,17 +103,17 @@ class _Tools:
 
     def plan(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None, kitchen: AtHand | None = None,
+        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "",
     ) -> dict[str, Any]:  # fmt: skip
         """Plan a dish: its steps in order (units), what the kitchen must have, substitutions and assumptions."""
-        return self._planned(ingredients, dish_type, substitutes, avoid, kitchen)
+        return self._planned(ingredients, dish_type, substitutes, avoid, kitchen, title=title)
 
     def explain(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None, kitchen: AtHand | None = None,
+        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "",
     ) -> dict[str, Any]:  # fmt: skip
         """Say why each ingredient of a plan is made as it is: like which food, where it joins, what was passed over."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen, explain=True)
+        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen, title=title, explain=True)
         return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
 
     def similar(self, names: Names, limit: Most = 5, role: Role | None = None) -> dict[str, Any]:
@@ -141,11 +144,12 @@ class _Tools:
         avoid: Sequence[str] | None,
         kitchen: Sequence[str] | None,
         *,
+        title: str = "",
         explain: bool = False,
     ) -> JsonObject:
         chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
         wishes = chosen, tuple(avoid or ()), tuple(kitchen or ())
-        return self._answer(PlanQuestion(dish_type, tuple(ingredients), *wishes, explain=explain))
+        return self._answer(PlanQuestion(dish_type, tuple(ingredients), *wishes, title=title, explain=explain))
 
     def _answer(self, question: Question) -> JsonObject:
         reply = _explained(lambda: self._service.answer(question))

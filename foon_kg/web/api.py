@@ -195,6 +195,7 @@ async def plan(request: Request, asked: asking.PlanAsked) -> Response:
         tuple(asked.kitchen),
         asked.after,
         with_drafts=asked.with_drafts,
+        title=asked.title,
         export=asked.export,
         explain=asked.explain,
         hands=tuple(asked.hands),
@@ -212,12 +213,14 @@ async def plan_again(
     kitchen: Annotated[list[asking.Words], _AT_HAND] = [],  # noqa: B006 - the same
     *,
     after: asking.After = "",
+    title: asking.Title = "",
     with_drafts: Annotated[bool, Query(description=asking.DRAFTS)] = False,
     explain: bool = False,
 ) -> Response:
     """Plan a dish as POST does. The answer has an ETag: whoever sends it as If-None-Match is told if it still is so."""
     wanted = tuple(ingredients), (), tuple(avoid), tuple(kitchen)
-    return await _answered(request, PlanQuestion(dish_type, *wanted, after, with_drafts=with_drafts, explain=explain))
+    question = PlanQuestion(dish_type, *wanted, after, with_drafts=with_drafts, title=title, explain=explain)
+    return await _answered(request, question)
 
 
 @router.post("/suggest", response_model=telling.SuggestionsTold)

@@ -28,6 +28,14 @@ After = Annotated[
         description="The recorded dish, or the video, to make it after; empty for the one that suits best.",
     ),
 ]
+Title = Annotated[
+    str,
+    Field(
+        max_length=MOST_LETTERS,
+        pattern=r"^[^\x00-\x1f\x7f]*$",
+        description="What the dish is called, which is read: a creamy soup is blended, a lasagna laid in layers.",
+    ),
+]
 EXPORT = (
     "Also answer the plan as files of this format: foon, json, dot, mermaid, graphml, markdown, behaviour-tree, pddl."
 )
@@ -63,6 +71,7 @@ class PlanAsked(Asked):
     avoid: list[Words] = Field([], max_length=20, description="Foods or kinds of food (nuts).", examples=[[]])
     kitchen: Kitchen = []
     after: After = ""
+    title: Title = ""
     with_drafts: bool = Field(default=False, description=DRAFTS)
     export: str = Field("", max_length=40, description=EXPORT, examples=["markdown"])
     explain: bool = Field(default=False, description="Also answer why each ingredient is made as it is.")

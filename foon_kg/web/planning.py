@@ -62,7 +62,7 @@ class PlanningDesk:
         return Reply.of(plan_to_json(answer, question, self._durations, known, places) | {"notes": notes})
 
     def _answered(self, question: PlanQuestion, kitchen: Kitchen) -> Answer:
-        asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients)
+        asked = PlannerQuestion(dish_type=question.dish_type, texts=question.ingredients, title=question.title or None)
         chosen, avoided = question.substitutes, question.avoided
         if not (chosen or avoided or question.kitchen or question.after):
             plain = replace(_NO_WISHES, with_drafts=question.with_drafts)

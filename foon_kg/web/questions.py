@@ -20,7 +20,7 @@ class PlanQuestion:
     ``kitchen`` names what is at hand (:mod:`foon_kg.plans.stock`); nothing is everything. ``after`` names the recorded
     dish, or the video, after which it is made; nothing is the one that suits best. ``with_drafts`` plans after dishes,
     too, that were only drafted from the words of recipes. ``export`` names a format in which the plan is written beside
-    it. The answer says why each ingredient is made as it is where it
+    it, ``title`` what the dish is called. The answer says why each ingredient is made as it is where it
     shall ``explain``, has a schedule for each number of pairs of ``hands``, and pictures where there is a
     ``picture_width`` (pixels of the progress lines and schedules).
     """
@@ -32,6 +32,7 @@ class PlanQuestion:
     kitchen: tuple[str, ...] = ()
     after: str = ""
     with_drafts: bool = False
+    title: str = ""
     export: str = ""
     explain: bool = False
     hands: tuple[int, ...] = ()

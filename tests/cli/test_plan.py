@@ -45,6 +45,18 @@ def test_a_plan_in_words_shows_steps_kitchen_and_progress(foon):
     assert not any(line.endswith(" ") for line in answer.stdout.splitlines())
 
 
+def test_what_a_dish_is_called_is_read(foon, tmp_path):
+    soup = ("--dish", "soup", "chopped parsnip", "chopped onion", "water", "--json", "--quiet")
+    plain, creamy = (json.loads(foon(*soup, *more).stdout) for more in ((), ("--title", "Cream of parsnip soup")))
+    assert "blend" not in {unit["motion_node"] for unit in plain["units"]}
+    assert "blend" in {unit["motion_node"] for unit in creamy["units"]}
+    assert (plain["recipe"]["title"], creamy["recipe"]["title"]) == (None, "Cream of parsnip soup")
+    recipe_file(tmp_path, "1", type="salad", ingredients=asked(("onion", "chopped")))
+    refused = foon(tmp_path, "--title", "a salad")
+    assert (refused.exit_code, refused.stdout) == (2, "")
+    assert "--title is for ingredients in words" in refused.stderr
+
+
 @pytest.mark.slow
 def test_json_is_one_result_on_stdout_and_quiet_keeps_stderr_empty(foon):
     answer = foon(*SALAD, "--json", "--quiet")

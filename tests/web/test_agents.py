@@ -87,6 +87,12 @@ def test_a_substitute_can_be_chosen(server):
     assert one["equivalent"] == "onion"
 
 
+def test_what_a_dish_is_called_is_read(server):
+    soup = {"dish_type": "soup", "ingredients": ["chopped parsnip", "chopped onion", "water"]}
+    told = map(value, asked(server, ("plan", soup), ("plan", soup | {"title": "Cream of parsnip soup"})))
+    assert ["blend" in {unit["motion_node"] for unit in one["units"]} for one in told] == [False, True]
+
+
 def test_a_kitchen_can_be_named(server):
     at_hand = ["kohlrabi", "chopped onion"]
     plan, suggest = map(

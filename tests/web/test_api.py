@@ -369,6 +369,17 @@ def test_a_recorded_dish_is_followed_as_wished_by_either_method(client):
     assert client.get("/api/complete", params={"kind": "goal", "text": "winter"}).json() == ["winter salad"]
 
 
+def test_what_a_dish_is_called_is_read_by_either_method(client):
+    soup = {"dish_type": "soup", "ingredients": ["chopped parsnip", "chopped onion", "water"]}
+    named = {"title": "Cream of parsnip soup"}
+    plain, creamy = (client.post("/api/plan", json=soup | more).json() for more in ({}, named))
+    assert ["blend" in {unit["motion_node"] for unit in one["units"]} for one in (plain, creamy)] == [False, True]
+    assert creamy["recipe"]["title"] == named["title"]
+    asked = {"dish_type": "soup", "ingredient": soup["ingredients"]} | named
+    assert client.get("/api/plan", params=asked).json()["units"] == creamy["units"]
+    assert client.post("/api/plan", json=soup | {"title": "a\nb"}).status_code == 422
+
+
 def test_each_error_points_to_the_page_that_describes_the_api(client):
     for answer in (client.get("/api/complete"), client.get("/nothing"), client.put("/api/summary", json={})):
         assert answer.status_code in {404, 405, 422}

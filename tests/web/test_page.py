@@ -106,6 +106,21 @@ def test_what_is_at_hand_left_out_and_chosen_goes_into_the_plan_and_its_address(
     assert chips(page, "at-hand") == ["kohlrabi", "onion", "chopped onion"]
 
 
+def test_what_a_dish_is_called_is_read_and_kept_in_the_address(page):
+    page.execute_script("dish.value = 'soup'; wishes.open = true")
+    page.find_element("id", "called").send_keys("Cream of parsnip soup")
+    for food in ("chopped parsnip", "chopped onion", "water"):
+        page.find_element("id", "ingredient").send_keys(food, ENTER)
+    page.find_element("id", "go").click()
+    asked(page)
+    assert "title=Cream+of+parsnip+soup" in page.current_url
+    assert "Blend" in text_of(page, "#view-steps")
+    assert "called Cream of parsnip soup" in page.execute_script("return window['wishes-told'].textContent")
+    page.refresh()
+    asked(page)
+    assert page.find_element("id", "called").get_attribute("value") == "Cream of parsnip soup"
+
+
 def test_the_kitchen_is_kept_and_what_is_odd_about_it_is_told_even_without_a_tree(page):
     page.find_element("css selector", "#wishes > summary").send_keys(ENTER)
     page.execute_script("""

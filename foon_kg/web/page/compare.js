@@ -56,7 +56,7 @@ const apart = (one, other) => {
   const likes = ({ substitutes }) => substitutes.map(({ food, like }) => `${food} like ${like}`);
   const kitchen = String(one.kitchen) === String(other.kitchen) ? [] : [one.kitchen.length ? `with ${one.kitchen.slice(0, 6).join(", ")}${one.kitchen.length > 6 ? ", …" : ""} at hand` : "with everything at hand"];
   return [...(one.dish_type === other.dish_type ? [] : [`as ${one.dish_type || "any dish"}`]), ...only("ingredients", "with"), ...only("avoid", "without"),
-    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen, ...(one.after === other.after ? [] : [one.after ? `after ${one.after}` : "after the dish that suits best"]), ...(one.with_drafts === other.with_drafts ? [] : [one.with_drafts ? "drafts, too" : "videos alone"])].join(", ") || "as asked";
+    ...likes(one).filter((word) => !likes(other).includes(word)), ...kitchen, ...((one.title ?? "") === (other.title ?? "") ? [] : [one.title ? `called ${one.title}` : "without a name"]), ...(one.after === other.after ? [] : [one.after ? `after ${one.after}` : "after the dish that suits best"]), ...(one.with_drafts === other.with_drafts ? [] : [one.with_drafts ? "drafts, too" : "videos alone"])].join(", ") || "as asked";
 };
 
 const heads = (sides, to) => [

@@ -14,6 +14,7 @@ export const rivals = (plan, asked, to) => {
     ...asked.avoid.map((food) => [`with ${food} allowed`, { avoid: without(asked.avoid, food) }]),
     ...(asked.kitchen.length ? [["with everything at hand", { kitchen: [] }]] : []),
     ...asked.substitutes.map((one) => [`with ${one.food} handled as the FOON thinks best`, { substitutes: without(asked.substitutes, one) }]),
+    ...(asked.title ? [["without what it is called", { title: "" }]] : []),
     ...(asked.after ? [["after the dish that suits best", { after: "" }]] : []),
     ...(asked.with_drafts ? [["made after videos alone, without drafts", { with_drafts: false }]] : []),
     ...plan.considered.map((one) => [`made after the ${one.goal.label} of video ${one.video}`, { after: one.video }]),

@@ -14,12 +14,12 @@ export const wishes = (say) => {
   const avoided = chipField(at("avoid"), at("avoided"), { most: 20, say, changed: () => told() });
 
   const after = combobox(at("after"), () => { at("after").focus(); told(); });
-  at("after").addEventListener("change", () => told());
+  for (const id of ["after", "called"]) at(id).addEventListener("change", () => told());
   at("with-drafts").addEventListener("change", () => told());
 
   const told = () => {
     const [things, foods] = [kitchen?.words() ?? [], avoided?.words() ?? []];
-    const parts = [things.length && `${things.length} at hand`, foods.length && `without ${foods.join(", ")}`,
+    const parts = [at("called").value.trim() && `called ${at("called").value.trim()}`, things.length && `${things.length} at hand`, foods.length && `without ${foods.join(", ")}`,
       chosen.size && [...chosen].map(([food, like]) => `${food} like ${like}`).join(", "), at("after").value.trim() && `after ${at("after").value.trim()}`,
       at("with-drafts").checked && "drafts, too"];
     at("wishes-told").textContent = parts.filter(Boolean).join(" · ") || "everything is at hand, nothing is left out";
@@ -58,15 +58,16 @@ export const wishes = (say) => {
     });
   }
 
-  const set = ({ things, foods, choices, after: dish = "", with_drafts: drafts = false }) => {
+  const set = ({ things, foods, choices, after: dish = "", title = "", with_drafts: drafts = false }) => {
     at("after").value = dish;
+    at("called").value = title;
     at("with-drafts").checked = drafts;
     after.close();
     kitchen.set(things);
     avoided.set(foods);
     chosen = new Map(choices);
     showChosen();
-    at("wishes").open = things.length + foods.length + dish.length > 0 || drafts;
+    at("wishes").open = things.length + foods.length + dish.length + title.length > 0 || drafts;
   };
   const kept = () => {
     try {
@@ -83,7 +84,7 @@ export const wishes = (say) => {
     follow: (dish) => { at("after").value = dish; told(); },
     drafts: (too) => { at("with-drafts").checked = too; told(); },
     chosen: () => chosen,
-    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words(), after: at("after").value.trim(), with_drafts: at("with-drafts").checked }),
+    question: () => ({ substitutes: [...chosen].map(([one, other]) => ({ food: one, like: other })), avoid: avoided.words(), kitchen: kitchen.words(), after: at("after").value.trim(), title: at("called").value.trim(), with_drafts: at("with-drafts").checked }),
     have: (thing) => kitchen.add(thing),
     gather: () => [kitchen, avoided].forEach((field) => field.add()), // what is typed and not yet entered
   };
