@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Literal
 from urllib.parse import urlsplit
 
+from foon_kg.food.lists import word_list
 from foon_kg.foon import Foon
 from foon_kg.formats.exports.recipe import video_address
 from foon_kg.model import KnownUnit, Sighting
@@ -155,9 +156,11 @@ def seen_at(sightings: Sequence[Sighting], videos: Collection[str] = ()) -> str 
 
 
 def _matching(names: Iterable[str], text: str) -> list[str]:
-    """Return the names with a word that begins with ``text``, those that begin so themselves first."""
+    """Return the names with a word that begins with ``text``, those that begin so themselves first, none misspelled."""
     folded = canonical(text) if text else ""
-    found = [name for name in names if _fits(name.lower(), text) or (folded and _fits(canonical(name), folded))]
+    misspelled = word_list("is a typing error")
+    right = (name for name in names if name not in misspelled and misspelled.isdisjoint(name.split()))
+    found = [name for name in right if _fits(name.lower(), text) or (folded and _fits(canonical(name), folded))]
     return sorted(found, key=lambda name: (not name.lower().startswith(text), len(name.split()), name))
 
 

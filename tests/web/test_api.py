@@ -14,13 +14,16 @@ from pictures.demo_plans import demo_foon
 from web.serving import PLENTY, SALAD, app
 
 from foon_kg import Foon
+from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, Subgraph
 from foon_kg.planning.batch import Cook, Question
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.schedule import schedule as schedule_of
+from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.foon import FixedFoon
 from foon_kg.web.limits import Limits
+from foon_kg.web.words import FoonWords
 
 
 @pytest.fixture(scope="module")
@@ -162,6 +165,16 @@ def test_completion_knows_that_an_ingredient_begins_with_a_state(client):
     assert words("om", "dish") == ["omelette"]
     assert all(word.startswith("chop") or " chop" in word for word in words("chop", "state"))
     assert words("zzzz") == []
+
+
+def test_typing_errors_of_a_foon_are_not_offered():
+    sticks = [ObjectNode("cinnamon", (state,)) for state in ("chopped", "choppped")]
+    begun = Participant(ObjectNode("cinammon", ("whole",)))
+    units = [FunctionalUnit((begun,), "chop", (Participant(one),)) for one in sticks]
+    words = FoonWords(Snapshot.of([Subgraph("odd", tuple(map(Annotation, units)))], Kitchen.default()))
+    assert {"choppped", "chopped"} <= set(words.states)
+    assert words.complete("state", "chopp", 9) == ["chopped"]
+    assert words.complete("object", "cin", 9) == ["cinnamon"]
 
 
 def test_what_is_around_an_object(client):
