@@ -27,7 +27,6 @@ ENDLESS = {
     "rows": "UNWIND range(1, $many) AS x UNWIND range(1, $many) AS y RETURN count(*) AS n",
     "a subquery": "RETURN COUNT { UNWIND range(1, $many) AS x UNWIND range(1, $many) AS y RETURN x } AS n",
     "a plan of 300 nodes": "MATCH " + "--".join(f"(a{n})" for n in range(300)) + " RETURN 1 AS n",
-    "a plan of a net": "MATCH " + ", ".join(f"(a{n})--(a{m})" for n in range(14) for m in range(n)) + " RETURN 1 AS n",
 }  # fmt: skip
 TOO_MUCH = {
     "a condition of 600 parts": "MATCH (a) WHERE " + " XOR ".join(f"a.x{n}" for n in range(600)) + " RETURN 1 AS n",
