@@ -91,11 +91,11 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
         raise UsageError("files cannot be asked in Cypher", hint="Leave out --cypher, or load them into Neo4j.")
     token = None if token_file is None else token_from(token_file.expanduser())
     foon = served_foon(files, say)
+    collect_often()
     listener = _listening(host, port)
     address = _address(host, listener) + (f"#token={token}" if token else "")
     print_json({"address": address}) if as_json else say(address)
     limits = Limits()
-    collect_often()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
     desk = CypherDesk(lambda: Connection(connection_settings(say))) if cypher else None

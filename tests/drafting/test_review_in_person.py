@@ -27,6 +27,8 @@ DRAFT = """start,end,motion,inputs,outputs,dish,confidence,doubt,said,source
 """  # noqa: E501
 GIVES_UP = 30.0
 """Seconds after which a test that waits for words has failed."""
+ASKS_AGAIN = 2.0
+"""Seconds after which a person presses a key once more."""
 CSI = re.compile(r"\x1b\[[0-9;?]*[a-zA-Z]")
 
 
@@ -42,9 +44,14 @@ class Terminal:
             code = "from foon_kg.cli import main; main()"
             os.execv(sys.executable, [sys.executable, "-c", code, *map(str, words)])
 
-    def until(self, words):
-        """Read until ``words`` are on the screen, and return all that came since the last time."""
+    def until(self, words, again=""):
+        """Read until ``words`` are on the screen, and return all that came since the last time.
+
+        ``again`` is pressed anew where nothing comes of it, as a person does.
+        """
         while words not in self.plain:
+            if again and not self._readable(ASKS_AGAIN):
+                self.press(again)
             data = self._read()
             assert data, f"it ended without “{words}”: {self.plain}"
             self.seen += data.decode()
@@ -52,12 +59,14 @@ class Terminal:
         return shown
 
     def _read(self):
-        ready, _, _ = select.select([self.screen], [], [], GIVES_UP)
-        assert ready, f"it waits, and shows: {self.plain}"
+        assert self._readable(GIVES_UP), f"it waits, and shows: {self.plain}"
         try:
             return os.read(self.screen, 65_536)
         except OSError:  # it has ended
             return b""
+
+    def _readable(self, seconds):
+        return bool(select.select([self.screen], [], [], seconds)[0])
 
     @property
     def plain(self):
@@ -226,8 +235,8 @@ def test_an_edit_is_left_with_ctrl_c(sit, draft):
     terminal.until(ASKS)
     terminal.press("e")
     terminal.until("motion: chop")
-    terminal.press("\x03")
-    assert "as it was" in terminal.until(ASKS)
+    terminal.press("\x03")  # Python's readline loses one that comes between showing the line and waiting for keys
+    assert "as it was" in terminal.until(ASKS, again="\x03")
     assert draft.read_text() == DRAFT
     terminal.press("q")
     assert terminal.ends()[1] == 0
