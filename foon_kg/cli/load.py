@@ -114,9 +114,9 @@ def videos(
 
     A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row
     makes the dish. Things are written like "onion (chopped) on cutting board; bowl {salt}", with semicolons between
-    them; a * before a thing says that it moves. A * behind the motion (“mix *”) says that the step takes any number of
-    foods: a recipe with more or other ones may bring them in there. All of it is loaded, or nothing. Videos that are only narrated (EPIC-KITCHENS-100, ActivityNet Captions,
-    YouCook2) are drafted first: foon draft videos.
+    them; a * before a thing says that it moves. A * behind the motion ("mix *") says that the step takes any number of
+    foods: other recipes may bring theirs in there. All of it is loaded, or nothing. Videos that are only narrated
+    (EPIC-KITCHENS-100, ActivityNet Captions, YouCook2) are drafted first: foon draft videos.
 
     With --check each video is played in a kitchen, and what was forgotten is told by step and line: nobody lit the
     stove, an onion is chopped that nobody brought.

@@ -174,7 +174,9 @@ def test_of_many_words_those_that_look_misspelled_are_told_one_by_one(folder):
     unit = "O\t{}\t1\nO\tspoonn\t0\nM\tchop\t<0:01-0:02>\nO\t{}\t1\nS\tchopped\n//\n"
     (folder / "odd.txt").write_text("".join(unit.format(one, one) for one in labels), encoding="utf-8")
     lines = foon("load", "foon", folder / "odd.txt", "--dry-run").stderr.splitlines()
-    assert lines[0].endswith("odd.txt:3: “spoonn” is not in the table of utensils (is “spoon” meant?): taken for a food")
+    assert lines[0].endswith(
+        "odd.txt:3: “spoonn” is not in the table of utensils (is “spoon” meant?): taken for a food"
+    )
     assert lines[1].startswith("12 words are in no table of foon-kg (--report FILE lists them): 11 foods")
     assert len(lines) == 2
 
