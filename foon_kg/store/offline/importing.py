@@ -1,8 +1,8 @@
 """A FOON brought into the local Neo4j by ``neo4j-admin database import``, in place of all that the server holds.
 
-The import is made in a home of its own inside the server's home, with its indexes and all that a load would write, while
-the server goes on with what it has. Only when that is done is the one folder of data put in the place of the other. A
-program that is killed before leaves the old graph as it was, and a folder that the next import sweeps away.
+The import is made in a home of its own inside the server's home, with its indexes and all that a load would write,
+while the server goes on with what it has. Only when that is done is the one folder of data put in the place of the
+other. A program that is killed before leaves the old graph as it was, and a folder that the next import sweeps away.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
 from foon_kg.store.server.lifecycle import ensure_running, stop_locked
-from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.server.starting import fetched
+from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
 
 MAX_OFF_HEAP = "1g"
@@ -74,7 +74,7 @@ def load_offline(
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
     ``told`` hears how many videos were read. Raises UsageError where ``NEO4J_URI`` names another Neo4j, and where the
-    server holds anything, unless it shall be ``replace``\\ d.
+    server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()
     place, kitchen, report = home(), Kitchen.default(), ImportReport()
@@ -90,13 +90,11 @@ def load_offline(
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)
             report.videos = stager.videos
-        import_staged(place, folder, arguments, report, say, kitchen)
+        _import(place, folder, arguments, report, say)
     return report
 
 
-def import_staged(
-    place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say, kitchen: Kitchen
-) -> None:
+def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say) -> None:
     """Import the files that ``arguments`` name in ``folder``, and put the result in the place of the server's data."""
     cache, made = fetched(say), Home(folder / "home")
     made.create()
@@ -107,18 +105,18 @@ def import_staged(
         words = ("database", "import", "full", "neo4j", f"--max-off-heap-memory={MAX_OFF_HEAP}", *arguments)
         run_admin(made.arguments.with_name("admin.args"), class_path, made.root, words, _JAVA)
     with waiting(say, "making indexes"), report.timed("indexes"), _started(made, cache) as settings:
-        complete(settings, kitchen)
+        _complete(settings)
     with place.locked(say):
         stop_locked(place, say)
         _exchange(place, made)
     ensure_running(say)
 
 
-def complete(settings: ConnectionSettings, kitchen: Kitchen) -> None:
+def _complete(settings: ConnectionSettings) -> None:
     """Make of what was imported a FOON that this program reads and writes: its lists, constraints and indexes."""
     with Connection(settings) as connection, connection.session(writing=True) as session:
         session.run(named_query(COMPLETE_LISTS.name).text).consume()
-        prepare_for_writing(session, kitchen)
+        prepare_for_writing(session, Kitchen.default())
 
 
 @contextmanager
@@ -175,7 +173,7 @@ def _refuse_another_server() -> None:
     if named is not None:
         raise UsageError(
             f"NEO4J_URI names {named.uri}: only the local server's data can be imported offline",
-            hint="Unset NEO4J_URI, load without --offline, or write files for neo4j-admin: foon export --format csv --output import/",
+            hint="Unset it, load without --offline, or import by hand: foon export --format csv --output import/",
         )
 
 
