@@ -108,6 +108,18 @@ def _depth(tokens: Sequence[Token], signs: str) -> int:
     return max(accumulate(steps), default=0)
 
 
+def partners(tokens: Sequence[Token]) -> dict[int, int]:
+    """Return where each bracket that opens is closed."""
+    found: dict[int, int] = {}
+    open_ones: list[int] = []
+    for place, token in enumerate(tokens):
+        if token.text in OPEN:
+            open_ones.append(place)
+        elif open_ones and token.text == CLOSING[tokens[open_ones[-1]].text]:
+            found[open_ones.pop()] = place
+    return found
+
+
 def too_much(why: str, *, hint: str = "Give long lists as parameters (-P).") -> GraphError:
     """Return the error for a question that a server could be at for hours."""
     return GraphError(f"this question is too much to ask: {why}", hint=hint, code="too-much")
