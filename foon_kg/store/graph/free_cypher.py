@@ -17,7 +17,6 @@ import neo4j
 from neo4j import exceptions as driver_errors
 
 from foon_kg.model.errors import GraphError, WriteRefused
-from foon_kg.store.graph.around import put_around
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.cypher_faults import told_error, unknown_names
 from foon_kg.store.graph.incoming import bound, too_much_came
@@ -25,7 +24,7 @@ from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, refuse_the_endless
 from foon_kg.store.graph.patterns import TOO_LONG, bounded_texts, too_long
 from foon_kg.store.graph.preface import unplanned
-from foon_kg.store.graph.question_words import asked, read_pieces
+from foon_kg.store.graph.question_words import asked, put_around, read_pieces
 from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
 
 ROW_LIMIT = 1_000

@@ -12,9 +12,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
-from foon_kg.store.graph.around import Around, put_around
 from foon_kg.store.graph.patterns import bounded_texts
-from foon_kg.store.graph.question_words import CLOSED, OPEN, Token, too_much
+from foon_kg.store.graph.question_words import CLOSED, OPEN, Around, Token, put_around, too_much
 
 _JUDGING = {"any", "all", "none", "single"}
 _REDUCING = {"reduce", "allreduce"}

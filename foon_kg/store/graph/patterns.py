@@ -10,8 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from foon_kg.model.errors import GraphError
-from foon_kg.store.graph.around import Around
-from foon_kg.store.graph.question_words import CLOSED, Token, partners, too_much
+from foon_kg.store.graph.question_words import CLOSED, Around, Token, partners, too_much
 
 MOST_OPEN = 3
 """How often a pattern may say “as many as there are” (``*``, ``+``, ``{…}``): each is a factor of a text's length."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
@@ -64,6 +64,26 @@ class Token:
         if self.kind == "quoted":
             return self.text[1:-1].replace("``", "`")
         return self.text if self.kind == "word" and not self.text.startswith("$") else ""
+
+
+@dataclass(frozen=True)
+class Around:
+    """What is put around the pieces from ``first`` to ``last``."""
+
+    first: int
+    begins: str
+    last: int
+    ends: str
+
+
+def put_around(pieces: Sequence[Token], arounds: Iterable[Around]) -> str:
+    """Return the text of a question with what is put around its pieces; none begins in another and ends outside it."""
+    before: dict[int, str] = {}
+    after: dict[int, str] = {}
+    for one in sorted(arounds, key=lambda one: one.last - one.first):  # inner ones first: the others stand outside
+        before[one.first] = one.begins + before.get(one.first, "")
+        after[one.last] = after.get(one.last, "") + one.ends
+    return "".join(f"{before.get(place, '')}{one.text}{after.get(place, '')}" for place, one in enumerate(pieces))
 
 
 def read(text: str) -> tuple[Token, ...]:
