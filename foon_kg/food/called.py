@@ -11,7 +11,7 @@ from foon_kg.model import DISH_TYPES
 
 
 def dish_type_called(name: str) -> str | None:
-    """Return the dish type of a dish that people call ``name``: rice of “mushroom risotto”; ``None`` where none is known.
+    """Return the dish type of a dish called ``name`` (“mushroom risotto”: rice), or ``None`` where none is known.
 
     The longest name at the end of ``name`` says it, else the last word of it that is a dish type.
     """
