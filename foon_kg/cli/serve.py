@@ -62,10 +62,10 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     JSON is under /api; /api/docs describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
-    for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
-    somebody changes is read anew; it may be empty at first. A proxy that serves it under a name of its own is told with --name, and has to bring
-    TLS. All who come through it share one rate, unless --proxy says that what it writes into X-Forwarded-For is to be
-    believed.
+    for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that somebody
+    changes is read anew; it may be empty at first. A proxy that serves it under a name of its own is told with --name,
+    and has to bring TLS. All who come through it share one rate, unless --proxy says that what it writes into
+    X-Forwarded-For is to be believed.
     """
     from foon_kg.planning.batch import cores
     from foon_kg.planning.processes import collect_often
