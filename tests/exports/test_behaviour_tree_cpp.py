@@ -1,8 +1,8 @@
 """A plan's behaviour tree, read and run by BehaviorTree.CPP itself, whose bindings to Python are behaviortreepy.
 
-In these bindings a node cannot say which ports it has, and BehaviorTree.CPP makes no tree with ports that no node has: it
-reads the file as it is, and runs it without them. A node in C++ says so by ``providedPorts``, as ``TreeNodesModel`` has
-them.
+In these bindings a node cannot say which ports it has, and BehaviorTree.CPP makes no tree with ports that no node has:
+it reads the file as it is, and runs it without them. A node in C++ says so by ``providedPorts``, as ``TreeNodesModel``
+has them.
 """
 
 from __future__ import annotations
