@@ -18,9 +18,13 @@ from foon_kg.model.regular_files import read_bytes
 
 if TYPE_CHECKING:
     from foon_kg.loaders.notices import ReadResult
+    from foon_kg.model import FunctionalUnit
+
+Where = tuple[str, int | None]
+"""A file, and a line of it where that is known."""
 
 _FOLDER = "files"
-_FORM = "1"
+_FORM = "2"
 """Of what is kept; another one is none."""
 
 _READ_BY = ("food", "model")
@@ -32,7 +36,7 @@ _VARIABLES = ("FOON_KG_FOODS", "FOON_KG_UTENSILS", "FOON_KG_ALIASES")
 class FilesRead:
     """How many ``files`` there are and in how many something is ``bad``; their videos' hashes by name; what is odd.
 
-    ``words`` are those that no table has, each with the first file that has it.
+    ``words`` are those that no table has, each with the first file that has it and the line of its unit there.
     """
 
     files: int
@@ -40,7 +44,7 @@ class FilesRead:
     units: int
     contents: Mapping[str, str]
     notices: tuple[Notice, ...]
-    words: Mapping[UnknownWord, str]
+    words: Mapping[UnknownWord, Where]
 
     @property
     def rejected(self) -> int:
@@ -65,7 +69,7 @@ class Gathered:
     units: int = 0
     contents: dict[str, str] = field(default_factory=dict)
     notices: list[Notice] = field(default_factory=list)
-    words: dict[UnknownWord, str] = field(default_factory=dict)
+    words: dict[UnknownWord, Where] = field(default_factory=dict)
 
     def add(self, result: ReadResult) -> None:
         """Add one file."""
@@ -76,10 +80,8 @@ class Gathered:
             return
         self.units += len(result.subgraph.annotations)
         self.contents[result.subgraph.name] = result.subgraph.content_key
-        units = [annotation.unit for annotation in result.subgraph.annotations]
-        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
-        for word in unknown_words(nodes, [unit.motion for unit in units]):
-            self.words.setdefault(word, result.path)
+        for word, place in odd_words([result]).items():
+            self.words.setdefault(word, place)
 
     def read(self) -> FilesRead:
         """Return all that was gathered."""
@@ -103,7 +105,7 @@ def remembered(files: Sequence[Path]) -> FilesRead | None:
             Notice(file, line, NoticeKind(kind), message, action, Severity(severity))
             for file, line, kind, message, action, severity in notices
         ),
-        {UnknownWord(WordKind(kind), *about): file for (kind, *about), file in words},
+        {UnknownWord(WordKind(kind), *about): (file, line) for (kind, *about), (file, line) in words},
     )
 
 
@@ -112,7 +114,7 @@ def remember(files: Sequence[Path], read: FilesRead) -> None:
     asked = _asked(files)
     if asked is not None:
         notices = [astuple(notice) for notice in read.notices]
-        words = [(astuple(word), file) for word, file in read.words.items()]
+        words = [(astuple(word), where) for word, where in read.words.items()]
         values = (read.files, read.bad, read.units, dict(read.contents), notices, words)
         kept.keep(_FOLDER, asked, json.dumps(values, ensure_ascii=False, separators=(",", ":")))
 
@@ -130,3 +132,26 @@ def _asked(files: Sequence[Path]) -> str | None:
     except OSError:
         return None
     return digest.hexdigest()
+
+
+def odd_words(results: Iterable[ReadResult]) -> dict[UnknownWord, Where]:
+    """Return the words that no table has, or only as a typing error, each with the place that has it first."""
+    found: dict[UnknownWord, Where] = {}
+    for result in results:
+        if result.subgraph is None:
+            continue
+        units = [one.unit for one in result.subgraph.annotations]
+        new = [word for word in _words_of(units) if word not in found]
+        if not new:
+            continue
+        lines = dict[UnknownWord, int]()
+        for unit, line in zip(units, result.lines, strict=False):  # some formats have no lines
+            for word in _words_of([unit]):
+                lines.setdefault(word, line)
+        found.update((word, (result.path, lines.get(word))) for word in new)
+    return dict(sorted(found.items(), key=lambda one: one[0]))
+
+
+def _words_of(units: Sequence[FunctionalUnit]) -> tuple[UnknownWord, ...]:
+    nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+    return unknown_words(nodes, [unit.motion for unit in units])
