@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple, dataclass
 from importlib import resources
 from pathlib import Path
@@ -18,9 +18,13 @@ from foon_kg.model.regular_files import read_bytes
 
 if TYPE_CHECKING:
     from foon_kg.loaders.notices import ReadResult
+    from foon_kg.model import FunctionalUnit
+
+Where = tuple[str, int | None]
+"""A file, and a line of it where that is known."""
 
 _FOLDER = "files"
-_FORM = "1"
+_FORM = "2"
 """Of what is kept; another one is none."""
 
 _READ_BY = ("food", "model")
@@ -32,7 +36,7 @@ _VARIABLES = ("FOON_KG_FOODS", "FOON_KG_UTENSILS", "FOON_KG_ALIASES")
 class FilesRead:
     """How many ``files`` there are and in how many something is ``bad``; their videos' hashes by name; what is odd.
 
-    ``words`` are those that no table has, each with the first file that has it.
+    ``words`` are those that no table has, each with the first file that has it and the line of its unit there.
     """
 
     files: int
@@ -40,7 +44,7 @@ class FilesRead:
     units: int
     contents: Mapping[str, str]
     notices: tuple[Notice, ...]
-    words: Mapping[UnknownWord, str]
+    words: Mapping[UnknownWord, Where]
 
     @property
     def rejected(self) -> int:
@@ -57,7 +61,7 @@ class FilesRead:
             sum(len(subgraph.annotations) for subgraph in subgraphs),
             {subgraph.name: subgraph.content_key for subgraph in subgraphs},
             tuple(notice for result in results for notice in result.notices),
-            _unknown_words(results),
+            odd_words(results),
         )
 
 
@@ -77,7 +81,7 @@ def remembered(files: Sequence[Path]) -> FilesRead | None:
             Notice(file, line, NoticeKind(kind), message, action, Severity(severity))
             for file, line, kind, message, action, severity in notices
         ),
-        {UnknownWord(WordKind(kind), *about): file for (kind, *about), file in words},
+        {UnknownWord(WordKind(kind), *about): (file, line) for (kind, *about), (file, line) in words},
     )
 
 
@@ -86,7 +90,7 @@ def remember(files: Sequence[Path], read: FilesRead) -> None:
     asked = _asked(files)
     if asked is not None:
         notices = [astuple(notice) for notice in read.notices]
-        words = [(astuple(word), file) for word, file in read.words.items()]
+        words = [(astuple(word), where) for word, where in read.words.items()]
         values = (read.files, read.bad, read.units, dict(read.contents), notices, words)
         kept.keep(_FOLDER, asked, json.dumps(values, ensure_ascii=False, separators=(",", ":")))
 
@@ -106,12 +110,24 @@ def _asked(files: Sequence[Path]) -> str | None:
     return digest.hexdigest()
 
 
-def _unknown_words(results: Sequence[ReadResult]) -> dict[UnknownWord, str]:
-    """Return the words that no table has, each with the first file that has it."""
-    found: dict[UnknownWord, str] = {}
+def odd_words(results: Iterable[ReadResult]) -> dict[UnknownWord, Where]:
+    """Return the words that no table has, or only as a typing error, each with the place that has it first."""
+    found: dict[UnknownWord, Where] = {}
     for result in results:
-        units = [one.unit for one in result.subgraph.annotations] if result.subgraph is not None else []
-        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
-        for word in unknown_words(nodes, [unit.motion for unit in units]):
-            found.setdefault(word, result.path)
+        if result.subgraph is None:
+            continue
+        units = [one.unit for one in result.subgraph.annotations]
+        new = [word for word in _words_of(units) if word not in found]
+        if not new:
+            continue
+        lines = dict[UnknownWord, int]()
+        for unit, line in zip(units, result.lines, strict=False):  # some formats have no lines
+            for word in _words_of([unit]):
+                lines.setdefault(word, line)
+        found.update((word, (result.path, lines.get(word))) for word in new)
     return dict(sorted(found.items(), key=lambda one: one[0]))
+
+
+def _words_of(units: Sequence[FunctionalUnit]) -> tuple[UnknownWord, ...]:
+    nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+    return unknown_words(nodes, [unit.motion for unit in units])

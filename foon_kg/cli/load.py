@@ -71,7 +71,7 @@ def foon(
     A video is in the graph whole or not at all. Loading it again changes nothing; with other content it replaces what
     was there. Units that cannot be used (no motion, no outputs, ...) are left out, and each is told with file and
     line; when there are more than --bad-tolerance allows, nothing is loaded. Foods, utensils, states and motions that
-    no table of foon-kg has are told, with what they are taken for.
+    no table of foon-kg has are told with their line, with what they are taken for and what may be meant.
     """
     from foon_kg.cli.files_read import FilesRead, remember, remembered
     from foon_kg.loaders.found import foon_files
@@ -114,8 +114,9 @@ def videos(
 
     A person writes a table while watching. It has a row a step: start,end,motion,inputs,outputs, and dish where the row
     makes the dish. Things are written like "onion (chopped) on cutting board; bowl {salt}", with semicolons between
-    them. All of it is loaded, or nothing. Videos that are only narrated (EPIC-KITCHENS-100, ActivityNet Captions,
-    YouCook2) are drafted first: foon draft videos.
+    them; a * before a thing says that it moves. A * behind the motion ("mix *") says that the step takes any number of
+    foods: other recipes may bring theirs in there. All of it is loaded, or nothing. Videos that are only narrated
+    (EPIC-KITCHENS-100, ActivityNet Captions, YouCook2) are drafted first: foon draft videos.
 
     With --check each video is played in a kitchen, and what was forgotten is told by step and line: nobody lit the
     stove, an onion is chopped that nobody brought.
@@ -216,7 +217,7 @@ def _write_report(read: FilesRead, report: Path, played: Sequence[Notice]) -> No
     from foon_kg.loaders.report import write_report
 
     stream = StringIO()
-    unknown = (unknown_notice(word, file) for word, file in read.words.items())
+    unknown = (unknown_notice(word, *where) for word, where in read.words.items())
     write_report((*read.notices, *unknown, *played), stream)
     write_file(report, stream.getvalue(), UNWRITTEN)
 

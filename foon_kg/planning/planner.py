@@ -223,11 +223,11 @@ class _Question:
         title = self.recipe.title or ""
         dish_type = _made_as(self.recipe.dish_type, title, self.known)
         if not outlines.are_of(dish_type) and self.technique is None:
-            there = ", ".join(sorted(outlines.dish_types)) or "none"
+            there = ", ".join(sorted(outlines.dish_types))
             raise NoTreeError(
                 f"this FOON has no {dish_type or 'dish'}",
                 code="no-goal",
-                hint=f"It has goals of these dish types: {there}.",
+                hint=f"It has goals of these dish types: {there}." if there else "It is empty: foon load foon PATH…",
             )
         asked = Asked(self.baked, dish_type, title, self.known)
         lacks = refusals(self.wants, dish_type, title, self.known)

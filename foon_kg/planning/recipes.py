@@ -102,13 +102,16 @@ class IngredientWords:
         left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
         if left_out:
             notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
-        meant = None if canonical(food) in self._labels else self.meant(text)
+        said = " ".join(text.replace(",", " ").lower().split())
+        meant = None if canonical(food) in self._labels else self.meant(said)
+        if meant is None:  # an amount is no word of any food
+            said, meant = food.lower(), self.meant(food)
         if not self.knows(food):
             asked = f": did you mean “{meant}”?" if meant else ", nor anything like it"
             notes = (*notes, f"{NO_FOOD} “{food}”{asked}")
         elif strange := self._strange(wanted.state):
             notes = (*notes, f"{NO_STATE} “{wanted.state}”: did you mean “{strange}”?")
-        elif meant is not None and meant != " ".join(text.replace(",", " ").lower().split()):
+        elif canonical(food) not in self._labels and meant is not None and meant != said:
             notes = (*notes, f"“{text}” is taken at its word; if you mean “{meant}”, write that")
         return wanted, notes
 
