@@ -8,6 +8,7 @@ from dataclasses import replace
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want, owed
 
@@ -19,18 +20,11 @@ _SEASONS = ("leaven", "salty", "spice", "sweet")
 _IN_BATTER = word_list("is battered")
 _POURED = word_list("is poured on what is battered")
 
-_MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
-_HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
-_TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
-
-
+_MIX = replace(MIX, tools=(), vessel="bowl", label="")
 _FINE = min(word_list("is called so when it is fine"))
 _THICK = min(word_list("is called so when it is beaten"))
 
 _POST = ("mix", "later", True)
-_BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
-_TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
-_SAUCE = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
 _BESIDE = word_list("is served with what is fried")
 
 
@@ -67,14 +61,11 @@ def coated_alone(
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
     if melts:
-        baked = replace(_BAKE)
+        baked = replace(BAKE)
         below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
         return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
-    top = replace(_TOP)
-    if wet:
-        sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
-    else:  # a fried piece that is stirred falls to pieces
-        sauce = replace(_HEAT) if whole else replace(_SAUCE)
+    top = replace(TOP)
+    sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
     over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
@@ -99,7 +90,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     dipped = [join for join in dipped if join not in beside]
     if not thin or len(batter) == 1 or len(dipped) != 1:
         return line, tuple(joins)
-    mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
+    mixed, fried, turned, done, top = (replace(one) for one in (_MIX, COOK, TURN, COOK, TOP))
     bathed_in = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
     top = replace(top, adds=(Line((bathed_in, fried, turned, done)),))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
@@ -165,7 +156,7 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     dusted = replace(_MIX, label=name)
     bathed = replace(_MIX, adds=(wash,), label=name)
     rolled = replace(_MIX, adds=(powder,), label=name)
-    fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
+    fried, turned, done = replace(COOK), replace(TURN), replace(COOK)
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
     served = replace(last, adds=(*last.adds, Line((*first, rolled, fried, turned, done))))
