@@ -122,7 +122,9 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
     elif any(dish.coated for dish in dishes) and not dressed:
-        made, found = coated_alone(line, joins, told, known)
+        made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
+        if made is line:
+            made, found = coated_alone(line, joins, known)
         if made is line:
             made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
         line, joins = made, found

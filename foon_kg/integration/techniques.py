@@ -153,10 +153,16 @@ class _Placed:
         over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
         stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
-            work.relation, work.appliance, work.source, part.label or work.label, (), 0,
+            work.relation, work.appliance, work.source, self._label(part, work.label), (), 0,
         )  # fmt: skip
         self.stages[id(part)] = stage
         return stage
+
+    def _label(self, part: Part, usual: str) -> str:
+        """Return what a stage makes: "~" is what its first food is called."""
+        if part.label == "~":
+            return next((join.want.label for join, _, at in self.found if at is part), usual)
+        return part.label or usual
 
 
 def _mean(foods: Foods, want: Want, around: Around) -> bool:

@@ -9,7 +9,7 @@ from foon_kg.food.lists import word_lists
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, ways, works
 
-ROWS = (*techniques(), *(row for when in ("ways", "flesh", "warmed", "blended") for row in ways(when)))
+ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
 SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
 """What ways ask of how a food is named and comes, and no state."""
 

@@ -103,7 +103,7 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
 def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
     assert told(line, joins)[:4] == [
         ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
@@ -113,7 +113,7 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
 def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "sole fillet", "flour", "butter", "lemon juice")
-    made, _ = coated_alone(line, joins, frozenset(), tables())
+    made, _ = coated_alone(line, joins, tables())
     assert [one.motion for one in made.stages] == ["cook", ""]
 
 
@@ -121,7 +121,7 @@ def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooke
     line = Line((stage("mix", {"mix"}),))
     for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
         joins = joins_at(line, 0, *foods)
-        assert coated_alone(line, joins, frozenset(), tables()) == (line, joins)
+        assert coated_alone(line, joins, tables()) == (line, joins)
 
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
@@ -133,7 +133,7 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
 def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
     joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert ("cook", set()) in told(line, joins)
 
 
@@ -366,7 +366,7 @@ def test_what_is_not_called_so_has_no_crust():
 def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_is_fried_by_itself(thin):
     line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "cod fillet", "flour", thin, "potato", "oil", "salt")
-    line, joins = coated_alone(line, joins, frozenset({"fish", "chip"}), tables())
+    line, joins = by_way(line, joins, "fish chip", when="dipped")
     assert told(line, joins) == [
         ("mix", {"flour", thin, "salt"}),
         ("mix", {"cod fillet"}),
@@ -381,7 +381,7 @@ def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_i
 def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
-    found = told(*coated_alone(line, joins, frozenset({"french", "toast"}), tables()))
+    found = told(*by_way(line, joins, "french toast", when="dipped"))
     assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
     assert found[1] == ("mix", {"bread"})
     assert found[-1] == ("", {"maple syrup"})
