@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,7 +36,7 @@ def review_in_person(path: Path, output: Path | None) -> bool:
     from foon_kg.language.reviewing import Review
 
     sitting = Sitting(path, Review.of(read_table(path), path.stem, str(path)))
-    with sitting.keys.open():
+    with sitting.keys.open(), suppress(KeyboardInterrupt):  # pressed while a row is still being shown
         sitting.ask()
     if sitting.review.decisions:
         left = len(sitting.review.decisions)
