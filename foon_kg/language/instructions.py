@@ -104,7 +104,7 @@ def _pipeline() -> Any:  # noqa: ANN401 - the same
     except (ImportError, OSError) as error:
         hint = "pip install 'foon-kg[text]'"
         raise UsageError(
-            "Text is read by spaCy and its pipeline, which are not installed.", hint=hint, code="text"
+            "text is read by spaCy and its pipeline, which are not installed", hint=hint, code="text"
         ) from error
 
 
