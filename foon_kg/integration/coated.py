@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.course import COATS
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want, owed
@@ -20,6 +21,7 @@ _IN_BATTER = word_list("is battered")
 _POURED = word_list("is poured on what is battered")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
+_DIP = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
 _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 
@@ -100,7 +102,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     if not thin or len(batter) == 1 or len(dipped) != 1:
         return line, tuple(joins)
     mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
-    bathed_in = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
+    bathed_in = replace(_DIP, adds=(Line((mixed,)),))
     top = replace(top, adds=(Line((bathed_in, fried, turned, done)),))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     found = []
@@ -161,10 +163,9 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     powder = Line((replace(_MIX, label=_FINE if flour else ""),))
     outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
     dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
-    name = f"{singular(flesh[0].want.label)} mixture"
-    dusted = replace(_MIX, label=name)
-    bathed = replace(_MIX, adds=(wash,), label=name)
-    rolled = replace(_MIX, adds=(powder,), label=name)
+    dusted = replace(_DIP)
+    bathed = replace(_DIP, adds=(wash,))
+    rolled = replace(_DIP, adds=(powder,))
     fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
