@@ -21,7 +21,7 @@ _IN_BATTER = word_list("is battered")
 _POURED = word_list("is poured on what is battered")
 
 _MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
-_DIP = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
+_BATH = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
 _HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
 _TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
 
@@ -102,7 +102,7 @@ def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, t
     if not thin or len(batter) == 1 or len(dipped) != 1:
         return line, tuple(joins)
     mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
-    bathed_in = replace(_DIP, adds=(Line((mixed,)),))
+    bathed_in = replace(_BATH, adds=(Line((mixed,)),))
     top = replace(top, adds=(Line((bathed_in, fried, turned, done)),))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     found = []
@@ -163,9 +163,9 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     powder = Line((replace(_MIX, label=_FINE if flour else ""),))
     outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
     dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
-    dusted = replace(_DIP)
-    bathed = replace(_DIP, adds=(wash,))
-    rolled = replace(_DIP, adds=(powder,))
+    dusted = replace(_BATH)
+    bathed = replace(_BATH, adds=(wash,))
+    rolled = replace(_BATH, adds=(powder,))
     fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
