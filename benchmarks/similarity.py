@@ -38,6 +38,7 @@ DECIMALS = 4
 RIDGE = 1.0
 AFTERWARDS = "judged afterwards"
 NOTHING = "no foods"
+OBSCURE = KINDS.index("unknown word")
 TOLD = 5
 
 
@@ -67,6 +68,11 @@ def known_foods() -> list[str]:
     return sorted({canonical(row.label) for row in vocabulary.foods})
 
 
+def unknown_words() -> dict[str, set[str]]:
+    own = json.loads((ROOT / "tests" / "language" / "data" / "accepted.json").read_text(encoding="utf-8"))
+    return {canonical(food): set(map(canonical, accepted)) for food, accepted in own["unknown words"].items()}
+
+
 def no_foods() -> list[str]:
     own = json.loads((ROOT / "tests" / "language" / "data" / "accepted.json").read_text(encoding="utf-8"))
     return list(own["no foods"])
@@ -78,7 +84,7 @@ def judgements() -> dict[str, dict[str, set[str]]]:
     return {
         name: {canonical(food): set(map(canonical, accepted)) for food, accepted in foods.items()}
         for name, foods in own.items()
-        if name not in {"about", "no foods", "in a slot"}
+        if name not in {"about", "no foods", "unknown words", "in a slot"}
     }
 
 
@@ -132,6 +138,23 @@ def fit_told(sets: list[Judged]) -> np.ndarray:
     slope, bias = _line(np.array(odds), np.array(truth, dtype=float))
     weights = slope * fit(sets)
     weights[-1] += bias
+    return weights
+
+
+def fit_unknown(judged: Judged, weights: np.ndarray) -> np.ndarray:
+    """Return ``weights`` with that of a word that nobody ever read of food, fitted on what is told of such foods.
+
+    It is 0 for every other judged food, so the other weights are kept.
+    """
+    weights = weights.copy()
+    weights[OBSCURE] = 0
+    places = [(row, place) for _, row, place in told(judged, answer(judged, weights), least=0)]
+    odds = np.array([np.append(judged.evidence[:, row, place], 1) @ weights for row, place in places])
+    truth = np.array([judged.accepted[row, place] for row, place in places], dtype=float)
+    for _ in range(30):
+        guess = 1 / (1 + np.exp(-(odds + weights[OBSCURE])))
+        slope = (guess - truth).sum() + RIDGE * weights[OBSCURE]
+        weights[OBSCURE] -= slope / ((guess * (1 - guess)).sum() + RIDGE)
     return weights
 
 
@@ -256,7 +279,11 @@ def main() -> None:
     sets = [judged for judged in all_sets if judged.set_name != AFTERWARDS]
     sets.append(judge(NOTHING, {canonical(name): set() for name in no_foods()}, known, strange=False))
     report(sets, known)
-    weights = fit_told(sets).round(DECIMALS).tolist()
+    obscure = judge("unknown words", unknown_words(), known, strange=False)
+    weights = fit_unknown(obscure, fit_told(sets)).round(DECIMALS).tolist()
+    print("of foods with a word that nobody ever read of food, what is told (fitted on them):")
+    rows = told(obscure, answer(obscure, np.array(weights)))
+    reliability(np.array([v for v, _, _ in rows]), np.array([obscure.accepted[row, place] for _, row, place in rows]))
     for judged in (judged for judged in all_sets if judged.set_name == AFTERWARDS):
         answers = _report_half(judged, np.array(weights), known, "all")
         rows = told(judged, answers)

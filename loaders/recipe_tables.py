@@ -245,7 +245,7 @@ def _pandas() -> ModuleType:
         import pandas as pd  # noqa: PLC0415 - an extra
     except ImportError as error:
         hint = "pip install 'foon-kg[recipes]'"
-        raise UsageError("pandas is not installed.", hint=hint, code="recipes") from error
+        raise UsageError("this table needs pandas, which is not installed", hint=hint, code="recipes") from error
     return pd
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import astuple, dataclass, field
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,9 +18,13 @@ from foon_kg.model.regular_files import read_bytes
 
 if TYPE_CHECKING:
     from foon_kg.loaders.notices import ReadResult
+    from foon_kg.model import FunctionalUnit
+
+Where = tuple[str, int | None]
+"""A file, and a line of it where that is known."""
 
 _FOLDER = "files"
-_FORM = "1"
+_FORM = "2"
 """Of what is kept; another one is none."""
 
 _READ_BY = ("food", "model")
@@ -32,7 +36,7 @@ _VARIABLES = ("FOON_KG_FOODS", "FOON_KG_UTENSILS", "FOON_KG_ALIASES")
 class FilesRead:
     """How many ``files`` there are and in how many something is ``bad``; their videos' hashes by name; what is odd.
 
-    ``words`` are those that no table has, each with the first file that has it.
+    ``words`` are those that no table has, each with the first file that has it and the line of its unit there.
     """
 
     files: int
@@ -40,7 +44,7 @@ class FilesRead:
     units: int
     contents: Mapping[str, str]
     notices: tuple[Notice, ...]
-    words: Mapping[UnknownWord, str]
+    words: Mapping[UnknownWord, Where]
 
     @property
     def rejected(self) -> int:
@@ -48,17 +52,41 @@ class FilesRead:
         return sum(notice.severity is Severity.REJECTED for notice in self.notices)
 
     @classmethod
-    def of(cls, results: Sequence[ReadResult]) -> FilesRead:
+    def of(cls, results: Iterable[ReadResult]) -> FilesRead:
         """Return what is to be told of ``results``."""
-        subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-        return cls(
-            len(results),
-            sum(result.rejected > 0 for result in results),
-            sum(len(subgraph.annotations) for subgraph in subgraphs),
-            {subgraph.name: subgraph.content_key for subgraph in subgraphs},
-            tuple(notice for result in results for notice in result.notices),
-            _unknown_words(results),
-        )
+        gathered = Gathered()
+        for result in results:
+            gathered.add(result)
+        return gathered.read()
+
+
+@dataclass
+class Gathered:
+    """What is to be told of files, gathered while they are read: of each only that is kept."""
+
+    files: int = 0
+    bad: int = 0
+    units: int = 0
+    contents: dict[str, str] = field(default_factory=dict)
+    notices: list[Notice] = field(default_factory=list)
+    words: dict[UnknownWord, Where] = field(default_factory=dict)
+
+    def add(self, result: ReadResult) -> None:
+        """Add one file."""
+        self.files += 1
+        self.bad += result.rejected > 0
+        self.notices += result.notices
+        if result.subgraph is None:
+            return
+        self.units += len(result.subgraph.annotations)
+        self.contents[result.subgraph.name] = result.subgraph.content_key
+        for word, place in odd_words([result]).items():
+            self.words.setdefault(word, place)
+
+    def read(self) -> FilesRead:
+        """Return all that was gathered."""
+        words = dict(sorted(self.words.items(), key=lambda one: one[0]))
+        return FilesRead(self.files, self.bad, self.units, self.contents, tuple(self.notices), words)
 
 
 def remembered(files: Sequence[Path]) -> FilesRead | None:
@@ -77,7 +105,7 @@ def remembered(files: Sequence[Path]) -> FilesRead | None:
             Notice(file, line, NoticeKind(kind), message, action, Severity(severity))
             for file, line, kind, message, action, severity in notices
         ),
-        {UnknownWord(WordKind(kind), *about): file for (kind, *about), file in words},
+        {UnknownWord(WordKind(kind), *about): (file, line) for (kind, *about), (file, line) in words},
     )
 
 
@@ -86,7 +114,7 @@ def remember(files: Sequence[Path], read: FilesRead) -> None:
     asked = _asked(files)
     if asked is not None:
         notices = [astuple(notice) for notice in read.notices]
-        words = [(astuple(word), file) for word, file in read.words.items()]
+        words = [(astuple(word), where) for word, where in read.words.items()]
         values = (read.files, read.bad, read.units, dict(read.contents), notices, words)
         kept.keep(_FOLDER, asked, json.dumps(values, ensure_ascii=False, separators=(",", ":")))
 
@@ -106,12 +134,24 @@ def _asked(files: Sequence[Path]) -> str | None:
     return digest.hexdigest()
 
 
-def _unknown_words(results: Sequence[ReadResult]) -> dict[UnknownWord, str]:
-    """Return the words that no table has, each with the first file that has it."""
-    found: dict[UnknownWord, str] = {}
+def odd_words(results: Iterable[ReadResult]) -> dict[UnknownWord, Where]:
+    """Return the words that no table has, or only as a typing error, each with the place that has it first."""
+    found: dict[UnknownWord, Where] = {}
     for result in results:
-        units = [one.unit for one in result.subgraph.annotations] if result.subgraph is not None else []
-        nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
-        for word in unknown_words(nodes, [unit.motion for unit in units]):
-            found.setdefault(word, result.path)
+        if result.subgraph is None:
+            continue
+        units = [one.unit for one in result.subgraph.annotations]
+        new = [word for word in _words_of(units) if word not in found]
+        if not new:
+            continue
+        lines = dict[UnknownWord, int]()
+        for unit, line in zip(units, result.lines, strict=False):  # some formats have no lines
+            for word in _words_of([unit]):
+                lines.setdefault(word, line)
+        found.update((word, (result.path, lines.get(word))) for word in new)
     return dict(sorted(found.items(), key=lambda one: one[0]))
+
+
+def _words_of(units: Sequence[FunctionalUnit]) -> tuple[UnknownWord, ...]:
+    nodes = (node for unit in units for node in (*unit.input_nodes, *unit.output_nodes))
+    return unknown_words(nodes, [unit.motion for unit in units])

@@ -29,6 +29,7 @@ from foon_kg.cli.loading import (
 from foon_kg.model.written_files import writing
 
 if TYPE_CHECKING:
+    from foon_kg.cli.files_read import Where
     from foon_kg.food.unknown import UnknownWord
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
@@ -149,13 +150,13 @@ class Journal:
         from foon_kg.food.unknown import unknown_words
         from foon_kg.model import ObjectNode
 
-        found: dict[UnknownWord, str] = {}
+        found: dict[UnknownWord, Where] = {}
         for (food, state), place in self._asked.items():
             for word in unknown_words([ObjectNode(food, (state,) if state else ())]):
-                found.setdefault(word, place)
-        for word, place in found.items():
-            self._write(unknown_notice(word, place).to_json())
-        tell_unknown(sorted(found), self._report, say)
+                found.setdefault(word, (place, None))
+        for word, where in found.items():
+            self._write(unknown_notice(word, *where).to_json())
+        tell_unknown(dict(sorted(found.items())), self._report, say)
 
     def _write(self, entry: dict[str, object]) -> None:
         if self._stream and self._report:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +11,7 @@ import typer
 from foon_kg.cli.console import Say, print_json
 
 if TYPE_CHECKING:
+    from foon_kg.cli.files_read import Where
     from foon_kg.food.unknown import UnknownWord
     from foon_kg.loaders import Notice, NoticeKind
 
@@ -41,7 +42,7 @@ _ONE_IN = 100
 
 
 def tell_in_short(
-    notices: Sequence[Notice], words: Collection[UnknownWord], report: Path | None, say: Say, *, named: bool = False
+    notices: Sequence[Notice], words: Mapping[UnknownWord, Where], report: Path | None, say: Say, *, named: bool = False
 ) -> None:
     """Say what is odd about subgraph files: one by one where that is little, else in one line.
 
@@ -53,7 +54,7 @@ def tell_in_short(
             say(str(notice))
         tell_unknown(words, report, say)
         return
-    for notice in skipped[: _FEW if named else 0]:
+    for notice in (*skipped[: _FEW if named else 0], *_slips(words)):
         say(str(notice))
     say(f"{in_short(len(skipped), len(notices) - len(skipped), len(words))}: {where_listed(report)}")
 
@@ -81,25 +82,34 @@ def tell_assumed(notices: Sequence[Notice], counts: Mapping[NoticeKind, int], re
     say(f"{_counted(count, 'assumption')}: {where_listed(report)}")
 
 
-def unknown_notice(word: UnknownWord, file: str) -> Notice:
-    """Return what the report says of a word that no table has; ``file`` is the first one that has it."""
+def unknown_notice(word: UnknownWord, file: str, line: int | None = None) -> Notice:
+    """Return what is said of a word that no table has; ``file`` is the first one that has it."""
     from foon_kg.loaders import Notice, NoticeKind
 
-    return Notice(file, None, NoticeKind(f"unknown-{word.kind}"), word.what, f"taken for {word.taken_for}")
+    return Notice(file, line, NoticeKind(f"unknown-{word.kind}"), word.what, f"taken for {word.taken_for}")
 
 
-def tell_unknown(words: Collection[UnknownWord], report: Path | None, say: Say) -> None:
-    """Say in one line which words the tables of foods, utensils, states and motions do not have."""
-    if not words:
+def tell_unknown(words: Mapping[UnknownWord, Where], report: Path | None, say: Say) -> None:
+    """Say which words the tables of foods, utensils, states and motions do not have.
+
+    Few are said one by one, with file and line; of many those that look misspelled, and the others in one line.
+    """
+    if len(words) <= _FEW:
+        for word, where in words.items():
+            say(str(unknown_notice(word, *where)))
         return
-    if len(words) == 1:
-        say(str(next(iter(words))))
-        return
+    for notice in _slips(words):
+        say(str(notice))
     kinds: dict[str, list[str]] = {}
     for word in words:
         kinds.setdefault(word.kind, []).append(word.word)
     parts = (f"{_counted(len(own), kind)} ({_first(own)})" for kind, own in kinds.items())
     say(f"{len(words)} words are in no table of foon-kg ({where_listed(report)}): {', '.join(parts)}")
+
+
+def _slips(words: Mapping[UnknownWord, Where]) -> list[Notice]:
+    """Return what is to be said of the first words that look misspelled."""
+    return [unknown_notice(word, *where) for word, where in words.items() if word.meant][:_FEW]
 
 
 def _counted(count: int, what: str) -> str:

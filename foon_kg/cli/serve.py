@@ -62,10 +62,10 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     JSON is under /api; /api/docs describes it.
 
     Only programs on this machine can reach it, unless --host says otherwise; then it asks for the token. The page asks
-    for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that
-    somebody changes is read anew. A proxy that serves it under a name of its own is told with --name, and has to bring
-    TLS. All who come through it share one rate, unless --proxy says that what it writes into X-Forwarded-For is to be
-    believed.
+    for it too, or takes it from the address that is printed. Sizes, times and rates are limited. A graph that somebody
+    changes is read anew; it may be empty at first. A proxy that serves it under a name of its own is told with --name,
+    and has to bring TLS. All who come through it share one rate, unless --proxy says that what it writes into
+    X-Forwarded-For is to be believed.
     """
     from foon_kg.planning.batch import cores
     from foon_kg.planning.processes import collect_often
@@ -110,12 +110,13 @@ def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
     from foon_kg.cli.knowledge import lessons_in, snapshot_of
     from foon_kg.store.graph import Neo4jGraph
     from foon_kg.store.server import connection_settings
-    from foon_kg.web.foon import FixedFoon, LiveFoon
+    from foon_kg.web.foon import EMPTY, FixedFoon, LiveFoon
 
     if files:
         return FixedFoon(snapshot_of(files, say), lessons_in(files))
     foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
-    foon.edition()  # what is wrong is said now, and not to the first who asks
+    if foon.edition() == EMPTY:  # what is wrong is said now, and not to the first who asks
+        say("The database holds no FOON yet. Load one: foon load foon PATH…; what is loaded is served at once.")
     return foon
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -77,30 +76,28 @@ class Shown:
 
     def drawn(self) -> str:
         """Return it as SVG."""
-        with pictures_extra():
-            from foon_kg.formats.pictures.gantt import schedule_svg
-            from foon_kg.formats.pictures.progress import progress_svg
-            from foon_kg.formats.pictures.step_changes import step_changes_svg
-            from foon_kg.formats.pictures.tree import tree_svg
-            from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.formats.pictures.gantt import schedule_svg
+        from foon_kg.formats.pictures.progress import progress_svg
+        from foon_kg.formats.pictures.step_changes import step_changes_svg
+        from foon_kg.formats.pictures.tree import tree_svg
+        from foon_kg.plans.kitchen import Kitchen
 
-            match self.matter:
-                case "schedule":
-                    return schedule_svg(self.tree, self.schedule())
-                case "difference":
-                    return step_changes_svg(self.tree, self.difference())
-                case "progress":
-                    return progress_svg(self.tree)
-                case _:
-                    return tree_svg(self.tree, Kitchen.default(), folded=self.folded)
+        match self.matter:
+            case "schedule":
+                return schedule_svg(self.tree, self.schedule())
+            case "difference":
+                return step_changes_svg(self.tree, self.difference())
+            case "progress":
+                return progress_svg(self.tree)
+            case _:
+                return tree_svg(self.tree, Kitchen.default(), folded=self.folded)
 
     def page(self) -> str:
         """Return the page that stands on its own."""
-        with pictures_extra():
-            from foon_kg.formats.pictures.page import page_of
-            from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.formats.pictures.page import page_of
+        from foon_kg.plans.kitchen import Kitchen
 
-            return page_of(self.tree, Kitchen.default(), folded=self.folded)
+        return page_of(self.tree, Kitchen.default(), folded=self.folded)
 
     def schedule(self) -> Schedule:
         """Return who does what when, by the times of a FOON."""
@@ -134,19 +131,6 @@ class Shown:
 
 def pixels(drawn: str) -> bytes:
     """Return a picture (SVG) as PNG."""
-    with pictures_extra():
-        from foon_kg.formats.pictures.png import png_of
+    from foon_kg.formats.pictures.png import png_of
 
-        return png_of(drawn)
-
-
-@contextmanager
-def pictures_extra() -> Iterator[None]:
-    """Say which extra is missing where a package for pictures is not there."""
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        if error.name not in {"fast_sugiyama", "vl_convert"}:
-            raise
-        message = f"pictures need the package {error.name}"
-        raise UsageError(message, hint='Install it with: pip install "foon-kg[pictures]"') from error
+    return png_of(drawn)

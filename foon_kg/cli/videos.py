@@ -36,8 +36,11 @@ def diff(
 ) -> None:
     """Show what loading files would change in the FOON.
 
-    Units that are new, known from other videos, as before, or gone; and objects never seen before. Changes nothing.
+    Units that are new, known from other videos, as before, or gone; and objects never seen before. Words that no table
+    has, and what looks misspelled, are told by line, with what may be meant. Changes nothing.
     """
+    from foon_kg.cli.files_read import odd_words
+    from foon_kg.cli.loading import tell_unknown
     from foon_kg.loaders import Severity
     from foon_kg.loaders.video_tables import read_videos
 
@@ -49,6 +52,7 @@ def diff(
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
         raise ReadError(f"no video in {', '.join(map(str, paths))}", hint="The lines above say what is wrong with it.")
+    tell_unknown(odd_words(results), None, say)
     found = found_differences(subgraphs, files, say)
     _show(found, units=units, as_json=as_json)
 

@@ -42,6 +42,12 @@ def switches_off(motion: str) -> bool:
 
 
 @cache
+def switches_on(motion: str) -> bool:
+    """Return whether the motion turns an appliance on."""
+    return "switch on" in _done_by(motion)
+
+
+@cache
 def opens(motion: str) -> bool:
     """Return whether the motion opens a whole food: cracks, peels or cuts it."""
     does = _done_by(motion)

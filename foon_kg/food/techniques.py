@@ -1,5 +1,7 @@
 """Techniques: how dishes of a family are put together whatever a video does (:data:`TABLES`).
 
+Ways (``ways.toml``) are of the same form: what one word of a name changes of what a video does.
+
 A technique has lines of stages, written as ``stage as label @ vessel < lines: foods``. What each of these may say
 stands at the head of the table.
 """
@@ -141,7 +143,8 @@ class Technique:
 
     ``types`` are the dish types that it is for (none: any), ``or_types`` those of which a dish needs no such name.
     ``lines`` are stages by the name of their line; the last one makes the dish. ``plan`` are wishes for the whole: one
-    pot, cold.
+    pot, cold. Of each of ``one`` exactly one food is there. ``dishes`` and ``video`` are what holds of the dish and of
+    what its video does, or with a ``!`` what does not.
     """
 
     name: str
@@ -153,6 +156,9 @@ class Technique:
     lines: Mapping[str, tuple[Part, ...]]
     plan: frozenset[str]
     or_types: frozenset[str] = frozenset()
+    one: tuple[Foods, ...] = ()
+    dishes: frozenset[str] = frozenset()
+    video: frozenset[str] = frozenset()
 
     def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
         """Whether a dish of that type, with these words in its title, is called so."""
@@ -177,6 +183,12 @@ def techniques() -> tuple[Technique, ...]:
 
 
 @cache
+def ways() -> tuple[Technique, ...]:
+    """Return what words of a name change of what a video does, in the order of the table."""
+    return tuple(_technique(name, row) for name, row in shipped("ways")["ways"].items())
+
+
+@cache
 def works() -> Mapping[str, Work]:
     """Return what is done at each stage, by its name."""
     return {name: _work(row) for name, row in shipped("techniques")["stages"].items()}
@@ -196,12 +208,20 @@ def _work(row: Mapping[str, Any]) -> Work:
 def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
-        tuple(tuple(words(one)) for one in row.get("called", ())),
-        frozenset(word for one in row.get("never", ()) for word in words(one)),
+        tuple(name for one in row.get("called", ()) for name in _names(one)),
+        frozenset(word for one in row.get("never", ()) for name in _names(one) for word in name),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),
         {line: tuple(map(Part.read, parts)) for line, parts in row["lines"].items()},
         frozenset(row.get("plan", ())),
         frozenset(row.get("or_types", ())),
+        tuple(map(Foods.read, row.get("one", ()))),
+        frozenset(row.get("dishes", ())),
+        frozenset(row.get("video", ())),
     )
+
+
+def _names(text: str) -> list[tuple[str, ...]]:
+    """Return the names that a text of the table stands for: itself, or all of a list."""
+    return [(one,) for one in sorted(word_list(text[1:]))] if text.startswith("@") else [tuple(words(text))]

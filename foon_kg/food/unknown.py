@@ -7,9 +7,10 @@ which nothing is known is never owed any cooking: people have to be told, and ca
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Match
@@ -37,7 +38,7 @@ class UnknownWord:
     """A word that the table of ``kind`` does not have, why it is thought to belong there, and what it is taken for.
 
     ``nearly``: its last words are listed, so that what it is taken for is hardly a guess ("garden salad": "salad").
-    ``meant`` is a listed word that is written nearly so.
+    ``meant`` is a listed word that is written nearly so. ``slip``: the word is in the table, as a typing error.
     """
 
     kind: WordKind
@@ -46,10 +47,13 @@ class UnknownWord:
     why: str = ""
     nearly: bool = False
     meant: str = ""
+    slip: bool = False
 
     @property
     def what(self) -> str:
         """What is wrong with the word, without what was done about it."""
+        if self.slip:
+            return f"“{self.word}” is a typing error (is “{self.meant}” meant?)"
         meant = f" (is “{self.meant}” meant?)" if self.meant else ""
         return f"“{self.word}” is not in the table of {self.kind}s{self.why and f', though {self.why}'}{meant}"
 
@@ -69,6 +73,7 @@ def unknown_words(nodes: Iterable[ObjectNode], motions: Iterable[str] = ()) -> t
         *_names(there, known),
         *_states(there, known),
         *(word for motion in dict.fromkeys(motions) for word in _motion(motion, known)),
+        *_slips(there, known),
     ]
     return tuple(sorted(set(found)))
 
@@ -95,15 +100,56 @@ def _name(name: str, looks: str, known: Tables) -> UnknownWord:
     last = singular(name).split()[-1]
     if match in {Match.UNKNOWN, Match.PART} and known.utensil(last) is not None:
         looks = f"its name says {last}"
+    meant = _meant_name(singular(name), known)
     if looks and match in {Match.UNKNOWN, Match.PART}:
-        return UnknownWord(WordKind.UTENSIL, name, "a food", looks)
+        return UnknownWord(WordKind.UTENSIL, name, "a food", looks, meant=meant)
     if match is Match.UNKNOWN:
-        return UnknownWord(
-            WordKind.FOOD, name, "a food of no known kind", meant=_meant([singular(name)], known.foods.kind_of)
-        )
+        is_tool = bool(meant) and known.utensil(meant) is not None
+        taken_for = "a food" if is_tool else "a food of no known kind"
+        return UnknownWord(WordKind.UTENSIL if is_tool else WordKind.FOOD, name, taken_for, meant=meant)
     if match is Match.SUFFIX:
-        return UnknownWord(WordKind.FOOD, name, f"a kind of {kind} by its ending “{taken_for}”")
-    return UnknownWord(WordKind.FOOD, name, f"“{taken_for}”", nearly=match is Match.HEAD)
+        return UnknownWord(WordKind.FOOD, name, f"a kind of {kind} by its ending “{taken_for}”", meant=meant)
+    return UnknownWord(WordKind.FOOD, name, f"“{taken_for}”", nearly=match is Match.HEAD, meant=meant)
+
+
+def _meant_name(name: str, known: Tables) -> str:
+    """Return the listed food or utensil of which ``name`` may be a slip, ``""`` where it is none.
+
+    Of several words only those are taken for slips that are in no listed name, so that "garden salad" is not meant as
+    "green salad".
+    """
+    words, parts = _listed_names(known)
+    if " " not in name:
+        return _meant([name], words)
+    mended = " ".join(part if part in parts else _meant([part], parts) or part for part in name.split())
+    return mended if mended != name and mended in words else ""
+
+
+@lru_cache(maxsize=1)
+def _listed_names(known: Tables) -> tuple[frozenset[str], frozenset[str]]:
+    """Return the names of all listed foods and utensils but the misspelled ones, and the words of these names."""
+    slips = word_list("is a typing error")
+    names = frozenset(map(singular, (*known.foods.kind_of, *known.utensils))) - slips
+    return names, frozenset(word for name in names for word in name.split())
+
+
+def _slips(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
+    """Yield the typing errors that the tables understand, each with the word that is written most like it."""
+    slips = word_list("is a typing error")
+    names, _ = _listed_names(known)
+    for node in nodes:
+        for name in (node.label, *node.ingredients, *([node.container] if node.container else [])):
+            if singular(name) in slips:
+                kind = WordKind.FOOD if known.utensil(name) is None else WordKind.UTENSIL
+                yield _slip(kind, name, names)
+        for state in node.states:
+            if state.lower() in slips:
+                yield _slip(WordKind.STATE, state, known.states.keys() - slips)
+
+
+def _slip(kind: WordKind, word: str, listed: Collection[str]) -> UnknownWord:
+    meant = next(iter(difflib.get_close_matches(word.lower(), sorted(listed), 1)), "")
+    return UnknownWord(kind, word, f"“{meant}”", nearly=True, meant=meant, slip=True)
 
 
 def _states(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:
@@ -131,6 +177,6 @@ def _phrase(kind: WordKind, phrase: str, listed: Iterable[str], nothing: str) ->
 
 def _meant(words: Iterable[str], listed: Iterable[str]) -> str:
     """Return the listed word that is written most like one of ``words``; ``""`` where none is nearly so."""
-    listed = list(listed)
+    listed = sorted(listed)
     close = (difflib.get_close_matches(word, listed, 1, _NEARLY) for word in sorted(words) if len(word) >= _LONG)
     return next((match for found in close for match in found), "")

@@ -155,7 +155,7 @@ class Plan:
         try:
             import networkx as nx
         except ModuleNotFoundError as error:
-            raise UsageError("to_networkx() needs networkx", hint="Install it with: pip install networkx") from error
+            raise UsageError("this needs networkx, which is not installed", hint="pip install networkx") from error
         graph = nx.DiGraph()
         for step in self.steps:
             motion = f"{step.number} {step.motion}"
@@ -172,11 +172,12 @@ class Plan:
         >>> plan.to_svg()[:4]
         '<svg'
         """
-        from foon_kg.formats.pictures.tree import tree_svg
         from foon_kg.formats.views.shown_tree import ShownTree
         from foon_kg.model.extras import missing
 
         try:
+            from foon_kg.formats.pictures.tree import tree_svg
+
             return tree_svg(ShownTree.of_result(self.result), self._settings.kitchen)
         except ModuleNotFoundError as error:
             raise missing(error) or error from error

@@ -16,17 +16,13 @@ from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
-from foon_kg.integration.lined import lined, topped
-from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions, roasted, stirred_in_pieces
+from foon_kg.integration.portions import in_portions, stirred_in_pieces
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.pureed import blended_at_once, blended_when_done, is_stewed, stewed
-from foon_kg.integration.rubbed import rubbed
-from foon_kg.integration.smeared import smeared_and_baked
-from foon_kg.integration.techniques import carried_out
+from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import garnished, is_heated, stirred, warmed
 
@@ -73,7 +69,8 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
     title = words(called.title)
-    made, found = topped(line, joins, title)
+    told = (*sorted(called.told.difference(title)), *title)
+    made, found = as_a_way_says(line, joins, called.dishes, told, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
@@ -117,8 +114,6 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     joins = tuple(joins)
     if is_never_heated(dishes, joins, known):
         line, joins = unheated(line, joins)
-    if any(dish.mashed for dish in dishes):
-        line, joins = mashed_only(joins)
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
     elif any(dish.coated for dish in dishes) and not dressed:
@@ -126,17 +121,11 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
         if made is line:
             made, found = in_portions(line, joins, told, known, baked=called.baked)
         line, joins = stirred_in_pieces(line, joins, known) if made is line else (made, found)
-    elif not dressed:
-        line, joins = roasted(*smeared_and_baked(line, joins), told)
     return dressed_apart(line, joins) if dressed else (line, joins)
 
 
 def _shaped(line: Line, joins: tuple[Join, ...], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made that is given its form: by dough around it, in a roll, as balls; else as it is."""
-    for way in (rubbed, lined):
-        made, found = way(line, joins, called.told)
-        if made is not line:
-            return made, found
     if is_formed(called.dishes, joins):
         return formed(line, joins, called.told, known, called.goal, baked=called.baked)
     return line, joins

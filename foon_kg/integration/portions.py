@@ -66,25 +66,6 @@ def stirred_in_pieces(line: Line, joins: Sequence[Join], known: Tables) -> tuple
     return Line(stages), tuple(found)
 
 
-def roasted(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a dish is made that is called roasted, where its video leaves it in a pan: tossed, and baked."""
-    hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
-    ovens = any(stage.appliance == "oven" for stage in hot)
-    bound = any(join.want.facts.is_a(*word_list("is not roasted")) for join in joins)
-    if ovens or bound or not hot or word_list("is roasted").isdisjoint(told):
-        return line, tuple(joins)
-    mix, bake, top = replace(_MIX, label=""), replace(_BAKE, vessel="baking tray"), replace(_TOP)
-    stages = (mix, bake, top)
-    found = []
-    for join in joins:
-        facts = join.want.facts
-        tops = facts.is_a(*word_list("lies on flesh")) and not facts.is_a(*word_list("is cooked with flesh"))
-        stage = top if tops else bake if facts.is_a(*word_list("melts on top")) else mix
-        spot = replace(join.spot, stage=stage, after=stages[_place(stages, stage) + 1 :], side=False)
-        found.append(Join(join.want, spot, min(join.fit, NATURAL)))
-    return Line(stages), tuple(found)
-
-
 class _Portions:
     def __init__(self, joins: Sequence[Join], told: Collection[str], known: Tables) -> None:
         self.joins = joins

@@ -7,8 +7,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
-from foon_kg.food import Tables
-from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, works
+from foon_kg.food import Tables, singular, words
+from foon_kg.food.lists import word_list
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.layouts import spots_of
 from foon_kg.integration.places import NATURAL, Join
@@ -32,10 +35,47 @@ def technique_for(
         shown = any(label[-len(name) :] == name for name in one.called for label in taught)
         if shown or not one.is_called(dish_type, told):
             continue
-        there = all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs)
-        if there and not any(_mean(some, want, around) for some in one.without for want in wants):
+        if _has_its_foods(one, wants, around):
             return one
     return None
+
+
+def as_a_way_says(
+    line: Line, joins: Sequence[Join], dishes: Iterable[Dish], told: Sequence[str], known: Tables
+) -> tuple[Line, tuple[Join, ...]]:
+    """Return how a dish is made by the first way of the table that a word of its name asks for; else as it is.
+
+    ``dishes`` are those that it is called; ``told`` are the words of its type and title.
+    """
+    wants = [join.want for join in joins]
+    around = Around([want.facts for want in wants], told)
+    dishes, shown = tuple(dishes), _shown(line)
+    for one in ways():
+        fits = all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
+        fits = fits and all((name in shown) is holds for name, holds in map(_asked, one.video))
+        if fits and one.is_called("", told) and _has_its_foods(one, wants, around):
+            return carried_out(one, joins, told, known)
+    return line, tuple(joins)
+
+
+def _asked(text: str) -> tuple[str, bool]:
+    """Return what a row asks for, and whether it is to hold."""
+    return text.removeprefix("!"), not text.startswith("!")
+
+
+def _shown(line: Line) -> set[str]:
+    """Return what a video does of what ways ask for: it heats, it bakes in an oven."""
+    hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
+    return {"heat"} | {stage.appliance for stage in hot} if hot else set()
+
+
+def _has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
+    """Whether the foods of a recipe are those that a row needs."""
+    if not all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs):
+        return False
+    if any(_mean(some, want, around) for some in one.without for want in wants):
+        return False
+    return all(sum(_mean(some, want, around) for want in wants) == 1 for some in one.one)
 
 
 def carried_out(
@@ -110,7 +150,17 @@ class _Placed:
 
 
 def _mean(foods: Foods, want: Want, around: Around) -> bool:
-    return foods.mean(want.label, want.facts, (want.asked, want.make, want.then, *want.leaf), around)
+    return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
+
+
+def _states(want: Want) -> list[str]:
+    """Return what is said of a food: its states, and what ways ask of how it is named and comes."""
+    found = [want.asked, want.make, want.then, *want.leaf]
+    found += [] if want.make else ["in one piece"]
+    double = not word_list("is asked twofold").isdisjoint(words(want.label))
+    found += ["several"] if double or want.label != singular(want.label) else []
+    mash = {want.make, want.then} & word_list("only what is soft is so")
+    return [*found, "as mash"] if mash or "made" in want.facts.traits else found
 
 
 def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:
@@ -120,6 +170,7 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     cut = bool(want.make) and bool(known.state(want.make).fine)
+    want = replace(want, cooked=want.cooked or bool(row.get("said")))
     if "make" in row and (row.get("always") or not cut):
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
     if "then" in row and not want.then and not cut:

@@ -177,5 +177,7 @@ def _parser() -> Callable[..., Any]:
         from ingredient_parser import parse_ingredient  # noqa: PLC0415 - the same
     except ImportError as error:
         hint = "pip install 'foon-kg[recipes]'"
-        raise UsageError("ingredient-parser-nlp is not installed.", hint=hint, code="recipes") from error
+        raise UsageError(
+            "such lines need ingredient-parser-nlp, which is not installed", hint=hint, code="recipes"
+        ) from error
     return parse_ingredient

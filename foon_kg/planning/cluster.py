@@ -48,7 +48,7 @@ def _connected(address: str) -> Iterator[Client]:
     try:
         from distributed import Client  # noqa: PLC0415 - an extra, and slow to import
     except ImportError as error:
-        raise UsageError("Dask is not installed", hint="pip install “foon-kg[cluster]”") from error
+        raise UsageError("this needs Dask, which is not installed", hint="pip install 'foon-kg[cluster]'") from error
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:

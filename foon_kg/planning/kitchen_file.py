@@ -33,6 +33,7 @@ _PLACED = re.compile(
 )
 _BULLET = re.compile(r"^[-*•]\s+")
 _CLOSE = 3
+_SPELLED_ALIKE = 0.75
 _ALIKE = 0.3
 _FIELDS = ("foods", "utensils")
 LONGEST_THING = 300
@@ -153,7 +154,7 @@ class ThingReader:
         what = "utensil" if kind == "utensils" else "food"
         utensils = {row.written for row in tables().utensils.values()}
         known = sorted(utensils | (set() if kind == "utensils" else self._labels))
-        near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE)
+        near = difflib.get_close_matches(thing.label.lower(), known, n=_CLOSE, cutoff=_SPELLED_ALIKE)
         if not near and kind != "utensils":
             alike = food_similarity().nearest(thing.label, sorted(self._labels), limit=_CLOSE)
             near = [found.name for found in alike if found.confidence >= _ALIKE]

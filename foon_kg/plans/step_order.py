@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from foon_kg.food import motions, tables
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TreeUnit
 
@@ -42,4 +43,22 @@ def earlier_steps(units: Sequence[TreeUnit]) -> tuple[frozenset[int], ...]:
         for thing in used_up:
             made_by[thing] = place  # the next to take it comes after this one
         before.append(frozenset(waits - {place}))
-    return tuple(before)
+    return tuple(waits | _ready_for(place, units, before) for place, waits in enumerate(before))
+
+
+def _ready_for(place: int, units: Sequence[TreeUnit], before: Sequence[frozenset[int]]) -> frozenset[int]:
+    """Return what has to be done before the appliance that a unit turns on is used, as far as the tree has it earlier.
+
+    An oven is hot before anything is put into it; what only moves (a mixer) would run for nothing meanwhile.
+    """
+    if not motions.switches_on(units[place].motion):
+        return frozenset()
+    running = {one.identity for one in units[place].made if _only_moves(one.node.label)}
+    later = range(place + 1, len(units))
+    user = next((i for i in later if not running.isdisjoint(one.identity for one in units[i].taken)), None)
+    return frozenset() if user is None else frozenset(earlier for earlier in before[user] if earlier < place)
+
+
+def _only_moves(label: str) -> bool:
+    row = tables().utensil(label)
+    return row is not None and row.role == "appliance" and row.source == "power"

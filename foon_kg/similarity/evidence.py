@@ -29,6 +29,7 @@ KINDS = (
     "shared word",  # another word than the last is in both: almond, almond butter
     "prepared dish",  # the known one is a dish or a mixture, the wanted one is not
     "no food",  # the wanted one is in no table of foods
+    "unknown word",  # the wanted one has another word that nobody ever read of food: floober sauce
 )
 """The kinds of evidence, in the order in which :meth:`Evidence.between` answers them."""
 
@@ -47,6 +48,7 @@ class Names:
     listed: Flags
     dish: Table
     strange: Flags
+    obscure: Flags
     words: tuple[frozenset[str], ...]
     last_words: tuple[str, ...]
 
@@ -75,6 +77,7 @@ class Evidence:
             listed=np.array([name in self.food_groups.places for name in names], dtype=bool),
             dish=np.minimum(memberships @ self._is_dish, 1.0),
             strange=~kinds.filled & np.array([self._is_strange(name) for name in names], dtype=bool),
+            obscure=np.array([self._is_obscure(name) for name in names], dtype=bool),
             words=tuple(frozenset(name.split()) for name in names),
             last_words=last_words,
         )
@@ -96,6 +99,7 @@ class Evidence:
                 *_by_words(wanted, known),
                 np.outer(1 - wanted.dish, known.dish),
                 np.outer(wanted.strange, np.ones(len(known.words))),
+                np.outer(wanted.obscure & ~wanted.strange, np.ones(len(known.words))),
             ],
             dtype=np.float64,
         )
@@ -111,6 +115,18 @@ class Evidence:
     def _is_strange(self, name: str) -> bool:
         """Say whether no table lists a name or any ending of it as a food."""
         return not self.food_groups.has_ending(name) and tables().foods.find(name)[0] == "unknown"
+
+    def _is_obscure(self, name: str) -> bool:
+        """Say whether a word of a name of several is in no recipe that the vectors were learnt from, nor any table."""
+        words = name.split()
+        return len(words) > 1 and any(
+            word.isalpha() and not self.food_vectors.knows(word) and word not in self._listed_words for word in words
+        )
+
+    @cached_property
+    def _listed_words(self) -> frozenset[str]:
+        names = (*tables().foods.kind_of, *self.food_groups.foods, *self.taxonomy.meanings)
+        return frozenset(word for name in names for word in name.split())
 
     def _heads(self, last_words: Sequence[str]) -> Table:
         """Return the vectors of ``last_words``; many names share them."""

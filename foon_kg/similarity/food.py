@@ -1,11 +1,12 @@
-"""The default similarity: evidence of thirteen kinds, weighed into one probability.
+"""The default similarity: evidence of fourteen kinds, weighed into one probability.
 
 ``confidence = 0.99 / (1 + exp(-(bias + sum of weight * evidence)))``, a logistic regression on pairs of foods that were
 judged as a cook would, stretched so that what is *told* (the first five of a food) is accepted as often as is said.
 ``benchmarks/similarity.py`` fits the weights (``data/similarity.json``) and measures them on halves that they were not
 fitted on: of what was told at 0.9 or more 97 % were accepted, at 0.5 to 0.7 54 %, at 0.1 to 0.3 18 %. So 0.5 means: as
 likely as not, a cook would accept the known food. Below :data:`~foon_kg.similarity.answers.LEAST` nothing is like it,
-and the confidence is 0. Equal canonical names are one food and answer 1; nothing else reaches 0.99.
+and the confidence is 0. Of a name with a word that no recipe and no table has ("floober sauce") nothing is sure. Equal
+canonical names are one food and answer 1; nothing else reaches 0.99.
 """
 
 from __future__ import annotations

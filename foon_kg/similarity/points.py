@@ -1,6 +1,6 @@
 """Foods as points of a vector index, so that a database finds the known foods that may stand for a wanted one.
 
-An index knows one measure, the cosine of two points; the confidence weighs twelve kinds of evidence, and not all of
+An index knows one measure, the cosine of two points; the confidence weighs many kinds of evidence, and not all of
 them are products of what is known of either food. So the points hold what bounds it: the product of a question and the
 point of a known food is never less than the log odds that the food stands for the wanted one. Whoever takes the foods
 of the greatest product, works out their confidences and finds the last one wanted above :meth:`Question.most` of the
@@ -92,6 +92,7 @@ def _question(name: str, similarity: FoodSimilarity) -> Question:
     point = np.array([*weighed, *by_flags, 0.0]) * LONGEST
     length = float(np.linalg.norm(point)) or 1.0
     constant = similarity.bias + weights["kind unknown"] + weights["no food"] * float(about.strange[0])
+    constant += weights["unknown word"] * float(about.obscure[0] and not about.strange[0])
     constant += _by_names(weights)
     return Question(name, tuple((point / length).tolist()), length, constant)
 

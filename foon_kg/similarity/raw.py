@@ -74,7 +74,9 @@ def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
     try:
         import spacy  # noqa: PLC0415 - seconds of import for an extra that few ask for
     except ImportError as error:
-        raise UsageError("spaCy is not installed.", hint="pip install 'foon-kg[vectors]'", code="vectors") from error
+        raise UsageError(
+            "this needs spaCy, which is not installed", hint="pip install 'foon-kg[vectors]'", code="vectors"
+        ) from error
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # of another spaCy's models: vectors are the same in all
@@ -86,7 +88,7 @@ def spacy_similarity(pipeline_name: str) -> CosineSimilarity:
         raise UsageError(f"No spaCy pipeline {pipeline_name!r}: {error}", hint=hint, code="vectors") from error
     if not pipeline.vocab.vectors_length:
         hint = "Small pipelines have none: take a medium or large one."
-        raise UsageError(f"{pipeline_name} has no word vectors.", hint=hint, code="vectors")
+        raise UsageError(f"{pipeline_name} has no word vectors", hint=hint, code="vectors")
 
     def embed(names: Sequence[str]) -> Vectors:
         rows = np.array([pipeline.make_doc(name).vector for name in names], dtype=np.float64)

@@ -41,6 +41,10 @@ class FoodVectors:
         lengths = np.sqrt((totals * totals).sum(axis=1, keepdims=True))
         return totals / np.where(lengths == 0, 1.0, lengths)
 
+    def knows(self, word: str) -> bool:
+        """Return whether there is a vector for a word of small letters."""
+        return stem(word) in self.places
+
     def _places(self, name: str) -> list[int]:
         return [self.places[s] for s in map(stem, _WORD.findall(name)) if s in self.places]
 

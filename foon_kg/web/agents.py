@@ -15,7 +15,7 @@ from foon_kg import __version__
 from foon_kg.model.errors import FoonError, UsageError
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.settings import Substitute
-from foon_kg.web.asking import AT_HAND, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
+from foon_kg.web.asking import AT_HAND, DRAFTS, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
 from foon_kg.web.questions import PlanQuestion, Question, SuggestQuestion
 from foon_kg.web.service import FoonService
 
@@ -42,6 +42,10 @@ Avoided = Annotated[list[Words], Field(max_length=20, description="Foods or kind
 Title = Annotated[
     str, Field(max_length=200, description="What the dish is called, which is read: a lasagna is laid in layers.")
 ]
+After = Annotated[
+    str, Field(max_length=200, description="The recorded dish, or the video, to make it after; else what suits best.")
+]
+Drafts = Annotated[bool, Field(description=DRAFTS)]
 AtHand = Annotated[list[Words], Field(max_length=MOST_THINGS, description=AT_HAND)]
 Names = Annotated[list[Words], Field(min_length=1, max_length=20, description="Foods, known or not.")]
 Role = Annotated[str, Field(max_length=40, description="What it does in a dish: acid, fat, liquid, milk, protein …")]
@@ -103,17 +107,24 @@ class _Tools:
 
     def plan(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "",
+        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "", after: After = "",
+        with_drafts: Drafts = False,
     ) -> dict[str, Any]:  # fmt: skip
         """Plan a dish: its steps in order (units), what the kitchen must have, substitutions and assumptions."""
-        return self._planned(ingredients, dish_type, substitutes, avoid, kitchen, title=title)
+        wishes = _wishes(substitutes, avoid, kitchen, after)
+        return self._answer(PlanQuestion(dish_type, tuple(ingredients), *wishes, with_drafts=with_drafts, title=title))
 
     def explain(
         self, ingredients: Ingredients, dish_type: Dish = "", substitutes: Substitutes | None = None,
-        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "",
+        avoid: Avoided | None = None, kitchen: AtHand | None = None, *, title: Title = "", after: After = "",
+        with_drafts: Drafts = False,
     ) -> dict[str, Any]:  # fmt: skip
         """Say why each ingredient of a plan is made as it is: like which food, where it joins, what was passed over."""
-        told = self._planned(ingredients, dish_type, substitutes, avoid, kitchen, title=title, explain=True)
+        wishes = _wishes(substitutes, avoid, kitchen, after)
+        question = PlanQuestion(
+            dish_type, tuple(ingredients), *wishes, with_drafts=with_drafts, title=title, explain=True
+        )
+        told = self._answer(question)
         return {name: told[name] for name in ("recipe", "goal", "explanations", "substitutions", "notes")}
 
     def similar(self, names: Names, limit: Most = 5, role: Role | None = None) -> dict[str, Any]:
@@ -136,21 +147,6 @@ class _Tools:
             raise ToolError(_said(UsageError("these are files, and no graph", hint="Start foon mcp without --files.")))
         return _explained(lambda: ask(query, parameters or {}, limit))
 
-    def _planned(
-        self,
-        ingredients: Sequence[str],
-        dish_type: str,
-        substitutes: dict[str, str] | None,
-        avoid: Sequence[str] | None,
-        kitchen: Sequence[str] | None,
-        *,
-        title: str = "",
-        explain: bool = False,
-    ) -> JsonObject:
-        chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
-        wishes = chosen, tuple(avoid or ()), tuple(kitchen or ())
-        return self._answer(PlanQuestion(dish_type, tuple(ingredients), *wishes, title=title, explain=explain))
-
     def _answer(self, question: Question) -> JsonObject:
         reply = _explained(lambda: self._service.answer(question))
         told = reply.value()
@@ -158,6 +154,13 @@ class _Tools:
             said = told["error"]
             raise ToolError(f"{said['message']} ({said['code']}). {said['hint']}")
         return told
+
+
+def _wishes(
+    substitutes: dict[str, str] | None, avoid: Sequence[str] | None, kitchen: Sequence[str] | None, after: str
+) -> tuple[tuple[Substitute, ...], tuple[str, ...], tuple[str, ...], str]:
+    chosen = tuple(Substitute(food, like) for food, like in (substitutes or {}).items())
+    return chosen, tuple(avoid or ()), tuple(kitchen or ()), after
 
 
 def _explained(ask: Callable[[], T]) -> T:

@@ -12,11 +12,15 @@ from functools import cached_property
 from foon_kg.model import content_key
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Neo4jGraph
 from foon_kg.store.snapshot import Snapshot
 
 EVERY = 2.0
 """Seconds between two looks whether the graph is still the same."""
+
+EMPTY = "empty"
+"""The edition of a database that holds no FOON yet."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +64,7 @@ class FixedFoon:
 
 
 class LiveFoon:
-    """The FOON of a graph. Any number of threads may ask.
+    """The FOON of a graph, one without units where nothing is loaded yet. Any number of threads may ask.
 
     ``opened`` connects; it is called again where the graph stopped answering, as the local server does when it idles.
     """
@@ -97,6 +101,8 @@ class LiveFoon:
     def read(self) -> Served:
         """Return the FOON as it stands now, or newer than its name says: then the next look sees another edition."""
         name = self._read_name()
+        if name == EMPTY:
+            return Served(name, Snapshot((), (), Kitchen.default()))
         snapshot = self._connected().snapshot()
         with self._connected().reading() as view:
             return Served(name, snapshot, view.lessons())
@@ -118,8 +124,13 @@ class LiveFoon:
 
     def _read_name(self) -> str:
         """Return the edition's name; of a graph that does not tell editions apart each look is one of its own."""
-        with self._connected().reading() as view:
-            return view.edition or next(self._unnamed)
+        try:
+            with self._connected().reading() as view:
+                return view.edition or next(self._unnamed)
+        except GraphError as error:
+            if error.code != EMPTY:
+                raise
+            return EMPTY
 
     def _connected(self) -> Neo4jGraph:
         if self._graph is None:

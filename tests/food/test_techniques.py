@@ -6,7 +6,12 @@ import pytest
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_lists
-from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, works
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, ways, works
+
+ROWS = (*techniques(), *ways())
+SAID = {"as mash", "in one piece", "several"}
+"""What ways ask of how a food is named and comes, and no state."""
 
 PLANS = {"cold", "one pot"}
 
@@ -21,23 +26,26 @@ def foods(technique):
 
 def meant(technique):
     """All texts that name foods in a row."""
-    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without]
+    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without, *technique.one]
 
 
-@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
 def test_a_technique_names_only_what_the_tables_know(technique):
     assert {part.stage for part in parts(technique)} <= works().keys()
     assert {one.made for one in foods(technique)} <= {"", *preparations()}
     assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
     assert technique.plan <= PLANS
+    assert {name.removeprefix("!") for name in technique.dishes} <= Dish.__dataclass_fields__.keys()
+    assert {name.removeprefix("!") for name in technique.video} <= {"heat", "oven"}
     known = tables()
+    assert {one.state for one in meant(technique)} <= {"", *SAID, *known.states}
     traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
     for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
         named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
         assert named or term in {"*", "^"} or term.startswith("#") or term.removeprefix("@") in word_lists(), term
 
 
-@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
 def test_every_food_has_a_place_in_a_technique(technique):
     assert sum(one.is_rest for one in foods(technique)) == 1
 

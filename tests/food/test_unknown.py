@@ -32,12 +32,33 @@ def test_a_food_of_which_nothing_is_known():
         (ObjectNode("onion", ("sllliced",)), (), "sliced"),
         (ObjectNode("onion"), ("whissk",), "whisk"),
         (ObjectNode("tomatoo"), (), "tomato"),
+        (ObjectNode("spoonn"), (), "spoon"),
+        (ObjectNode("mixing bowll"), (), "mixing bowl"),
+        (ObjectNode("choclate chip"), (), "chocolate chip"),
     ],
 )
 def test_a_slip_of_the_pen_is_told_with_what_may_be_meant(node, motions, meant):
     (word,) = unknown_words([node], motions)
     assert word.meant == meant
     assert f"(is “{meant}” meant?)" in str(word)
+
+
+def test_a_slip_of_a_tool_is_a_tool_that_no_table_has():
+    (word,) = unknown_words([ObjectNode("spoonn")])
+    assert (word.kind, word.taken_for) == (WordKind.UTENSIL, "a food")
+
+
+def test_a_name_of_listed_words_is_no_slip_of_another():
+    (word,) = unknown_words([ObjectNode("garden salad")])
+    assert word.meant == ""
+
+
+def test_a_typing_error_that_the_tables_understand_is_told():
+    assert told(ObjectNode("cinammon", ("choppped",), (), "in", "baking try")) == [
+        "“cinammon” is a typing error (is “cinnamon” meant?): taken for “cinnamon”",
+        "“choppped” is a typing error (is “chopped” meant?): taken for “chopped”",
+        "“baking try” is a typing error (is “baking tray” meant?): taken for “baking tray”",
+    ]
 
 
 def test_a_food_whose_last_words_are_known_is_hardly_a_guess():
@@ -111,19 +132,53 @@ def folder(tmp_path):
     return tmp_path
 
 
-def test_a_load_says_in_one_line_what_no_table_has(folder):
+TABLE = """start,end,motion,inputs,outputs
+0:01,0:02,chop,onion (peeled) on cutting board; spoonn,onion (choppped) on cutting board
+0:03,0:04,mixx *,bowl {onion}; spoon,onion (zorged) in bowl
+"""
+
+TOLD = [
+    "3: “mixx” is not in the table of motions (is “mix” meant?): taken for one of which nothing is known",
+    "2: “choppped” is a typing error (is “chopped” meant?): taken for “chopped”",
+    "3: “zorged” is not in the table of states: taken for one that says nothing of the food",
+    "2: “spoonn” is not in the table of utensils (is “spoon” meant?): taken for a food",
+]
+
+
+@pytest.mark.parametrize("command", [("load", "videos", "--dry-run"), ("diff", "--files", "FOON")])
+def test_what_no_table_has_is_told_by_line_before_it_is_loaded(folder, command):
+    table = folder / "odd.csv"
+    table.write_text(TABLE, encoding="utf-8")
+    words = [str(folder / "odd.txt") if word == "FOON" else word for word in command]
+    answer = foon(*words, table)
+    assert answer.exit_code == 0, answer.stderr
+    assert [line for line in answer.stderr.splitlines() if str(table) in line] == [f"{table}:{told}" for told in TOLD]
+
+
+def test_a_load_says_what_no_table_has(folder):
     report = folder / "notices.jsonl"
     answer = foon("load", "foon", folder / "odd.txt", "--dry-run", "--report", report)
     assert answer.exit_code == 0
-    (line,) = [line for line in answer.stderr.splitlines() if "no table" in line]
-    assert line.endswith("1 food (xylocarp), 1 motion (zib), 1 state (wobbly)")
     notices = [json.loads(line) for line in report.read_text(encoding="utf-8").splitlines()]
-    assert [(one["kind"], one["action"]) for one in notices] == [
-        ("unknown-food", "taken for a food of no known kind"),
-        ("unknown-motion", "taken for one of which nothing is known"),
-        ("unknown-state", "taken for one that says nothing of the food"),
+    assert [(one["kind"], one["line"], one["action"]) for one in notices] == [
+        ("unknown-food", 4, "taken for a food of no known kind"),
+        ("unknown-motion", 4, "taken for one of which nothing is known"),
+        ("unknown-state", 4, "taken for one that says nothing of the food"),
     ]
     assert all(one["file"].endswith("odd.txt") and one["severity"] == "assumed" for one in notices)
+    assert len([line for line in answer.stderr.splitlines() if "no" in line and "odd.txt:4: " in line]) == len(notices)
+
+
+def test_of_many_words_those_that_look_misspelled_are_told_one_by_one(folder):
+    labels = [f"xylo{place * 'x'}carp" for place in range(11)]
+    unit = "O\t{}\t1\nO\tspoonn\t0\nM\tchop\t<0:01-0:02>\nO\t{}\t1\nS\tchopped\n//\n"
+    (folder / "odd.txt").write_text("".join(unit.format(one, one) for one in labels), encoding="utf-8")
+    lines = foon("load", "foon", folder / "odd.txt", "--dry-run").stderr.splitlines()
+    assert lines[0].endswith(
+        "odd.txt:3: “spoonn” is not in the table of utensils (is “spoon” meant?): taken for a food"
+    )
+    assert lines[1].startswith("12 words are in no table of foon-kg (--report FILE lists them): 11 foods")
+    assert len(lines) == 2
 
 
 def test_a_command_that_reads_files_says_so_too(folder):

@@ -125,3 +125,16 @@ def test_every_label_and_recipe_word_of_the_public_data_has_an_answer(foon_foods
     matrix = food_similarity().matrix(words, foon_foods)
     assert matrix.shape == (len(words), len(foon_foods))
     assert np.isfinite(matrix).all()
+
+
+def test_of_a_name_with_a_word_that_nobody_read_of_food_nothing_is_sure(known):
+    similarity = food_similarity()
+    for name, accepted in folded(OWN["unknown words"]).items():
+        most = similarity.nearest(name, sorted({*known, *accepted}), limit=1)
+        assert most == () or most[0].confidence <= 0.6, name
+    ketchup = similarity.nearest("zorbo ketchup", ["ketchup", "mayonnaise", "salt"], limit=1)
+    assert [near.name for near in ketchup] == ["ketchup"]
+    assert (
+        similarity.nearest("zorbo ketchup", ["ketchup"])[0].confidence
+        < similarity.nearest("tomato ketchup", ["ketchup"])[0].confidence
+    )

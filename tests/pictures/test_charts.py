@@ -8,9 +8,11 @@ import pytest
 from pictures.demo_plans import demo_foon, demo_plan
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.step_changes import step_changes_svg
+from foon_kg.formats.pictures.svg import text_width
 from foon_kg.formats.views.schedule import clock
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.planning.planner import Planner
@@ -65,6 +67,21 @@ def test_bars_of_a_chart_stand_where_their_times_are_and_on_the_paper(width):
         assert row.find(f"{SVG}title").text.startswith(told)
 
 
+@pytest.mark.parametrize("width", [280, 326, 1180])
+def test_a_chart_tells_every_step_in_full_and_no_row_lies_on_another(width):
+    tree = ShownTree.of_result(demo_plan("kohlrabi_salad"))
+    plan = schedule(tree.units, tree.kitchen, Durations.of_units(demo_foon().units), Kitchen.default())
+    rows = ET.fromstring(schedule_svg(tree, plan, width)).findall(f"{SVG}g")
+    last = 0.0
+    for row, step in zip(rows, plan.steps, strict=True):
+        said = [("".join(text.itertext()), float(text.get("y"))) for text in row.iter(f"{SVG}text")]
+        words = " ".join(text for text, _ in said if text != "unknown")
+        assert words == f"{step.place + 1} {sentence(tree.units[step.place].as_unit(), Kitchen.default())}"
+        assert min(y for _, y in said) - 11 > last
+        assert all(text_width(text, 12) < width - 24 for text, _ in said)
+        last = max(y for _, y in said)
+
+
 def test_the_picture_of_changes_has_both_trees():
     tree = ShownTree.of_result(demo_plan("kohlrabi_salad"))
     with demo_foon().reading() as view:
@@ -72,7 +89,7 @@ def test_the_picture_of_changes_has_both_trees():
     assert len(reference) == tree.result.reference.units
     words = texts(step_changes_svg(tree, step_changes(reference, tree.units)))
     for number, known in enumerate(reference, start=1):
-        assert f"{number} {known.unit.motion}" in words
+        assert f"{number} {motion_said(known.unit.motion)}" in words
     for number, unit in enumerate(tree.units, start=1):
-        assert f"{number} {unit.motion}" in words
+        assert f"{number} {motion_said(unit.motion)}" in words
     assert any(text.startswith("- carrot") for text in words)

@@ -12,6 +12,7 @@ from pictures.demo_plans import demo_plan, demo_recipe_names
 
 pytest.importorskip("fast_sugiyama", reason="the extra “pictures” is not installed")
 from foon_kg.cli.demo import demo_subgraphs
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.formats.pictures.png import png_of
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, scene_of
@@ -72,7 +73,7 @@ def test_words_of_every_step_and_node_are_in_the_picture():
     tree = shown("kohlrabi_salad")
     words = texts(tree_svg(tree, KITCHEN))
     for number, unit in enumerate(tree.units, start=1):
-        assert any(text.removeprefix("+ ") == f"{number} {unit.motion}" for text in words)
+        assert any(text.removeprefix("+ ") == f"{number} {motion_said(unit.motion)}" for text in words)
     assert tree.title in words
     assert tree.goal.label in words
 

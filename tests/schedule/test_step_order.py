@@ -87,3 +87,16 @@ def test_nothing_is_heated_before_what_is_prepared_is_ready():
     fry = numbered([(BEATEN, 2)], "fry", [(OMELETTE, 3)], "heat")
     serve = numbered([(OMELETTE, 3)], "serve", [(ObjectNode("omelette", ("served",)), 3)], "finish")
     assert earlier_steps([chop, beat, fry, serve]) == (frozenset(), frozenset(), {0, 1}, {2})
+
+
+def test_a_mixer_is_turned_on_when_what_it_mixes_is_there_and_an_oven_before_that():
+    def tree(device):
+        off, on = (ObjectNode(device, (state,)) for state in ("off", "on"))
+        return (
+            numbered([(EGG, 1), (BOWL, 2)], "pour", [(EGG, 1), (FULL, 2)]),
+            numbered([(off, 3)], "turn on", [(on, 3)]),
+            numbered([(on, 3), (FULL, 2)], "mix", [(on, 3), (ObjectNode("bowl", ("mixed",)), 2)]),
+        )
+
+    assert earlier_steps(tree("hand mixer")) == (frozenset(), {0}, {0, 1})
+    assert earlier_steps(tree("oven")) == (frozenset(), frozenset(), {0, 1})

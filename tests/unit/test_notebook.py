@@ -55,4 +55,4 @@ def test_without_pandas_it_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(UsageError, match="needs pandas") as raised:
         steps_frame(PLAN.to_json())
-    assert "pip install pandas" in raised.value.hint
+    assert "pip install 'foon-kg[recipes]'" in raised.value.hint

@@ -181,6 +181,8 @@ def test_a_path_that_is_not_there_or_has_no_recipes_is_wrong_usage(tmp_path):
 def test_a_word_that_is_misspelled_is_told_with_what_may_be_meant():
     _, notes = WORDS.read("choped oinon")
     assert notes[-1] == "no food is called “choped oinon”: did you mean “chopped onion”?"
+    assert WORDS.read("1 tbsp buter")[1][-1] == "no food is called “buter”: did you mean “butter”?"
+    assert not any("taken at its word" in note for note in WORDS.read("2 kohlrabis")[1])
     _, notes = WORDS.read("slised tomatoes")
     assert notes[-1] == "“slised tomatoes” is taken at its word; if you mean “sliced tomatoes”, write that"
     _, notes = WORDS.read("xyzzy")

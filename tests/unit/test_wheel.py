@@ -147,6 +147,16 @@ def test_without_its_extra_a_command_says_in_one_line_how_to_get_it(plain, demo,
     assert f"foon-kg[{extra}]" in hint
 
 
+def test_without_the_extra_for_pictures_python_is_told_how_to_get_it(plain, demo):
+    code = (
+        "import sys; from foon_kg import Foon; from foon_kg.model.errors import UsageError\n"
+        "plan = Foon.from_files(sys.argv[1]).plan('salad', ['chopped onion'])\n"
+        "try: plan.to_svg()\n"
+        "except UsageError as error: print(error.hint)"
+    )
+    assert ran(plain, "-c", code, demo[0], cwd=demo[1]).stdout == "pip install 'foon-kg[pictures]'\n"
+
+
 def page_and_plan(python, demo):
     """Serve the page, and ask it for a plan with pictures."""
     files, folder = demo

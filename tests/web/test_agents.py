@@ -8,11 +8,13 @@ import sys
 
 import anyio
 import pytest
+from contract.test_drafts import COOKIE
 from mcp import Client, StdioServerParameters
 from pictures.demo_plans import demo_foon
 
 from foon_kg import Foon
 from foon_kg.demo import demo_folder
+from foon_kg.loaders.lessons import lessons_of
 from foon_kg.model.errors import WriteRefused
 from foon_kg.web.agents import agent_server
 from foon_kg.web.foon import FixedFoon
@@ -91,6 +93,22 @@ def test_what_a_dish_is_called_is_read(server):
     soup = {"dish_type": "soup", "ingredients": ["chopped parsnip", "chopped onion", "water"]}
     told = map(value, asked(server, ("plan", soup), ("plan", soup | {"title": "Cream of parsnip soup"})))
     assert ["blend" in {unit["motion_node"] for unit in one["units"]} for one in told] == [False, True]
+
+
+def test_a_dish_is_made_after_the_one_that_is_named(server):
+    (goal,) = value(asked(server, ("plan", SALAD | {"after": "fruit_salad"}))[0])["reference"]["videos"][:1]
+    assert goal == "fruit_salad"
+    (unknown,) = asked(server, ("explain", SALAD | {"after": "fruit_sallad"}))
+    assert "What suits these foods best: " in refusal(unknown)
+
+
+def test_drafts_count_only_where_they_are_asked():
+    biscuits = {"dish_type": "cookie", "ingredients": ["flour", "butter", "sugar"]}
+    with FoonService(FixedFoon(demo_foon(), lessons_of([COOKIE]))) as service:
+        tools = agent_server(service)
+        without, drafted = asked(tools, ("plan", biscuits), ("plan", biscuits | {"with_drafts": True}))
+    assert "(no-goal)" in refusal(without)
+    assert value(drafted)["reference"]["draft_confidence"] == pytest.approx(0.52)
 
 
 def test_a_kitchen_can_be_named(server):

@@ -224,12 +224,16 @@ def test_a_graph_that_somebody_changes_is_read_anew(empty_graph):
     from foon_kg.store.graph import Connection, Neo4jGraph, load
 
     subgraphs = sorted(demo_subgraphs(), key=lambda subgraph: subgraph.name)
-    with Connection(empty_graph) as connection:
+    with (
+        Connection(empty_graph) as connection,
+        FoonService(LiveFoon(lambda: Neo4jGraph(empty_graph), every=0), patience=60) as service,
+    ):
+        assert service.summary()["videos"] == 0
+        assert service.ask(SALAD).result().status == 404
         load(connection, subgraphs[:2])
-        with FoonService(LiveFoon(lambda: Neo4jGraph(empty_graph), every=0), patience=60) as service:
-            assert service.summary()["videos"] == 2
-            kept = service.ask(SALAD)
-            assert service.ask(SALAD) is kept
-            load(connection, subgraphs[2:4])
-            assert service.summary()["videos"] == 4
-            assert service.ask(SALAD) is not kept
+        assert service.summary()["videos"] == 2
+        kept = service.ask(SALAD)
+        assert service.ask(SALAD) is kept
+        load(connection, subgraphs[2:4])
+        assert service.summary()["videos"] == 4
+        assert service.ask(SALAD) is not kept

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
 from xml.etree import ElementTree as ET
 
 from foon_kg.formats.exports.sentences import sentence
@@ -32,7 +34,8 @@ _NAMES = 400.0
 _NOTE = 70.0  # beside the last bar: that nothing tells how long it takes
 _BAR = 12.0
 _ROW = 22.0
-_TALL_ROW = 38.0
+_LINE = 15.0
+_MOST_LINES = 6
 _GAP = 8.0
 _COLOURS = 4
 _TICKS = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 28800)
@@ -45,14 +48,14 @@ def schedule_svg(tree: ShownTree, plan: Schedule, width: float = WIDTH) -> str:
     axis = 34 + height_of(head) + 48
     rows = axis + 8
     foot = _told(CAUTION, width, "aside", 11)
-    bottom = rows + len(plan.steps) * sheet.row
+    bottom = rows + sheet.tops[-1]
     root = picture(width, bottom + 12 + height_of(foot) + _EDGE, f"Schedule: {tree.title}. {summary(plan)}")
     _write(root, head, 34)
     sheet.draw_legend(root, axis - 34)
     sheet.draw_bands(root, rows)
     sheet.draw_axis(root, axis, bottom)
     for number, step in enumerate(plan.steps):
-        sheet.draw_step(root, step, rows + number * sheet.row)
+        sheet.draw_step(root, step, number, rows)
     _write(root, foot, bottom + 24)
     return as_text(root)
 
@@ -65,10 +68,22 @@ class _Sheet:
     plan: Schedule
     width: float
 
-    @property
-    def row(self) -> float:
-        """How high a row is."""
-        return _ROW if self._aside else _TALL_ROW
+    @cached_property
+    def tops(self) -> Sequence[float]:
+        """How far below the first row each begins, and behind them where the last one ends."""
+        return tuple(accumulate(map(self._height, self._names), initial=0.0))
+
+    def _height(self, lines: Sequence[str]) -> float:
+        return _ROW + _LINE * (len(lines) - 1) if self._aside else _ROW - 1 + _LINE * len(lines)
+
+    @cached_property
+    def _names(self) -> Sequence[Sequence[str]]:
+        """What is done in each row, in lines that fit beside or above its bar."""
+        room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width("00 ", 13)
+        return [wrapped(self._said(step), room, 12, most=_MOST_LINES) for step in self.plan.steps]
+
+    def _said(self, step: ScheduledStep) -> str:
+        return sentence(self.tree.units[step.place].as_unit(), Kitchen.default())
 
     @property
     def _aside(self) -> bool:
@@ -99,8 +114,9 @@ class _Sheet:
     def draw_bands(self, root: ET.Element, top: float) -> None:
         """Shade every second row, from ``top`` down."""
         for number in range(0, len(self.plan.steps), 2):
-            place: dict[str, object] = {"x": _EDGE - 10, "y": top + number * self.row, "rx": 5}
-            element(root, "rect", place | {"width": self.width - 2 * _EDGE + 20, "height": self.row}, "band")
+            place: dict[str, object] = {"x": _EDGE - 10, "y": top + self.tops[number], "rx": 5}
+            height = self.tops[number + 1] - self.tops[number]
+            element(root, "rect", place | {"width": self.width - 2 * _EDGE + 20, "height": height}, "band")
 
     def draw_axis(self, root: ET.Element, top: float, bottom: float) -> None:
         """Draw the minutes above the rows, and their lines through them."""
@@ -112,12 +128,12 @@ class _Sheet:
             if tick * between <= self.plan.known_until and self.plan.known_until:
                 write_line(root, Line(clock(tick * between), "aside", 11), x, top - 5)
 
-    def draw_step(self, root: ET.Element, step: ScheduledStep, top: float) -> None:
+    def draw_step(self, root: ET.Element, step: ScheduledStep, number: int, rows: float) -> None:
         """Draw the row of a step; a program that points at it is told all that is known of it."""
-        row = element(root, "g", {})
+        row, top = element(root, "g", {}), rows + self.tops[number]
         ET.SubElement(row, "title").text = writable(self._words(step))
-        self._write_name(row, step, top + 15)
-        foot = top + self.row - (_ROW - _BAR) / 2
+        self._write_name(row, f"{step.place + 1} ", self._names[number], top + 15)
+        foot = top + (_ROW if self._aside else self._height(self._names[number])) - (_ROW - _BAR) / 2
         start, end = self._x(step.start), self._x(step.end)
         bar: dict[str, object] = {"x": start, "y": foot - _BAR, "width": max(end - start, 2.0), "height": _BAR, "rx": 2}
         if step.duration is None:
@@ -125,19 +141,19 @@ class _Sheet:
             write_line(row, Line(NEVER, "aside", 10), end + 6, foot - 2.5, anchor="start")
         element(row, "rect", bar, "by-itself" if step.hands is None else f"hands-{step.hands % _COLOURS + 1}")
 
-    def _write_name(self, row: ET.Element, step: ScheduledStep, foot: float) -> None:
-        unit = self.tree.units[step.place]
-        number, said = f"{step.place + 1} ", sentence(unit.as_unit(), Kitchen.default())
-        room = (_NAMES if self._aside else self.width - 2 * _EDGE) - _GAP - text_width(number, 13)
-        text = element(row, "text", {"x": _EDGE, "y": foot, "font-size": 12})
-        for words, kind in ((number, "aside"), (wrapped(said, room, 12, most=1)[0], "name")):
-            element(text, "tspan", {}, kind).text = writable(words)
+    def _write_name(self, row: ET.Element, number: str, lines: Sequence[str], foot: float) -> None:
+        indent = text_width(number, 13)
+        for line, words in enumerate(lines):
+            x = _EDGE + (indent if line else 0.0)
+            text = element(row, "text", {"x": x, "y": foot + _LINE * line, "font-size": 12})
+            for part, kind in ((number if line == 0 else "", "aside"), (words, "name")):
+                if part:
+                    element(text, "tspan", {}, kind).text = writable(part)
 
     def _words(self, step: ScheduledStep) -> str:
-        said = sentence(self.tree.units[step.place].as_unit(), Kitchen.default())
         who = ITSELF if step.hands is None else f"pair of hands {step.hands + 1}"
         seen = f"seen {seen_words(step.duration)}" if step.duration else NEVER
-        what = f"step {step.place + 1}, {said.rstrip('.')}"
+        what = f"step {step.place + 1}, {self._said(step).rstrip('.')}"
         when = f"{clock(step.start)} to {clock(step.end)}" if step.end <= self.plan.known_until else "nobody knows when"
         return f"{when}: {what}; {who}; {seen}"
 

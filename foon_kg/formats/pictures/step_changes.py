@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.formats.pictures.layout import Point
 from foon_kg.formats.pictures.svg import Line, as_text, element, picture, wrapped, write_line
 from foon_kg.formats.views.shown_tree import ShownTree
@@ -47,11 +48,11 @@ def _draw(root: ET.Element, one: StepChange, top: float) -> None:
     right = _EDGE + _COLUMN + _GAP
     if one.before is not None:
         number, known = one.before
-        words = (f"{number} {known.unit.motion}", handled(known.unit.input_nodes))
+        words = (f"{number} {motion_said(known.unit.motion)}", handled(known.unit.input_nodes))
         _draw_step(root, one, _PAINT[one.change][0], (_EDGE, top), words)
     if one.after is not None:
         number, unit = one.after
-        words = (f"{number} {unit.motion}", handled(unit.input_nodes))
+        words = (f"{number} {motion_said(unit.motion)}", handled(unit.input_nodes))
         _draw_step(root, one, _PAINT[one.change][1], (right, top), words)
     if one.before is not None and one.after is not None:
         line = {"d": f"M{_EDGE + _COLUMN:.0f} {top + _ROW / 2:.1f}H{right:.0f}", "stroke-width": 1.3}

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.formats.pictures.layout import LAYER_GAP, Layout, Point, banded, layered
 from foon_kg.formats.pictures.scene import MotionBox, ObjectBox, Scene, foods_of, phases_of, scene_of
 from foon_kg.formats.pictures.svg import (
@@ -175,7 +176,7 @@ class _Words:
         return [Line(line, "aside", 11) for line in wrapped(f"with {names}", _TEXT_WIDTH, 11)]
 
     def of_motion(self, box: MotionBox) -> list[Line]:
-        lines = [Line(f"{box.number} {box.unit.motion}", "verb", 13, bold=True)]
+        lines = [Line(f"{box.number} {motion_said(box.unit.motion)}", "verb", 13, bold=True)]
         if box.tools:
             tools = wrapped(", ".join(box.tools), _TEXT_WIDTH, 10.5, most=2)
             lines += [Line(line, "aside", 10.5) for line in tools]

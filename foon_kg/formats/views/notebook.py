@@ -52,7 +52,9 @@ def steps_frame(plan: JsonObject) -> pd.DataFrame:
     try:
         import pandas as pd  # noqa: PLC0415 - only this needs it, and it is not always there
     except ModuleNotFoundError as error:
-        raise UsageError("to_frame() needs pandas", hint="Install it with: pip install pandas") from error
+        raise UsageError(
+            "to_frame() needs pandas, which is not installed", hint="pip install 'foon-kg[recipes]'"
+        ) from error
     rows = [_row(unit) for unit in plan["units"]]
     columns = ["motion", "inputs", "outputs", "origin", "video", "start", "end"]
     return pd.DataFrame(rows, columns=columns, index=pd.RangeIndex(1, len(rows) + 1, name="step"))

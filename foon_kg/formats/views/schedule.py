@@ -69,7 +69,8 @@ def shopping_view(foods: Sequence[ObjectNode], unseen: Sequence[str] = ()) -> Re
 
 def clock(seconds: float) -> str:
     """Return a time as minutes and seconds: 1:05."""
-    return f"{round(seconds) // 60}:{round(seconds) % 60:02}"
+    whole = int(seconds + 0.5)  # as the page rounds
+    return f"{whole // 60}:{whole % 60:02}"
 
 
 def seen_words(duration: Duration) -> str:

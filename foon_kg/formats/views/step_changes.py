@@ -9,6 +9,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.formats.views.shown_tree import ShownTree
 from foon_kg.formats.views.words import ASIDE, handled, motion_words
 from foon_kg.plans.step_changes import StepChange
@@ -47,7 +48,7 @@ def _before(one: StepChange) -> Text:
         return Text()
     number, known = one.before
     unit = known.unit
-    text = Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))
+    text = Text.assemble((f"{number} ", ASIDE), motion_words(motion_said(unit.motion)), " ", handled(unit.input_nodes))
     text.stylize(COLOURS["left out"] if one.change == "left out" else "")
     return text
 
@@ -56,4 +57,4 @@ def _after(one: StepChange) -> Text:
     if one.after is None:
         return Text()
     number, unit = one.after
-    return Text.assemble((f"{number} ", ASIDE), motion_words(unit.motion), " ", handled(unit.input_nodes))
+    return Text.assemble((f"{number} ", ASIDE), motion_words(motion_said(unit.motion)), " ", handled(unit.input_nodes))

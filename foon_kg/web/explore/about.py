@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, islice
 
-from foon_kg.formats.exports.phrases import listed
+from foon_kg.formats.exports.phrases import listed, motion_said
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.model import KnownUnit, ObjectNode, Sighting
 from foon_kg.store.vocabulary import states_made
@@ -76,9 +76,9 @@ class Telling:
         states = Counter[str]()
         for node in nodes:
             states.update(dict.fromkeys(node.states, self.network.thing(f"object:{node.key}").steps))
-        motions = Counter({known.unit.key: known.unit.motion for n in nodes for known in self._takers(n)}.values())
+        done = {known.unit.key: motion_said(known.unit.motion) for n in nodes for known in self._takers(n)}
         facts = (
-            Fact("Done with it" if thing.vessel else "Done to it", _counted(motions)),
+            Fact("Done with it" if thing.vessel else "Done to it", _counted(Counter(done.values()))),
             Fact("Seen in the states", _counted(states)),
             Fact("In the dishes", _few(dict.fromkeys(node.label for node in dishes))),
         )
@@ -120,7 +120,7 @@ class Telling:
     def _motion(self, thing: Thing) -> About:
         is_utensil = self.network.kitchen.is_utensil
         makes, foods, tools = Counter[str](), Counter[str](), Counter[str]()
-        for known in self.network.of_motion[thing.name]:
+        for known in self.network.done_by(thing):
             makes.update(states_made(known.unit, is_utensil))
             labels = {node.label for node in known.unit.input_nodes}
             foods.update(label for label in labels if not is_utensil(label))

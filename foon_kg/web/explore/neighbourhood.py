@@ -120,7 +120,7 @@ class Neighbours:
         yield from self._videos((seen.video for seen in self.network.step_of(thing).seen_in), filters)
 
     def _of_motion(self, thing: Thing, filters: Filters) -> list[str]:
-        return self._steps(self.network.of_motion[thing.name], filters)
+        return self._steps(self.network.done_by(thing), filters)
 
     def _of_video(self, thing: Thing, filters: Filters) -> Iterator[str]:
         yield from self._objects(self.network.goals_in.get(thing.name, ()), filters)

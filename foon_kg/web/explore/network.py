@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, TypeVar, cast
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.model import Annotation, Goal, KnownUnit, ObjectNode
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
@@ -27,8 +28,8 @@ EdgeKind = Literal["takes", "makes", "called", "contains", "motion", "seen in", 
 class Thing:
     """Something in the picture: ``name`` is written on it, ``states`` below; ``steps`` is in how many it takes part.
 
-    The ``note`` of an object says what is in it and where it is, that of a step is a sentence. The ``steps`` of a step
-    are its places in videos.
+    The ``note`` of an object says what is in it and where it is, that of a step is a sentence, that of a motion the
+    FOON's word for it where that is said otherwise. The ``steps`` of a step are its places in videos.
     A ``vessel`` is an object that is a utensil, and ``empty`` where it holds no food: nothing is followed through it.
     """
 
@@ -120,6 +121,10 @@ class Network:
     def object_of(self, thing: Thing) -> ObjectNode:
         """Return the object node that a thing of the kind ``object`` stands for."""
         return self.nodes[thing.id.partition(":")[2]]
+
+    def done_by(self, thing: Thing) -> Sequence[KnownUnit]:
+        """Return the steps with the motion that a thing of the kind ``motion`` stands for."""
+        return self.of_motion[thing.id.partition(":")[2]]
 
     def step_of(self, thing: Thing) -> KnownUnit:
         """Return the functional unit that a thing of the kind ``step`` stands for."""
@@ -232,15 +237,14 @@ class Network:
             return self._object(self.nodes[name])
         if kind == "step":
             known = self.units[name]
-            return Thing(f"step:{name}", kind, known.unit.motion, (), len(known.seen_in))
+            return Thing(f"step:{name}", kind, motion_said(known.unit.motion), (), len(known.seen_in))
+        if kind == "motion":
+            said, steps = motion_said(name), len(self.of_motion[name])
+            return Thing(f"motion:{name}", kind, said, (), steps, note="" if said == name else name)
         if kind in {"food", "utensil"}:
             return Thing(f"{kind}:{name}", kind, name, (), self._steps_with.get(name, 0), vessel=kind == "utensil")
-        parts: dict[str, Mapping[str, Sized]] = {
-            "dish": self.goals_of_type,
-            "motion": self.of_motion,
-            "video": self._annotations,
-        }
-        return Thing(f"{kind}:{name}", kind, name, (), len(parts[kind][name]))
+        parts: Mapping[str, Sized] = self.goals_of_type if kind == "dish" else self._annotations
+        return Thing(f"{kind}:{name}", kind, name, (), len(parts[name]))
 
     @cached_property
     def _annotations(self) -> Mapping[str, Sequence[Annotation]]:

@@ -7,6 +7,7 @@ from bisect import bisect_left
 from collections.abc import Collection, Mapping
 from functools import cached_property
 
+from foon_kg.formats.exports.phrases import motion_said
 from foon_kg.web.explore.network import Network, Thing, ThingKind, grouped
 
 _WORD = re.compile(r"[^\s_-]+")
@@ -61,6 +62,8 @@ class Search:
     def _said(self, name: str) -> str:
         """Return what a thing is found by; without making all of them."""
         kind, _, rest = name.partition(":")
+        if kind == "motion":
+            return f"{rest} {motion_said(rest)}"
         if kind != "object":
             return rest
         node = self.network.nodes[rest]

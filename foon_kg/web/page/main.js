@@ -127,13 +127,16 @@ const begin = async () => {
   try {
     const told = await api.summary();
     at("token").hidden = true;
+    at("lead").hidden = empty = !told.units;
     at("knows").textContent = knows(told);
     dish.replaceChildren(dish.options[0], ...told.dish_types.map((name) => element("option", { value: name }, name)),
       ...told.drafted_types.map((name) => element("option", { value: name, "data-drafted": true }, `${name} (drafts alone)`)));
     at("drafts").hidden = !told.drafts;
     at("drafts-help").textContent = `Make it after one of ${told.drafts} dishes, too, that were drafted from the words of recipes: nobody has seen or reviewed them.`;
-    empty = !told.units;
-    if (empty) at("examples").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
+    if (empty) {
+      at("examples").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH. Then load this page anew." }));
+      at("examples").setAttribute("aria-busy", "false");
+    }
     follow(true);
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;

@@ -27,7 +27,7 @@ export const thingWords = (node, unseen = new Map()) => {
 
 const joined = (nodes, unseen) => nodes.flatMap((node, i) => (i ? [" + ", ...nodeWords(node, unseen)] : nodeWords(node, unseen)));
 
-export const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
+export const minutes = (seconds) => `${Math.floor(Math.round(seconds) / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")}`;
 
 // Where a unit is seen; `address` leads there.
 // A video, or the draft of a recipe.

@@ -154,7 +154,8 @@ const begin = async () => {
     at("token").hidden = true;
     for (const [id, name] of FILTERS) at(id).replaceChildren(at(id).options[0], ...told[name].map((one) => element("option", { value: one }, one)));
     begun = told.begin;
-    if (!begun.length) at("about").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH." }));
+    at("shown").hidden = !begun.length;
+    if (!begun.length) at("about").replaceChildren(errorNotice({ message: "This FOON is empty", hint: "Load one: foon load foon PATH. Then load this page anew." }));
     else follow();
   } catch (error) {
     failed(error);

@@ -29,7 +29,7 @@ const styles = () => [
   { selector: "node.chosen", style: { "border-width": 4, "border-color": colour("halo"), "font-weight": "bold" } },
 ];
 
-const label = (thing, more) => [thing.name, [thing.states.join(", "), more ? `+${more}` : ""].filter(Boolean).join(" ")].filter(Boolean).join("\n");
+const label = (thing, more) => [thing.name, [thing.kind === "motion" ? thing.note : thing.states.join(", "), more ? `+${more}` : ""].filter(Boolean).join(" ")].filter(Boolean).join("\n");
 const size = (thing) => Math.round(({ step: 20, video: 26, motion: 32, dish: 34, food: 32, utensil: 32 }[thing.kind] ?? 22) + 3 * Math.log2(1 + Math.min(thing.steps, 64)));
 const FLOWS = new Set(["takes", "makes"]);
 const BEHIND = new Set(["called", "seen in", "motion", "contains"]); // what leads to a name or a video is drawn from there on
