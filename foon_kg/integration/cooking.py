@@ -223,7 +223,8 @@ class Cooking:
         if main and vessel is not None and not joins and not lines and self._stays_there(stage, vessel, later):
             return vessel
         device, relation = self.utensils.device_for(stage)
-        dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
+        alone = vessel is None and not lines and len(joins) == 1  # there is nothing to mix it with
+        dressed = main and not alone and self.serving.is_dressed(stage, vessel, joins, later)
         label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
