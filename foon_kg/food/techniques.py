@@ -1,4 +1,4 @@
-"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
+"""Techniques: how dishes of a family are put together whatever a video does (:data:`TABLES`).
 
 Ways (``ways.toml``) are of the same form: what one word of a name changes of what a video does.
 
@@ -26,6 +26,10 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
+TABLES = ("cold", "savoury", "techniques")
+"""The documents with rows of techniques, in the order in which these are tried."""
+
+
 @dataclass(frozen=True)
 class Around:
     """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
@@ -41,6 +45,7 @@ NOWHERE = Around()
 class Foods:
     """Which foods are meant: those for which all of ``terms`` hold, in ``state`` if one is said.
 
+    Several states, or what a food must not be, are written as ``raw&!in pieces``.
     ``again``: a second portion of them, beside the one that joins elsewhere. ``made``: how they are prepared for it.
     """
 
@@ -65,9 +70,13 @@ class Foods:
 
     def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
         """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
-        if self.state and self.state not in states:
+        if self.state and not all(_is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
+
+
+def _is_so(state: str, states: Iterable[str]) -> bool:
+    return state[1:] not in states if state.startswith("!") else state in states
 
 
 def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
@@ -174,14 +183,14 @@ def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
 @cache
 def techniques() -> tuple[Technique, ...]:
     """Return every technique in the order of the tables: the first that suits a dish is taken."""
-    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    rows = (row for table in TABLES for row in shipped(table)["techniques"].items())
     return tuple(_technique(name, row) for name, row in rows)
 
 
 @cache
-def ways() -> tuple[Technique, ...]:
-    """Return what words of a name change of what a video does, in the order of the table."""
-    return tuple(_technique(name, row) for name, row in shipped("ways")["ways"].items())
+def ways(when: str = "ways") -> tuple[Technique, ...]:
+    """Return what words of a name change of what a video does, in the order of one of the tables of ``ways.toml``."""
+    return tuple(_technique(name, row) for name, row in shipped("ways")[when].items())
 
 
 @cache
