@@ -73,12 +73,16 @@ const choose = (food, like) => {
   ask(fromAddress().view);
 };
 
-const makePlan = (key) => answer("Planning …", key, () => api.plan(question()), (told) => {
+const makePlan = (key) => {
   const words = foods.words().join(", ");
-  at("asked").textContent = `${told.recipe.dish_type} with ${words}`;
-  remember(key, told.goal.label, words);
-  return planPage(told, { key, asked: question(), chosen: wished.chosen(), choose });
-});
+  const tell = (type) => { at("asked").textContent = `${type} with ${words}`; };
+  tell(dish.value || "something");
+  return answer("Planning …", key, () => api.plan(question()), (told) => {
+    tell(told.recipe.dish_type);
+    remember(key, told.goal.label, words);
+    return planPage(told, { key, asked: question(), chosen: wished.chosen(), choose });
+  });
+};
 
 const suggest = (key) => answer("Looking at every dish …", key, () => api.suggest(foods.words(), wished.question().kitchen), (told) => {
   document.title = "What these foods could make · foon";
