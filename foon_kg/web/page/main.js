@@ -35,7 +35,7 @@ const answer = async (words, key, question, view) => {
     if (mine !== turn) return;
     say("");
     made = { key: "", parts: [errorNotice(error, ...remedies(error.missing))] };
-    if (error.status === 401) askToken();
+    if (error.status === 401) api.askToken();
   }
   shown.leave?.();
   shown = made;
@@ -122,11 +122,6 @@ const follow = (again = false) => {
   return asked.view === "make" ? suggest(key) : makePlan(key);
 };
 
-const askToken = () => {
-  at("token").hidden = false;
-  at("token-text").focus();
-};
-
 const begin = async () => {
   try {
     const told = await api.summary();
@@ -144,7 +139,7 @@ const begin = async () => {
     follow(true);
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
-    if (error.status === 401) askToken();
+    if (error.status === 401) api.askToken();
     else at("examples").replaceChildren(errorNotice(error));
   }
 };
@@ -167,11 +162,7 @@ at("clear").addEventListener("click", () => {
   say("All ingredients are removed.");
   ingredient.focus();
 });
-at("token-form").addEventListener("submit", (event) => {
-  event.preventDefault();
-  api.keepToken(at("token-text").value.trim());
-  begin();
-});
+api.onToken(begin);
 at("skip").addEventListener("click", (event) => { // an address of its own would lead away from the plan
   event.preventDefault();
   at(result.hidden ? "opening" : "result").focus();
