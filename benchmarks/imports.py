@@ -55,7 +55,7 @@ DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 47, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 33, 260, HEAVY | {"numpy"}),
+    Command(("cypher", "RETURN 1"), 34, 260, HEAVY | {"numpy"}),
     Command(("stats",), 31, 260, HEAVY | {"numpy"}),
     Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
     Command(("similar", "caper"), 55, 355, HEAVY),

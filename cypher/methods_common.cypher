@@ -1,5 +1,5 @@
 // What of all that was learnt matters to every question, however large the FOON is: the operators with their evidence,
-// each with the food that it is most often done to and most often changes; what they give, where they are done and from
+// each with the food that it is most often done to and most often changes (usual_foods); what they give, where they are done and from
 // where they bring what kinds of food; in which states kinds are found; and how often foods of each kind join where.
 // column: operators
 // column: usual
@@ -20,23 +20,17 @@ CALL () {
 RETURN
   COLLECT {
     UNWIND found AS o
-    MATCH (o)-[d:DONE_TO]->(:Matter {name: 'any:thing'})
+    MATCH (anything:Matter {name: 'any:thing'})
+    USING INDEX anything:Matter(name)
+    MATCH (anything)<-[d:DONE_TO]-(o)
     RETURN [id(o), o.motion, o.tools, [d.units, d.changed, d.seen, d.changes]]
   } AS operators,
   COLLECT {
     UNWIND found AS o
-    CALL (o) {
-      MATCH (o)-[d:DONE_TO]->(m:Food)
-      RETURN d, m
-      ORDER BY d.units DESC, m.name
-      LIMIT 1
-      UNION
-      MATCH (o)-[d:DONE_TO]->(m:Food)
-      WHERE d.changed > 0
-      RETURN d, m
-      ORDER BY d.changed DESC, m.name
-      LIMIT 1
-    }
+    UNWIND CASE o.most_done WHEN o.most_changed THEN [o.most_done] ELSE [o.most_done, o.most_changed] END AS name
+    MATCH (m:Matter {name: name})
+    USING INDEX m:Matter(name)
+    MATCH (m)<-[d:DONE_TO]-(o)
     RETURN [id(o), m.name, [d.units, d.changed, d.seen, d.changes]]
   } AS usual,
   COLLECT { UNWIND found AS o MATCH (o)-[r:GIVES]->(s) RETURN [id(o), s.name, r.count] } AS gives,

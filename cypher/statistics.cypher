@@ -14,7 +14,7 @@ RETURN
   COUNT { (:Video) } AS videos,
   COUNT { (:Motion) } AS units,
   COUNT { (:Object) } AS object_nodes,
-  COUNT { MATCH (o:Object) RETURN DISTINCT o.label } AS labels,
+  COUNT { (:Label) } AS labels,
   COUNT { MATCH (o:Object) UNWIND o.states AS state RETURN DISTINCT state } AS states,
   COLLECT { MATCH (v:Verb) WHERE v.units > 0 RETURN [v.name, v.units] } AS verbs,
   COLLECT { MATCH (d:DishType)<-[:IS_A]-(o:Object) WITH d, count(DISTINCT o) AS goals RETURN [d.name, goals] } AS goals,

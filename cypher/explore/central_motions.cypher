@@ -10,17 +10,14 @@
 // scans: the most of all cannot be known without a look at all
 MATCH (m:Motion)
 WITH m.verb AS motion, collect(m) AS doing
-RETURN motion, size(doing) AS units,
-  COUNT { UNWIND doing AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v } AS videos,
-  COUNT {
-    UNWIND doing AS m MATCH (m)-[:SEEN_IN]->(v:Video)
-    MATCH (:Object)-[is:IS_A]->(d:DishType) WHERE is.video = v.name
-    RETURN DISTINCT d
-  } AS dish_types,
+ORDER BY size(doing) DESC, motion
+LIMIT $most
+WITH motion, doing, COLLECT { UNWIND doing AS m MATCH (m)-[:SEEN_IN]->(v:Video) RETURN DISTINCT v.name } AS videos
+RETURN motion, size(doing) AS units, size(videos) AS videos,
+  COUNT { UNWIND videos AS video MATCH (:Object)-[:IS_A {video: video}]->(d:DishType) RETURN DISTINCT d } AS dish_types,
   COUNT {
     UNWIND doing AS m MATCH (m)<-[:INPUT_OF]-(o:Object)
     WHERE EXISTS { MATCH (:Ingredient {name: o.label})-[:SEEN_AS]->() }
     RETURN DISTINCT o.label
   } AS foods
 ORDER BY units DESC, motion
-LIMIT $most

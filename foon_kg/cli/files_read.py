@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, field
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -52,17 +52,41 @@ class FilesRead:
         return sum(notice.severity is Severity.REJECTED for notice in self.notices)
 
     @classmethod
-    def of(cls, results: Sequence[ReadResult]) -> FilesRead:
+    def of(cls, results: Iterable[ReadResult]) -> FilesRead:
         """Return what is to be told of ``results``."""
-        subgraphs = [result.subgraph for result in results if result.subgraph is not None]
-        return cls(
-            len(results),
-            sum(result.rejected > 0 for result in results),
-            sum(len(subgraph.annotations) for subgraph in subgraphs),
-            {subgraph.name: subgraph.content_key for subgraph in subgraphs},
-            tuple(notice for result in results for notice in result.notices),
-            odd_words(results),
-        )
+        gathered = Gathered()
+        for result in results:
+            gathered.add(result)
+        return gathered.read()
+
+
+@dataclass
+class Gathered:
+    """What is to be told of files, gathered while they are read: of each only that is kept."""
+
+    files: int = 0
+    bad: int = 0
+    units: int = 0
+    contents: dict[str, str] = field(default_factory=dict)
+    notices: list[Notice] = field(default_factory=list)
+    words: dict[UnknownWord, Where] = field(default_factory=dict)
+
+    def add(self, result: ReadResult) -> None:
+        """Add one file."""
+        self.files += 1
+        self.bad += result.rejected > 0
+        self.notices += result.notices
+        if result.subgraph is None:
+            return
+        self.units += len(result.subgraph.annotations)
+        self.contents[result.subgraph.name] = result.subgraph.content_key
+        for word, place in odd_words([result]).items():
+            self.words.setdefault(word, place)
+
+    def read(self) -> FilesRead:
+        """Return all that was gathered."""
+        words = dict(sorted(self.words.items(), key=lambda one: one[0]))
+        return FilesRead(self.files, self.bad, self.units, self.contents, tuple(self.notices), words)
 
 
 def remembered(files: Sequence[Path]) -> FilesRead | None:

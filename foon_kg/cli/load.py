@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from io import StringIO
 from pathlib import Path
@@ -31,6 +31,7 @@ from foon_kg.model.written_files import write_file
 if TYPE_CHECKING:
     from foon_kg.cli.files_read import FilesRead
     from foon_kg.loaders import Notice, ReadResult
+    from foon_kg.model import Subgraph
 
 app = Commanded(name="load", help="Load FOONs and collections of recipes into Neo4j.")
 
@@ -54,6 +55,7 @@ def load() -> None:
         "foon load foon subgraphs/",
         "foon load foon subgraphs/ --bad-tolerance 3 --report notices.jsonl",
         "foon load foon 0001.txt 0002.json --dry-run",
+        "foon load foon subgraphs/ --offline",
     )
 )
 def foon(
@@ -63,6 +65,12 @@ def foon(
     bad_tolerance: BadTolerance = None,
     dry_run: DryRun = False,
     check: Check = False,
+    offline: Annotated[
+        bool, typer.Option("--offline", help="Import all at once into the empty local server: for a very large FOON.")
+    ] = False,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="With --offline: in place of all that the local server holds.")
+    ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -72,11 +80,18 @@ def foon(
     was there. Units that cannot be used (no motion, no outputs, ...) are left out, and each is told with file and
     line; when there are more than --bad-tolerance allows, nothing is loaded. Foods, utensils, states and motions that
     no table of foon-kg has are told with their line, with what they are taken for and what may be meant.
+
+    With --offline the local server gets them through neo4j-admin's import, with the very graph that a load writes. It
+    goes on with what it holds until all is ready. No more than a part of the files is in memory.
     """
     from foon_kg.cli.files_read import FilesRead, remember, remembered
     from foon_kg.loaders.found import foon_files
 
+    _refuse_together(offline=offline, replace=replace, check=check)
     files, results = foon_files(paths), None
+    if offline and not dry_run:
+        show_counts(_import(files, report, bad_tolerance, replace=replace, quiet=quiet), as_json=as_json)
+        return
     read = None if check else remembered(files)
     known = read is not None
     if read is None:
@@ -247,6 +262,43 @@ def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     ):
         loaded = foon.store(subgraphs, stored=lambda report: advance(len(report)))
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
+
+
+def _refuse_together(*, offline: bool, replace: bool, check: bool) -> None:
+    """Refuse options that do not go together."""
+    from foon_kg.model.errors import UsageError
+
+    if replace and not offline:
+        raise UsageError("--replace is for --offline: other loads add to what is there", hint="Leave one of them out.")
+    if check and offline:
+        raise UsageError(
+            "--check has all videos in memory, --offline has not", hint="Play them first: --check --dry-run."
+        )
+
+
+def _import(
+    files: Sequence[Path], report: Path | None, bad_tolerance: int | None, *, replace: bool, quiet: bool
+) -> dict[str, int]:
+    """Import ``files`` offline; what is odd about them is told when all are read, before anything is imported."""
+    from foon_kg.cli.files_read import FilesRead, Gathered
+    from foon_kg.cli.runs import counting
+    from foon_kg.loaders import read_paths
+    from foon_kg.store.offline.importing import load_offline
+
+    say, gathered, read = sayer(quiet=quiet), Gathered(), list[FilesRead]()
+
+    def subgraphs() -> Iterator[Subgraph]:
+        for result in read_paths(files):
+            gathered.add(result)
+            if result.subgraph is not None:
+                yield result.subgraph
+        read.append(gathered.read())
+        _tell(read[0], report, bad_tolerance, say)
+
+    with counting("Reading videos", len(files), quiet=quiet) as advance:
+        done = load_offline(subgraphs(), replace=replace, say=say, told=advance)
+    say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
+    return _counts(read[0], Counts(inserted=done.videos))
 
 
 def _counts(read: FilesRead, loaded: Counts | None) -> dict[str, int]:

@@ -50,7 +50,7 @@ Dish = Annotated[
     typer.Option(
         "--dish",
         metavar="TYPE",
-        help="The dish type: salad, soup, …; else the one most like these ingredients.",
+        help="The dish type (salad, soup, …) or a name (risotto); else the one most like these ingredients.",
         autocompletion=_dish_types,
     ),
 ]

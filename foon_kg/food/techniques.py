@@ -1,4 +1,6 @@
-"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
+"""Techniques: how dishes of a family are put together whatever a video does (:data:`TABLES`).
+
+Ways (``ways.toml``) are of the same form: what one word of a name changes of what a video does.
 
 A technique has lines of stages, written as ``stage as label @ vessel < lines: foods``. What each of these may say
 stands at the head of the table.
@@ -24,6 +26,10 @@ _STEP = re.compile(
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
 
 
+TABLES = ("cold", "savoury", "techniques")
+"""The documents with rows of techniques, in the order in which these are tried."""
+
+
 @dataclass(frozen=True)
 class Around:
     """Among which ``foods`` a food is asked, and by which words of a title (``told``)."""
@@ -39,6 +45,7 @@ NOWHERE = Around()
 class Foods:
     """Which foods are meant: those for which all of ``terms`` hold, in ``state`` if one is said.
 
+    Several states, or what a food must not be, are written as ``raw&!in pieces``.
     ``again``: a second portion of them, beside the one that joins elsewhere. ``made``: how they are prepared for it.
     """
 
@@ -63,9 +70,13 @@ class Foods:
 
     def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
         """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
-        if self.state and self.state not in states:
+        if self.state and not all(_is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
+
+
+def _is_so(state: str, states: Iterable[str]) -> bool:
+    return state[1:] not in states if state.startswith("!") else state in states
 
 
 def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
@@ -137,7 +148,8 @@ class Technique:
 
     ``types`` are the dish types that it is for (none: any), ``or_types`` those of which a dish needs no such name.
     ``lines`` are stages by the name of their line; the last one makes the dish. ``plan`` are wishes for the whole: one
-    pot, cold.
+    pot, cold. Of each of ``one`` exactly one food is there. ``dishes`` and ``video`` are what holds of the dish and of
+    what its video does, or with a ``!`` what does not.
     """
 
     name: str
@@ -149,6 +161,9 @@ class Technique:
     lines: Mapping[str, tuple[Part, ...]]
     plan: frozenset[str]
     or_types: frozenset[str] = frozenset()
+    one: tuple[Foods, ...] = ()
+    dishes: frozenset[str] = frozenset()
+    video: frozenset[str] = frozenset()
 
     def is_called(self, dish_type: str, told: Sequence[str]) -> bool:
         """Whether a dish of that type, with these words in its title, is called so."""
@@ -168,8 +183,14 @@ def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
 @cache
 def techniques() -> tuple[Technique, ...]:
     """Return every technique in the order of the tables: the first that suits a dish is taken."""
-    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    rows = (row for table in TABLES for row in shipped(table)["techniques"].items())
     return tuple(_technique(name, row) for name, row in rows)
+
+
+@cache
+def ways(when: str = "ways") -> tuple[Technique, ...]:
+    """Return what words of a name change of what a video does, in the order of one of the tables of ``ways.toml``."""
+    return tuple(_technique(name, row) for name, row in shipped("ways")[when].items())
 
 
 @cache
@@ -192,12 +213,20 @@ def _work(row: Mapping[str, Any]) -> Work:
 def _technique(name: str, row: Mapping[str, Any]) -> Technique:
     return Technique(
         name,
-        tuple(tuple(words(one)) for one in row.get("called", ())),
-        frozenset(word for one in row.get("never", ()) for word in words(one)),
+        tuple(name for one in row.get("called", ()) for name in _names(one)),
+        frozenset(word for one in row.get("never", ()) for name in _names(one) for word in name),
         frozenset(row.get("types", ())),
         tuple(tuple(map(Foods.read, need)) for need in row.get("needs", ())),
         tuple(map(Foods.read, row.get("without", ()))),
         {line: tuple(map(Part.read, parts)) for line, parts in row["lines"].items()},
         frozenset(row.get("plan", ())),
         frozenset(row.get("or_types", ())),
+        tuple(map(Foods.read, row.get("one", ()))),
+        frozenset(row.get("dishes", ())),
+        frozenset(row.get("video", ())),
     )
+
+
+def _names(text: str) -> list[tuple[str, ...]]:
+    """Return the names that a text of the table stands for: itself, or all of a list."""
+    return [(one,) for one in sorted(word_list(text[1:]))] if text.startswith("@") else [tuple(words(text))]

@@ -22,6 +22,7 @@ from foon_kg.planning.recipes import (
     ReadRecipe,
     foods_named,
     names_in,
+    of_known_type,
     read_recipe,
     recipe_of,
     with_states,
@@ -58,6 +59,7 @@ class Question:
             read = read_recipe(self.path, words)
         else:
             read = recipe_of(self.dish_type, self.texts, words, self.title)
+        read = of_known_type(read)
         recipe, notes = without_avoided(read.recipe, avoided)
         return ReadRecipe(recipe, (*read.notes, *notes))
 

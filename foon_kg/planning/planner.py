@@ -50,6 +50,8 @@ from foon_kg.validation import Finding, check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
+_CLOSE = 0.7
+"""From how much likeness on (0 to 1, of letters) a dish type may have been meant by a word that is none."""
 
 
 def plan(view: TeachingView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
@@ -164,8 +166,8 @@ class _Question:
         self.known = planner.known
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
         if recipe.dish_type and recipe.dish_type not in DISH_TYPES:
-            close = difflib.get_close_matches(recipe.dish_type, DISH_TYPES, n=3)
-            hint = f"Did you mean {' or '.join(close)}?" if close else f"Known are {', '.join(DISH_TYPES)}."
+            close = difflib.get_close_matches(recipe.dish_type, DISH_TYPES, n=3, cutoff=_CLOSE)
+            hint = f"Did you mean {' or '.join(close)}?" if close else f"Name one of: {', '.join(DISH_TYPES)}."
             raise UsageError(f"“{recipe.dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
         asked = [one for one in self.recipe.ingredients if one.object]
         names = [singular(one.object) for one in asked]
@@ -260,6 +262,7 @@ class _Question:
         own = frame.dish_type == dish_type and not missing_core(fit.dish, asked) and is_truly(fit)
         own = own and not (asked.title and unexplained(fit.dish, asked))
         eased = frozenset(kind for dish in asked.of_type for kind in dish.eases)
+        eased |= frozenset(kind for dish in asked.dishes for kind in dish.raw)
         named = asked.dishes
         tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""

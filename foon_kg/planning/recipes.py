@@ -14,7 +14,8 @@ from itertools import chain
 from pathlib import Path
 
 from foon_kg.food import singular, tables
-from foon_kg.model import Recipe, RequiredIngredient
+from foon_kg.food.called import dish_type_called
+from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.json_text import json_value
@@ -240,6 +241,20 @@ def recipe_of(dish_type: str, texts: Iterable[str], words: IngredientWords, titl
         raise UsageError(f"nothing is known of what is asked. {told}", hint="Check the spelling.", code="unknown-food")
     recipe = Recipe(dish_type, tuple(wanted for wanted, _ in read), title=title)
     return ReadRecipe(recipe, _gathered(read))
+
+
+def of_known_type(read: ReadRecipe) -> ReadRecipe:
+    """Return what was read as a recipe of one of the dish types, where it asks for a dish by a name of its own.
+
+    A “risotto” is planned as rice that is called so, which is noted; a name of which nothing is known stays.
+    """
+    asked = read.recipe.dish_type
+    known = dish_type_called(asked) if asked and asked not in DISH_TYPES else None
+    if known is None:
+        return read
+    called = read.recipe.title or asked
+    note = f"“{asked}” is no dish type by itself: planned as {known}, called {called}"
+    return ReadRecipe(replace(read.recipe, dish_type=known, title=called), (note, *read.notes))
 
 
 def with_states(recipe: Recipe, words: IngredientWords) -> ReadRecipe:

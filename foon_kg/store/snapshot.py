@@ -184,11 +184,16 @@ def distinct_by_name(subgraphs: Iterable[Subgraph]) -> tuple[Subgraph, ...]:
     by_name: dict[str, Subgraph] = {}
     for subgraph in subgraphs:
         if by_name.setdefault(subgraph.name, subgraph).content_key != subgraph.content_key:
-            raise ReadError(
-                f"two different subgraphs are called “{subgraph.name}”",
-                hint="A video has one subgraph: load only one of the files, or rename one of them.",
-            )
+            raise two_of_one_name(subgraph.name)
     return tuple(by_name[name] for name in sorted(by_name))
+
+
+def two_of_one_name(name: str) -> ReadError:
+    """Return the error for two subgraphs of one name that differ."""
+    return ReadError(
+        f"two different subgraphs are called “{name}”",
+        hint="A video has one subgraph: load only one of the files, or rename one of them.",
+    )
 
 
 def goals_of(subgraph: Subgraph, kitchen: Kitchen) -> tuple[tuple[ObjectNode, str], ...]:

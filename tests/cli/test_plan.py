@@ -162,6 +162,16 @@ def test_wrong_usage_is_exit_code_2_and_nothing_on_stdout(foon, arguments, messa
     assert message in answer.stderr
 
 
+def test_a_dish_by_its_own_name_is_of_the_type_that_it_is_known_to_be(foon, tmp_path):
+    answer = foon("--dish", "Coleslaw", "chopped onion", "olive oil", "--json")
+    assert "“Coleslaw” is no dish type by itself: planned as salad, called Coleslaw" in answer.stderr
+    asked_for = json.loads(answer.stdout)["recipe"]
+    assert (asked_for["dish_type"], asked_for["title"]) == ("salad", "Coleslaw")
+    path = recipe_file(tmp_path, "r", type="coleslaw", title="mine", ingredients=asked(("onion", "chopped")))
+    from_file = json.loads(foon(path, "--json").stdout)["recipe"]
+    assert (from_file["dish_type"], from_file["title"]) == ("salad", "mine")
+
+
 def test_two_forms_of_one_answer_are_refused_in_json(foon):
     answer = foon(*SALAD, "--json", "--foon")
     assert (answer.exit_code, json.loads(answer.stdout)["error"]["code"]) == (2, "usage")

@@ -6,7 +6,12 @@ import pytest
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_lists
-from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, works
+from foon_kg.food.rows import Dish
+from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, ways, works
+
+ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
+SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
+"""What ways ask of how a food is named and comes, and no state."""
 
 PLANS = {"cold", "one pot"}
 
@@ -21,23 +26,28 @@ def foods(technique):
 
 def meant(technique):
     """All texts that name foods in a row."""
-    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without]
+    return [*foods(technique), *(one for need in technique.needs for one in need), *technique.without, *technique.one]
 
 
-@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
 def test_a_technique_names_only_what_the_tables_know(technique):
     assert {part.stage for part in parts(technique)} <= works().keys()
     assert {one.made for one in foods(technique)} <= {"", *preparations()}
     assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
     assert technique.plan <= PLANS
+    assert {name.removeprefix("!") for name in technique.dishes} <= Dish.__dataclass_fields__.keys()
+    assert {name.removeprefix("!") for name in technique.video} <= {"baked", "blend", "heat", "oven", "turn"}
     known = tables()
+    assert {name.removeprefix("!") for one in meant(technique) for name in one.state.split("&")} <= {
+        "", *SAID, *known.states,
+    }  # fmt: skip
     traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
     for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
         named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
         assert named or term in {"*", "^"} or term.startswith("#") or term.removeprefix("@") in word_lists(), term
 
 
-@pytest.mark.parametrize("technique", techniques(), ids=lambda one: one.name)
+@pytest.mark.parametrize("technique", ROWS, ids=lambda one: one.name)
 def test_every_food_has_a_place_in_a_technique(technique):
     assert sum(one.is_rest for one in foods(technique)) == 1
 
@@ -90,6 +100,8 @@ def test_foods_are_meant_by_what_is_around_them(text, food, is_meant):
         ("@is creamed", (), True),
         ("butter=melted", ("melted",), True),
         ("butter=melted", ("stick",), False),
+        ("butter=melted&!salted", ("melted",), True),
+        ("butter=melted&!salted", ("melted", "salted"), False),
         ("*", (), True),
     ],
 )

@@ -128,7 +128,10 @@ def test_its_columns_are_the_fields_of_the_type_that_receives_them(query):
 @every_named_query
 def test_code_uses_it(query):
     programs = [
-        path.read_text() for path in (REPO / "foon_kg" / "store" / "graph").glob("*.py") if path.stem != "statements"
+        path.read_text()
+        for room in ("graph", "offline")
+        for path in (REPO / "foon_kg" / "store" / room).glob("*.py")
+        if path.stem != "statements"
     ]
     assert any(re.search(rf"\b{CONSTANTS[query.name]}\b", program) for program in programs)
 

@@ -16,17 +16,14 @@ from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
-from foon_kg.integration.lined import lined, topped
-from foon_kg.integration.mashed import mashed_only
 from foon_kg.integration.parts import baked_at_last
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions, roasted
 from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
-from foon_kg.integration.smeared import smeared_and_baked
-from foon_kg.integration.warmed import garnished, stirred, warmed
+from foon_kg.integration.techniques import as_a_way_says
+from foon_kg.integration.warmed import garnished, stirred
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
@@ -56,6 +53,10 @@ def told(line, joins):
             yield one.motion, {join.want.label for join in course.at.get(id(one), ())}
 
     return list(walk(line))
+
+
+def by_way(line, joins, title, dishes=(), **asked):
+    return as_a_way_says(line, joins, dishes, title.split(), tables(), **asked)
 
 
 def test_a_dressing_is_mixed_by_itself_and_comes_over_the_rest():
@@ -102,7 +103,7 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
 def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
     assert told(line, joins)[:4] == [
         ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
@@ -112,7 +113,7 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
 def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "sole fillet", "flour", "butter", "lemon juice")
-    made, _ = coated_alone(line, joins, frozenset(), tables())
+    made, _ = coated_alone(line, joins, tables())
     assert [one.motion for one in made.stages] == ["cook", ""]
 
 
@@ -120,7 +121,7 @@ def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooke
     line = Line((stage("mix", {"mix"}),))
     for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
         joins = joins_at(line, 0, *foods)
-        assert coated_alone(line, joins, frozenset(), tables()) == (line, joins)
+        assert coated_alone(line, joins, tables()) == (line, joins)
 
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
@@ -132,13 +133,17 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
 def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
     joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert ("cook", set()) in told(line, joins)
 
 
 def test_what_is_mashed_is_only_mixed():
     line = Line((stage("cook", {"heat"}), stage("flip", {"turn"})))
-    assert told(*mashed_only(joins_at(line, 0, "potato", "butter", "milk"))) == [("mix", {"potato", "butter", "milk"})]
+    joins = joins_at(line, 0, "potato", "butter", "milk", "garlic")
+    line, joins = by_way(line, joins, "mashed potato", tables().dishes_named("mashed potato"))
+    assert told(line, joins) == [("mix", {"potato", "butter", "milk", "garlic"})]
+    wants = {join.want.label: join.want for join in joins}
+    assert (wants["potato"].then, wants["garlic"].cooked, wants["milk"].cooked) == ("mashed", True, False)
 
 
 def test_foods_are_laid_on_dough_in_their_layers():
@@ -173,7 +178,7 @@ def test_bread_lies_below_and_above():
 def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
     line = Line((stage("blend", {"blend", "mix"}),))
     joins = joins_at(line, 0, "milk", "cocoa powder", "whipped cream")
-    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
+    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
         ("cook and stir", {"milk", "cocoa powder"}),
         ("", set()),
         ("", {"whipped cream"}),
@@ -183,7 +188,7 @@ def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
 def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
     line = Line((stage("blend", {"blend", "mix"}),))
     joins = joins_at(line, 0, "milk", "dark chocolate", "marshmallow")
-    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
+    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
         ("cook and stir", {"milk", "dark chocolate"}),
         ("", set()),
         ("", {"marshmallow"}),
@@ -194,10 +199,9 @@ def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
 def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
     line = Line((stage("stir", {"mix"}),))
     joins = joins_at(line, 0, "tea bag", "water", "sugar", "ice")
-    assert told(*warmed(line, joins, frozenset(title.split()))) == [
+    assert told(*by_way(line, joins, title, when="warmed")) == [
         ("cook and stir", {"tea bag", "water"}),
         ("stir", {"sugar", "ice"}),
-        ("", set()),
     ]
 
 
@@ -205,7 +209,7 @@ def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
 def test_what_is_called_cold_is_not_heated(title):
     line = Line((stage("stir", {"mix"}),))
     joins = joins_at(line, 0, "milk", "sugar")
-    assert warmed(line, joins, frozenset(title.split())) == (line, joins)
+    assert by_way(line, joins, title, when="warmed") == (line, joins)
 
 
 def laid(*foods, title="burger"):
@@ -254,19 +258,19 @@ def test_a_soup_that_is_called_cold_is_not_heated():
 def test_what_is_soft_is_smeared_on_slices_before_they_are_baked():
     line = Line((stage("bake", {"dry", "heat"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "baguette", "butter", "garlic", "parmesan")
-    assert told(*smeared_and_baked(line, joins)) == [
+    assert told(*by_way(line, joins, "garlic bread")) == [
         ("", {"baguette"}),
         ("mix", {"butter", "garlic"}),
         ("spread", set()),
         ("bake", {"parmesan"}),
     ]
     soaked = joins_at(line, 0, "bread", "butter", "egg", "milk")
-    assert smeared_and_baked(line, soaked) == (line, soaked)
+    assert by_way(line, soaked, "garlic bread") == (line, soaked)
 
 
 def portioned(*foods, title="", baked=False):
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
-    return told(*in_portions(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), baked=baked))
+    return told(*by_way(line, joins_at(line, 0, *foods), title, when="flesh", baked=baked))
 
 
 def test_flesh_in_portions_is_fried_on_both_sides_before_its_sauce_comes():
@@ -326,18 +330,18 @@ def test_slices_and_leaves_come_last_into_a_glass_unless_they_are_muddled():
 def test_what_is_called_roasted_is_tossed_and_baked():
     line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "broccoli", "olive oil", "parmesan", "parsley")
-    assert told(*roasted(line, joins, frozenset({"roasted", "broccoli"}))) == [
+    assert told(*by_way(line, joins, "roasted broccoli")) == [
         ("mix", {"broccoli", "olive oil"}),
         ("bake", {"parmesan"}),
         ("", {"parsley"}),
     ]
-    assert roasted(line, joins, frozenset({"broccoli"})) == (line, joins)
+    assert by_way(line, joins, "broccoli") == (line, joins)
 
 
 def test_a_crust_lines_the_dish_and_what_is_raw_in_its_filling_is_fried_before():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "pie crust", "bacon", "egg", "cream")
-    line, joins = lined(line, joins, {"quiche"})
+    line, joins = by_way(line, joins, "quiche")
     assert told(line, joins) == [
         ("", {"pie crust"}), ("mix", {"bacon", "egg", "cream"}), ("", set()), ("bake", set()),
     ]  # fmt: skip
@@ -347,7 +351,7 @@ def test_a_crust_lines_the_dish_and_what_is_raw_in_its_filling_is_fried_before()
 def test_a_crust_covers_what_was_cooked_in_a_liquid():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "puff pastry", "chicken breast", "butter", "flour", "milk")
-    line, joins = lined(line, joins, {"pot", "pie"})
+    line, joins = by_way(line, joins, "pot pie")
     assert [one.motion for one in line.stages] == ["", "", "bake"]
     assert told(line, joins)[0] == ("cook and stir", {"chicken breast", "butter", "flour", "milk"})
 
@@ -355,14 +359,14 @@ def test_a_crust_covers_what_was_cooked_in_a_liquid():
 def test_what_is_not_called_so_has_no_crust():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "puff pastry", "apple")
-    assert lined(line, joins, {"strudel"}) == (line, joins)
+    assert by_way(line, joins, "strudel") == (line, joins)
 
 
 @pytest.mark.parametrize("thin", ["beer", "sparkling water", "milk"])
 def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_is_fried_by_itself(thin):
     line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "cod fillet", "flour", thin, "potato", "oil", "salt")
-    line, joins = coated_alone(line, joins, frozenset({"fish", "chip"}), tables())
+    line, joins = by_way(line, joins, "fish chip", when="dipped")
     assert told(line, joins) == [
         ("mix", {"flour", thin, "salt"}),
         ("mix", {"cod fillet"}),
@@ -377,7 +381,7 @@ def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_i
 def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
-    found = told(*coated_alone(line, joins, frozenset({"french", "toast"}), tables()))
+    found = told(*by_way(line, joins, "french toast", when="dipped"))
     assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
     assert found[1] == ("mix", {"bread"})
     assert found[-1] == ("", {"maple syrup"})
@@ -386,7 +390,7 @@ def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
 def test_mash_covers_what_was_cooked_before():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
     joins = joins_at(line, 0, "ground lamb", "potato/mashed", "carrot/diced", "beef broth")
-    assert told(*lined(line, joins, frozenset({"shepherd", "pie"}))) == [
+    assert told(*by_way(line, joins, "shepherd pie")) == [
         ("cook and stir", {"ground lamb", "carrot", "beef broth"}),
         ("", set()),
         ("", {"potato"}),
@@ -397,7 +401,7 @@ def test_mash_covers_what_was_cooked_before():
 @pytest.mark.parametrize(("crust", "pieces"), [("pie crust", 1), ("pie crusts", 2)])
 def test_dough_that_is_asked_in_the_plural_lines_a_pie_and_covers_it(crust, pieces):
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking dish", appliance="oven"),))
-    _, joins = lined(line, joins_at(line, 0, "apple/sliced", "sugar", crust), frozenset({"apple", "pie"}))
+    _, joins = by_way(line, joins_at(line, 0, "apple/sliced", "sugar", crust), "apple pie")
     assert sum(join.want.label == crust for join in joins) == pieces
     assert len({join.want.number for join in joins}) == len(joins)
 
@@ -405,20 +409,20 @@ def test_dough_that_is_asked_in_the_plural_lines_a_pie_and_covers_it(crust, piec
 def test_what_is_called_baked_is_baked_whole_cut_open_and_topped():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "potato", "butter", "sour cream", "chive/chopped")
-    made, found = topped(line, joins, ("baked", "potato"))
+    made, found = by_way(line, joins, "baked potato")
     assert told(made, found) == [
         ("bake", {"potato"}), ("cut", set()), ("", {"butter", "sour cream", "chive"}),
     ]  # fmt: skip
     assert "cut" not in next(join.want.facts.owes for join in found if join.want.label == "potato")
-    assert topped(line, joins, ("mashed", "potato")) == (line, joins)
-    assert topped(line, joins_at(line, 0, "potato/sliced", "butter"), ("baked", "potato"))[0] is line
-    assert topped(line, joins_at(line, 0, "potato", "milk"), ("baked", "potato"))[0] is line
+    assert by_way(line, joins, "mashed potato") == (line, joins)
+    assert by_way(line, joins_at(line, 0, "potato/sliced", "butter"), "baked potato")[0] is line
+    assert by_way(line, joins_at(line, 0, "potato", "milk"), "baked potato")[0] is line
 
 
 def test_what_is_called_twice_baked_is_mashed_in_between():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "potato", "milk", "butter", "cheddar/shredded")
-    assert told(*topped(line, joins, ("twice", "baked", "potato"))) == [
+    assert told(*by_way(line, joins, "twice baked potato")) == [
         ("bake", {"potato"}), ("mash", {"milk", "butter"}), ("bake", {"cheddar"}),
     ]  # fmt: skip
 

@@ -9,6 +9,7 @@ tells about the server (``SHOW …``, but for indexes and constraints). So its w
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,9 +22,10 @@ from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.cypher_faults import told_error, unknown_names
 from foon_kg.store.graph.incoming import bound, too_much_came
 from foon_kg.store.graph.interruptible import interruptible
-from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking
+from foon_kg.store.graph.looking import HINT, PROCEDURES, only_looking, refuse_the_endless
+from foon_kg.store.graph.patterns import TOO_LONG, bounded_texts, too_long
 from foon_kg.store.graph.preface import unplanned
-from foon_kg.store.graph.question_words import read
+from foon_kg.store.graph.question_words import asked, put_around, read_pieces
 from foon_kg.store.graph.told_plans import COLUMNS, PROFILED, name_and_details, operators, rows_of
 
 ROW_LIMIT = 1_000
@@ -45,7 +47,10 @@ MOST_AT_ONCE = 1_000
 _REFUSED_OPERATORS = ("AdministrationCommand", "LoadCSV", "Show", "Terminate", "Transaction")
 _SHOWN = frozenset({"ShowIndexes", "ShowConstraints"})
 _ASKED_FOR_ITS_PLAN = "EXPLAIN\n"
+_AT_ONCE = "Eager"
+"""The operator that has all rows there before the next one goes on."""
 _ACCESS_MODE = "Neo.ClientError.Statement.AccessMode"
+_WAITED_FOR_EACH_OTHER = "Neo.TransientError.Transaction.DeadlockDetected"
 _TIMED_OUT = "Neo.ClientError.Transaction.TransactionTimedOut"
 _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError.General.MemoryPoolOutOfMemoryError")
 
@@ -74,19 +79,21 @@ def ask_freely(
     limit: int = ROW_LIMIT,
     timeout: float = TIME_LIMIT,
 ) -> Answer:
-    """Run ``text`` once, without retries, and return at most ``limit`` rows.
+    """Run ``text`` once, and return at most ``limit`` rows; a change that had to be ended for another's is tried again.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``),
     GraphError where the text is no Cypher, fails, takes longer than ``timeout`` seconds (``timeout``; the server is
     told to end it and may not heed, the caller is answered nevertheless) or answers more than ``MOST_BYTES``
-    (``too-much``).
+    (``too-much``). Of what could keep a server at it for hours, and is not asked, the code is ``too-much``, too.
     """
-    typed = endable = text
+    typed = text
+    pieces = read_pieces(text) if write else only_looking(text, parameters)
     if write:
-        read(text)
+        refuse_the_endless(asked(pieces), parameters)
     else:
-        pieces = only_looking(text, parameters)
-        text, endable = "".join(piece.text for piece in pieces), interruptible(pieces)
+        text = "".join(piece.text for piece in pieces)
+    bounded = put_around(pieces, bounded_texts(pieces, parameters or {}))
+    endable = interruptible(pieces, parameters, writing=write)
 
     def ask() -> Answer:
         with connection.session(writing=write, warned=True, at_once=min(limit + 1, MOST_AT_ONCE)) as session:
@@ -94,13 +101,14 @@ def ask_freely(
                 planned = _planned(session, text, typed, parameters, timeout, write=write)
                 if planned is not None and planned.mode == "explain":
                     return _answered_plan(planned.summary.plan, planned.warnings, limit)
-                answer = _run(session, endable, parameters, limit, timeout)
                 if planned is None:
-                    return answer
+                    same = endable != bounded and _to_write(session, text, endable, parameters, timeout)
+                    return _run_again(session, endable if same else bounded, parameters, limit, timeout)
+                answer = _run(session, endable, parameters, limit, timeout)
                 columns = answer.columns if planned.mode else planned.columns
                 return replace(answer, columns=columns, warnings=planned.warnings)
             except driver_errors.Neo4jError as error:
-                raise _explained(error, endable, timeout) from error
+                raise _explained(error, bounded if write else endable, timeout) from error
             except (driver_errors.SessionExpired, driver_errors.ServiceUnavailable) as error:
                 if too_much_came(error):
                     raise _too_large() from error
@@ -187,6 +195,25 @@ def _planned(
     return _Planned(columns, summary, mode, warnings)
 
 
+def _to_write(
+    session: neo4j.Session, typed: str, endable: str, parameters: Mapping[str, Any] | None, timeout: float
+) -> bool:
+    """Whether a server goes about what may write in the words that it can end as it does in those that were typed.
+
+    What looks at nodes and takes some away may have to be done at once where it was done row by row.
+    """
+    plans = []
+    try:
+        for text in (typed, endable):
+            question, mode = unplanned(text)
+            plan = session.run(_typed(_ASKED_FOR_ITS_PLAN + question, timeout), dict(parameters or {}))
+            names = [name_and_details(step)[0] for _, step in operators(plan.consume().plan or {})]
+            plans.append((plan.keys(), names.count(_AT_ONCE)))
+    except driver_errors.Neo4jError:  # no Cypher as it is, which running it tells, or none in the other words
+        return False
+    return not mode and plans[0] == plans[1]
+
+
 def _answered_plan(
     plan: Mapping[str, Any] | None, warnings: tuple[str, ...], limit: int, *, profiled: bool = False
 ) -> Answer:
@@ -212,6 +239,34 @@ def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None
     changes = {name: count for name, count in sorted(counters.items()) if type(count) is int and count}
     rows = tuple(tuple(record.values()) for record in records[:limit])
     return Answer(columns, rows, len(records) > limit, changes)
+
+
+def _run_again(
+    session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float
+) -> Answer:
+    """Run what may write; until time is up again, where it and another had to wait for each other: nothing of it stays.
+
+    Where it makes transactions of its own some of them may stay: such a question is not asked again.
+    """
+    until = time.monotonic() + timeout
+    again = not any(token.lower in {"transaction", "transactions"} for token in read_pieces(text))
+    while True:
+        try:
+            return _run(session, text, parameters, limit, timeout)
+        except driver_errors.TransientError as error:
+            if error.code != _WAITED_FOR_EACH_OTHER:
+                raise
+            if not again or time.monotonic() >= until:
+                raise _waited(again=again) from error
+
+
+def _waited(*, again: bool) -> GraphError:
+    told = "nothing was changed" if again else "what its earlier transactions changed stays"
+    return GraphError(
+        f"this and another change waited for each other, and this was ended: {told}",
+        hint="Ask again.",
+        code="waited",
+    )
 
 
 def _too_large() -> GraphError:
@@ -253,6 +308,8 @@ def _explained(error: driver_errors.Neo4jError, text: str, timeout: float, *, li
         return WriteRefused("this would change the graph", hint=HINT)
     if code.startswith(_TIMED_OUT):
         return _late(timeout)
+    if TOO_LONG in (error.message or ""):
+        return too_long()
     if code in _NO_MEMORY:
         return GraphError(
             "this question needs more memory than the server has", hint="Ask for less at once.", code="memory"

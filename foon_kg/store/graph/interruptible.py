@@ -7,15 +7,19 @@ nothing: how many nodes there are is a number that Neo4j keeps. What the questio
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
-from foon_kg.store.graph.question_words import CLOSED, OPEN, Token, too_much
+from foon_kg.store.graph.patterns import bounded_texts
+from foon_kg.store.graph.question_words import CLOSED, OPEN, Around, Token, put_around, too_much
 
 _JUDGING = {"any", "all", "none", "single"}
 _REDUCING = {"reduce", "allreduce"}
 _LOOK, _LOOKED = "CASE WHEN COUNT { MATCH () } >= 0 THEN ", " END"
+_ASIDE = "(:Foon)"
+"""The nodes that are counted where some may be made: of these nobody makes any while a FOON is there."""
 
 
 @dataclass(frozen=True)
@@ -27,28 +31,21 @@ class _Bracket:
     own: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class _Around:
-    """What is put around the pieces from ``first`` to ``last``."""
-
-    first: int
-    begins: str
-    last: int
-    ends: str
-
-
-def interruptible(pieces: Sequence[Token]) -> str:
+def interruptible(
+    pieces: Sequence[Token], parameters: Mapping[str, Any] | None = None, *, writing: bool = False
+) -> str:
     """Return the text of a question whose list expressions can be ended at each turn, and which means the same.
 
-    ``pieces`` are all its pieces, spaces too. Raises GraphError where a label could be read as what is done in a turn.
+    A text that is held against a pattern may not be longer than that pattern bears (:mod:`patterns`). ``pieces`` are
+    all its pieces, spaces too; ``writing`` says that it may make nodes. Raises GraphError where a label could be read
+    as what is done in a turn.
     """
-    before: dict[int, str] = {}
-    after: dict[int, str] = {}
-    for bracket in _brackets(pieces):  # inner ones first: what is put around stands outside
-        for one in (*_turns(pieces, bracket), *_long_range(pieces, bracket)):
-            before[one.first] = one.begins + before.get(one.first, "")
-            after[one.last] = after.get(one.last, "") + one.ends
-    return "".join(f"{before.get(place, '')}{one.text}{after.get(place, '')}" for place, one in enumerate(pieces))
+    turns = [one for it in _brackets(pieces) for one in (*_turns(pieces, it), *_long_range(pieces, it))]
+    if writing:
+        turns = [
+            replace(one, begins=one.begins.replace("()", _ASIDE), ends=one.ends.replace("()", _ASIDE)) for one in turns
+        ]
+    return put_around(pieces, (*turns, *bounded_texts(pieces, parameters or {})))
 
 
 def _brackets(pieces: Sequence[Token]) -> Iterator[_Bracket]:
@@ -65,7 +62,7 @@ def _brackets(pieces: Sequence[Token]) -> Iterator[_Bracket]:
             open_ones.append((place, []))
 
 
-def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]:
+def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[Around]:
     """Return what makes the list expression in a bracket one that can be ended; nothing where there is none."""
     caller, own = _caller(pieces, bracket), bracket.own
     if caller in _REDUCING:
@@ -84,11 +81,11 @@ def _turns(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]:
         yield _looked(bar, next((p for p in own if p > bar and pieces[p].text == ","), bracket.closed))
 
 
-def _looked(after: int, until: int) -> _Around:
-    return _Around(after + 1, f" {_LOOK}", until - 1, _LOOKED)
+def _looked(after: int, until: int) -> Around:
+    return Around(after + 1, f" {_LOOK}", until - 1, _LOOKED)
 
 
-def _condition(pieces: Sequence[Token], own: Sequence[int], where: int, until: int) -> _Around:
+def _condition(pieces: Sequence[Token], own: Sequence[int], where: int, until: int) -> Around:
     """Return what is put around the condition of ``[x IN … WHERE …]`` or ``any(x IN … WHERE …)``, or around its list.
 
     The list, where a label's bar could be the one after the condition, and where there is a pattern: that may stand in
@@ -99,7 +96,7 @@ def _condition(pieces: Sequence[Token], own: Sequence[int], where: int, until: i
     label = pieces[until].text == "|" and any(pieces[place].text == ":" for place in own if place > where)
     if pattern or label:
         name = pieces[own[0]].text
-        return _Around(own[1] + 1, f" [{name} IN ", where - 1, f" | {_LOOK}{name}{_LOOKED}] ")
+        return Around(own[1] + 1, f" [{name} IN ", where - 1, f" | {_LOOK}{name}{_LOOKED}] ")
     return _looked(where, until)
 
 
@@ -111,7 +108,7 @@ def _bar(pieces: Sequence[Token], own: Sequence[int]) -> int | None:
     return None
 
 
-def _long_range(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]:
+def _long_range(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[Around]:
     """Return what is put around a range of which nobody knows how long it is: rows it may give, a list is made of it.
 
     Nothing else bounds it: a range takes no memory, and to look for a number in it any time.
@@ -120,7 +117,7 @@ def _long_range(pieces: Sequence[Token], bracket: _Bracket) -> Iterator[_Around]
         return
     word = _before(pieces, bracket.opened)
     if pieces[max(_before(pieces, word), 0)].lower != "unwind":
-        yield _Around(word, "[i IN ", bracket.closed, f" | {_LOOK}i{_LOOKED}]")
+        yield Around(word, "[i IN ", bracket.closed, f" | {_LOOK}i{_LOOKED}]")
 
 
 def _is_known(piece: Token) -> bool:

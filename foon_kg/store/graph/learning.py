@@ -13,7 +13,7 @@ from foon_kg.model import FunctionalUnit, Subgraph
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, frame_row, slot_foods
-from foon_kg.store.graph.lifting import Lifted, Tally, lifted, matter_rows
+from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
 from foon_kg.store.graph.rows import SightingValue
 from foon_kg.store.graph.statements import Row, Statement
 from foon_kg.store.snapshot import frames_in, sightings_of
@@ -90,6 +90,8 @@ class Learner:
         if pairs:
             evidence = self._evidence(pairs)
             self._ask(cypher.LOAD_EVIDENCE, rows=[self._evidence_row(pair, *evidence[pair]) for pair in sorted(pairs)])
+            if usual := list(self._usual_rows(pairs)):
+                self._ask(cypher.USUAL_FOODS, rows=usual)
         counts, joins = self._tally.rows(), self._joins.rows()
         if any(counts.values()):
             self._ask(cypher.COUNT_OPERATORS, **counts)
@@ -128,6 +130,19 @@ class Learner:
         for again in self._ask(cypher.FIRST_SIGHTINGS, pairs=_by_operator(lost), most=MOST_SIGHTINGS) if lost else ():
             found[again.operator, again.matter] = again.seen, again.changes
         return found
+
+    def _usual_rows(self, pairs: set[Pair]) -> Iterator[dict[str, Any]]:
+        """Yield, for each operator, to which foods it is done more often now, and to which less."""
+        less, more = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
+        for pair in sorted(pairs):
+            if not is_food(pair[1]):
+                continue
+            if self._tally.done[pair] < 0 or self._tally.changed[pair] < 0:
+                less[pair[0]].append(pair[1])
+            elif self._tally.done[pair] or self._tally.changed[pair]:
+                more[pair[0]].append(pair[1])
+        for operator in sorted(less.keys() | more.keys()):
+            yield {"operator": operator, "more": more[operator], "less": less[operator]}
 
     def _evidence_row(self, pair: Pair, seen: list[SightingValue], changes: list[SightingValue]) -> dict[str, Any]:
         return {

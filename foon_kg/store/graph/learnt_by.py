@@ -12,7 +12,8 @@ from foon_kg.model import content_key
 from foon_kg.model.kept import code_key
 
 _LEARNT_BY = (
-    "food", "world", "integration", "store/graph/lifting.py", "store/graph/frame_rows.py", "store/snapshot.py",
+    "food", "world", "integration", "store/graph/lifting.py", "store/graph/learning.py",
+    "store/graph/frame_rows.py", "store/snapshot.py",
 )  # fmt: skip
 """The code and the data on which what is learnt depends."""
 

@@ -132,10 +132,15 @@ def _rows(counter: Mapping[Names, int], *names: str) -> list[dict[str, Any]]:
     return [{**dict(zip(names, key, strict=True)), "count": counter[key]} for key in sorted(counter) if counter[key]]
 
 
+def is_food(matter: str) -> bool:
+    """Say whether a matter is a food, and not a kind or form of food or anything at all."""
+    return not matter.startswith((KIND, FORM)) and matter != ANYTHING
+
+
 def matter_rows(matters: Iterable[str]) -> dict[str, list[Any]]:
     """Return the parameters of ``cypher/load_matters.cypher``."""
     names = sorted(set(matters))
-    foods = [name for name in names if not name.startswith((KIND, FORM)) and name != ANYTHING]
+    foods = list(filter(is_food, names))
     return {
         "foods": [{"name": name, "kind": tables().foods.find(name)[0]} for name in foods],
         "kinds": [name for name in names if name.startswith(KIND)],

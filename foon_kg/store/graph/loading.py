@@ -5,6 +5,7 @@ from __future__ import annotations
 import uuid
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import neo4j
 
@@ -72,7 +73,7 @@ def load(
         report = session.execute_read(compare, wanted)
         stored(report)
         there = set(report.unchanged)
-        for batch in _batches((s for s in wanted if s.name not in there), units_per_transaction):
+        for batch in batches((s for s in wanted if s.name not in there), units_per_transaction):
             written = session.execute_write(_write, batch, kitchen)
             stored(written)
             report = report + written
@@ -134,7 +135,7 @@ def _remove(transaction: neo4j.ManagedTransaction, names: Sequence[str], kitchen
 
 def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, learnt_by: str = "") -> Writer:
     """Open a writer; raises unless the graph still is as this program left it."""
-    writer = Writer(transaction, kitchen)
+    writer = Writer(partial(ask, transaction), kitchen)
     check_readable(writer.state, kitchen)
     if writer.state is not None and writer.state.methods != (learnt_by or methods_key()):
         raise SchemaError(
@@ -145,11 +146,11 @@ def _writer(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, learnt_by: 
 
 
 def _write_anew(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
-    Writer(transaction, kitchen).write_anew()
+    Writer(partial(ask, transaction), kitchen).write_anew()
 
 
 def _write_vectors(transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
-    Writer(transaction, kitchen).finish()
+    Writer(partial(ask, transaction), kitchen).finish()
 
 
 def _learn_anew(session: neo4j.Session, kitchen: Kitchen) -> None:
@@ -168,7 +169,7 @@ def _learn_anew(session: neo4j.Session, kitchen: Kitchen) -> None:
 
 
 def _begin_learning(transaction: neo4j.ManagedTransaction, kitchen: Kitchen, mark: str) -> list[str]:
-    Writer(transaction, kitchen).record(mark)
+    Writer(partial(ask, transaction), kitchen).record(mark)
     return [row.name for row in ask(transaction, VIDEO_NAMES)]
 
 
@@ -188,13 +189,15 @@ def _contents(transaction: neo4j.ManagedTransaction, names: Sequence[str]) -> di
     return {row.name: row.content for row in ask(transaction, VIDEO_CONTENTS, names=names)}
 
 
-def _batches(subgraphs: Iterable[Subgraph], units: int) -> Iterator[list[Subgraph]]:
+def batches(subgraphs: Iterable[Subgraph], units: int) -> Iterator[list[Subgraph]]:
     """Group ``subgraphs``, in their order, so that each group has few more than ``units`` units."""
     batch: list[Subgraph] = []
+    size = 0
     for subgraph in subgraphs:
         batch.append(subgraph)
-        if sum(len(member.annotations) for member in batch) >= units:
+        size += len(subgraph.annotations)
+        if size >= units:
             yield batch
-            batch = []
+            batch, size = [], 0
     if batch:
         yield batch

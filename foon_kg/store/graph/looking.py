@@ -14,6 +14,7 @@ from dataclasses import replace
 from typing import Any
 
 from foon_kg.model.errors import WriteRefused
+from foon_kg.store.graph.joins import refuse_dense_patterns
 from foon_kg.store.graph.patterns import refuse_hard_patterns
 from foon_kg.store.graph.preface import begin, shows_schema
 from foon_kg.store.graph.question_words import CLOSED, Token, asked, read_pieces, too_much
@@ -62,7 +63,7 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
     """
     pieces = read_pieces(text)
     tokens = asked(pieces)
-    refuse_hard_patterns(tokens, parameters or {})
+    refuse_the_endless(tokens, parameters)
     schema = begin(tokens) if shows_schema(tokens) else None
     for number, token in enumerate(tokens):
         rest = tokens[number + 1 :]
@@ -74,6 +75,12 @@ def only_looking(text: str, parameters: Mapping[str, Any] | None = None) -> tupl
         _refuse_function(token, rest)
         _refuse_range(token, rest)
     return tuple(replace(piece, text=_plain(piece.text)) if piece.kind == "space" else piece for piece in pieces)
+
+
+def refuse_the_endless(tokens: Sequence[Token], parameters: Mapping[str, Any] | None) -> None:
+    """Raise GraphError for what a server could be at for hours and lets nobody interrupt, whoever asks it."""
+    refuse_hard_patterns(tokens, parameters or {})
+    refuse_dense_patterns(tokens)
 
 
 def _plain(space: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 
@@ -66,6 +66,26 @@ class Token:
         return self.text if self.kind == "word" and not self.text.startswith("$") else ""
 
 
+@dataclass(frozen=True)
+class Around:
+    """What is put around the pieces from ``first`` to ``last``."""
+
+    first: int
+    begins: str
+    last: int
+    ends: str
+
+
+def put_around(pieces: Sequence[Token], arounds: Iterable[Around]) -> str:
+    """Return the text of a question with what is put around its pieces; none begins in another and ends outside it."""
+    before: dict[int, str] = {}
+    after: dict[int, str] = {}
+    for one in sorted(arounds, key=lambda one: one.last - one.first):  # inner ones first: the others stand outside
+        before[one.first] = one.begins + before.get(one.first, "")
+        after[one.last] = after.get(one.last, "") + one.ends
+    return "".join(f"{before.get(place, '')}{one.text}{after.get(place, '')}" for place, one in enumerate(pieces))
+
+
 def read(text: str) -> tuple[Token, ...]:
     """Return the pieces of a question without its spaces and comments.
 
@@ -106,6 +126,18 @@ def _depth(tokens: Sequence[Token], signs: str) -> int:
     closing = {CLOSING[sign] for sign in signs}
     steps = ((one.text in signs) - (one.text in closing) for one in tokens if one.kind == "sign")
     return max(accumulate(steps), default=0)
+
+
+def partners(tokens: Sequence[Token]) -> dict[int, int]:
+    """Return where each bracket that opens is closed."""
+    found: dict[int, int] = {}
+    open_ones: list[int] = []
+    for place, token in enumerate(tokens):
+        if token.text in OPEN:
+            open_ones.append(place)
+        elif open_ones and token.text == CLOSING[tokens[open_ones[-1]].text]:
+            found[open_ones.pop()] = place
+    return found
 
 
 def too_much(why: str, *, hint: str = "Give long lists as parameters (-P).") -> GraphError:

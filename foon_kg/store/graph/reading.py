@@ -40,6 +40,7 @@ from foon_kg.store.graph.rows import (
 from foon_kg.store.graph.schema import check_readable
 from foon_kg.store.graph.statements import (
     BEHIND,
+    BEHIND_ONE,
     EQUIVALENTS,
     FRAMES,
     FRAMES_READ,
@@ -163,7 +164,8 @@ class GraphView:
         """Return every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
-        (row,) = self._ask(BEHIND, nodes=keys, foods=asked)
+        one = len(keys) == 1 and not asked
+        (row,) = self._ask(BEHIND_ONE, node=keys[0]) if one else self._ask(BEHIND, nodes=keys, foods=asked)
         return self._units(sorted(row.keys))
 
     def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:

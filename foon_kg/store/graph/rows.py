@@ -75,6 +75,13 @@ class SchemaState:
 
 
 @dataclass(frozen=True)
+class SomethingRow:
+    """Whether a database holds anything."""
+
+    something: bool
+
+
+@dataclass(frozen=True)
 class KeyRow:
     """The key of one unit."""
 

@@ -46,3 +46,4 @@ def _ask_everything(view: GraphView) -> None:
     foods = [(food.label, food.state) for food in words.foods[:GOALS]]
     view.remembered("")
     view.behind([goal.node for goal in goals[:GOALS]], foods)
+    view.behind([goal.node for goal in goals[:1]])

@@ -11,36 +11,34 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from typing import Any
 
-import neo4j
-
 from foon_kg.model import FunctionalUnit, ObjectNode, Subgraph
 from foon_kg.model.names import canonical
 from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.similarity.points import indexed_points
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
-from foon_kg.store.graph.learning import Learner
+from foon_kg.store.graph.learning import Ask, Learner
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.movements import movement_rows
 from foon_kg.store.graph.reading import subgraph_of
 from foon_kg.store.graph.rows import bare_unit_of, properties_of
 from foon_kg.store.graph.schema import kitchen_key, schema_version
-from foon_kg.store.graph.statements import Row, Statement, ask
 from foon_kg.store.snapshot import goals_of
 from foon_kg.store.vocabulary import WordCounts
 
 
 class Writer:
-    """Adds and forgets subgraphs within ``transaction``; :meth:`finish` brings everything derived up to date.
+    """Adds and forgets subgraphs; :meth:`finish` brings everything derived up to date.
 
+    ``ask`` runs statements: in one transaction, or on what is staged for an import (:mod:`foon_kg.store.offline`).
     ``state`` is what the graph said about itself when our turn came; ``None`` where there is no graph (any more).
 
     Units that lost a sighting are looked at only at the end, so that what the new content of a video shows again is
     never deleted in between.
     """
 
-    def __init__(self, transaction: neo4j.ManagedTransaction, kitchen: Kitchen) -> None:
-        self._transaction = transaction
+    def __init__(self, ask: Ask, kitchen: Kitchen) -> None:
+        self._ask = ask
         self._kitchen = kitchen
         self._counts = WordCounts(kitchen.is_utensil)
         self._learner = Learner(self._ask, kitchen)
@@ -156,9 +154,6 @@ class Writer:
                     for name, vector in rows
                 ],
             )
-
-    def _ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
-        return ask(self._transaction, statement, **parameters)
 
     def _object_rows(self, nodes: Iterable[ObjectNode]) -> list[dict[str, Any]]:
         return [

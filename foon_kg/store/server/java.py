@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 from foon_kg.model.errors import ServerError
 from foon_kg.store.server.extra import missing_extra
@@ -64,10 +65,19 @@ def write_arguments(file: Path, class_path: Sequence[Path], flags: Sequence[str]
     return [str(java()), f"@{file}"]
 
 
-def run_admin(file: Path, class_path: Sequence[Path], root: Path, words: Sequence[str]) -> None:
-    """Run a ``neo4j-admin`` command on the home ``root`` and wait for it; raises ServerError with what it said."""
+def run_admin(
+    file: Path,
+    class_path: Sequence[Path],
+    root: Path,
+    words: Sequence[str],
+    variables: Mapping[str, str] = MappingProxyType({}),
+) -> None:
+    """Run a ``neo4j-admin`` command on the home ``root`` and wait for it; raises ServerError with what it said.
+
+    Some commands start a Java of their own: that has the environment, with ``variables``, but not our flags.
+    """
     command = write_arguments(file, class_path, ["-XX:TieredStopAtLevel=1"], [ADMIN_CLASS, *words])
-    environment = os.environ | {"NEO4J_HOME": str(root), "NEO4J_CONF": str(root / "conf")}
+    environment = os.environ | {"NEO4J_HOME": str(root), "NEO4J_CONF": str(root / "conf")} | dict(variables)
     try:
         done = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, check=False)
     finally:

@@ -30,7 +30,7 @@ def launched(
     """
     class_path = jar_set.class_path(folder)
     write_configuration(place, port)
-    _set_password(place, class_path)
+    set_password(place, class_path)
     settings = settings_of(place, port)
     main = (MAIN_CLASS, f"--home-dir={place.root}", f"--config-dir={place.configuration}")
     with explain_os_error(f"cannot write {place.arguments}"):
@@ -67,7 +67,7 @@ def _interrupts_held() -> Iterator[Callable[[], None]]:
         signal.signal(signal.SIGINT, before)
 
 
-def _set_password(place: Home, class_path: Sequence[Path]) -> None:
+def set_password(place: Home, class_path: Sequence[Path]) -> None:
     """Give a home that was never started its random password; Neo4j accepts it only then."""
     if place.databases.exists():
         return

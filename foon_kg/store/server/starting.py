@@ -37,13 +37,8 @@ def remembered(place: Home, known: Memory | None, port: int | None, idle_minutes
 
 def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> ConnectionSettings:
     """Fetch what is missing, start, remember; once more without the start-up cache if that start fails."""
-    java()
-    cache = the_startup_cache()
+    cache = fetched(say)
     jar_set, folder = cache.jar_set, cache.folder
-    _fetch_what_is_not_there(jar_set, folder, say)
-    if not cache.is_as_made():
-        say("the start-up cache is not as it was made: it is taken away, and made anew in a quiet moment")
-        cache.discard()
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)
     try:
@@ -55,6 +50,17 @@ def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> Con
             raise
         say(f"{error.message}; starting again without the start-up cache")
         return _launch_on(place, port, memory, cache)
+
+
+def fetched(say: Say) -> StartupCache:
+    """Return the start-up cache with the jars that it is of, once all that is missing of these has been fetched."""
+    java()
+    cache = the_startup_cache()
+    _fetch_what_is_not_there(cache.jar_set, cache.folder, say)
+    if not cache.is_as_made():
+        say("the start-up cache is not as it was made: it is taken away, and made anew in a quiet moment")
+        cache.discard()
+    return cache
 
 
 def _fetch_what_is_not_there(jar_set: JarSet, folder: Path, say: Say) -> None:

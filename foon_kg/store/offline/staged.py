@@ -1,0 +1,271 @@
+"""What is staged for an offline import: the tables of a FOON in one SQLite file, filled by the writer of the graph.
+
+:class:`Staged` answers the statements with which :class:`~foon_kg.store.graph.writing.Writer` adds videos to a graph
+that has none: each of its methods does on tables what the file of its name in ``cypher`` does in Neo4j. So an import
+and a load write the same graph, by the same code. Nothing is ever taken away here.
+"""
+
+from __future__ import annotations
+
+import json
+import uuid
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from foon_kg.plans.kitchen import Kitchen
+from foon_kg.similarity.word_lists import word_lists_key
+from foon_kg.store.graph.learnt_by import methods_key
+from foon_kg.store.graph.rows import AttestedRow, ContentRow, EvidenceRow, KeyRow, NameRow, SchemaState
+from foon_kg.store.graph.schema import kitchen_key
+from foon_kg.store.graph.statements import Row, Statement
+from foon_kg.store.offline.database import Database, Rows, cell, edges_of, joined, nodes_of, split
+from foon_kg.store.offline.tables import END, START, named
+
+
+class Staged(Database):
+    """The tables of a FOON in the file ``path``, which is made where it is not there. Close it, or use ``with``."""
+
+    def __init__(self, path: Path, kitchen: Kitchen) -> None:
+        super().__init__(path)
+        self._kitchen = kitchen
+
+    def ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Do what ``statement`` does, and return its rows."""
+        return getattr(self, statement.name)(**parameters) or []
+
+    def writing_turn(self) -> list[SchemaState]:
+        """Return the state of a graph that this program writes."""
+        return [SchemaState(0, kitchen_key(self._kitchen), word_lists_key(), str(uuid.uuid4()), methods_key())]
+
+    def video_contents(self, names: Sequence[str]) -> list[ContentRow]:
+        """Return the content of those of the named videos that are there."""
+        return [ContentRow(*row) for row in self.found("Video", "content", names)]
+
+    def load_videos(self, videos: Rows) -> None:
+        """Make videos."""
+        self.insert("Video", ((row["name"], row["content"], joined(row["sources"])) for row in videos))
+
+    def load_objects(self, objects: Rows) -> None:
+        """Make object nodes that are not there yet."""
+        columns = [named(column) for column in nodes_of("Object").columns]
+        new = self.new("Object", (tuple(cell(row[name]) for name in columns) for row in objects))
+        labels = {row["key"]: row["label"] for row in objects}
+        ids = self.merged("Label", labels.values())
+        self.insert("Object_CALLED_Label", ((number, ids[labels[key]]) for key, number in new))
+
+    def load_units(self, units: Rows) -> list[KeyRow]:
+        """Make units that are not there yet, and return their keys."""
+        cells = ((row["key"], row["verb"], cell(row["accepts_any"])) for row in units)
+        new = dict(self.new("Motion", cells))
+        fresh = [row for row in units if row["key"] in new]
+        objects = self.ids("Object", {key for row in fresh for key in (*row["inputs"], *row["outputs"])})
+        ins = ((objects[key], new[row["key"]], None) for row in fresh for key in row["inputs"])
+        outs = ((new[row["key"]], objects[key], None) for row in fresh for key in row["outputs"])
+        self.insert("Object_INPUT_OF_Motion", ins)
+        self.insert("Motion_OUTPUTS_Object", outs)
+        return [KeyRow(key) for key in new]
+
+    def load_sightings(self, sightings: Rows) -> None:
+        """Write down where units were seen."""
+        motions = self.ids("Motion", {row["unit"] for row in sightings})
+        videos = self.ids("Video", {row["video"] for row in sightings})
+        columns = [named(column) for column in edges_of("Motion_SEEN_IN_Video").columns]
+        cells = (
+            (motions[row["unit"]], videos[row["video"]], *(cell(row["properties"][name]) for name in columns))
+            for row in sightings
+        )
+        self.insert("Motion_SEEN_IN_Video", cells)
+
+    def load_next(self, videos: Rows) -> None:
+        """Tie each unit of a video to the one that follows it."""
+        motions = self.ids("Motion", {key for row in videos for key in row["units"]})
+        pairs = (
+            (motions[one], motions[other], row["name"], place)
+            for row in videos
+            for place, (one, other) in enumerate(zip(row["units"], row["units"][1:], strict=False))
+        )
+        self.insert("Motion_NEXT_Motion", pairs)
+
+    def load_movements(self, rows: Rows) -> None:
+        """Count sightings that show the objects of units moving."""
+        motions = self.ids("Motion", {row["unit"] for row in rows})
+        objects = self.ids("Object", {one["key"] for row in rows for one in (*row["inputs"], *row["outputs"])})
+        for side, table, motion, other in (
+            ("inputs", "Object_INPUT_OF_Motion", END, START),
+            ("outputs", "Motion_OUTPUTS_Object", START, END),
+        ):
+            self.database.executemany(
+                f"UPDATE {table} SET moving = coalesce(moving, 0) + ? WHERE {motion} = ? AND {other} = ?",
+                [(one["count"], motions[row["unit"]], objects[one["key"]]) for row in rows for one in row[side]],
+            )
+
+    def load_goals(self, goals: Rows) -> None:
+        """Mark goal nodes with their dish types and the foods they are made of."""
+        dishes = self.merged("DishType", {row["dish_type"] for row in goals})
+        objects = self.ids("Object", {row["key"] for row in goals})
+        edges = ((objects[row["key"]], dishes[row["dish_type"]], row["video"]) for row in goals)
+        self.insert("Object_IS_A_DishType", edges)
+        made_of = {key: split(foods) for key, foods in self.found("Object", "ingredients", objects)}
+        foods = self.merged("Ingredient", {food for names in made_of.values() for food in names})
+        pairs = ((objects[key], foods[name]) for key, names in made_of.items() for name in names)
+        self.insert("Object_MADE_OF_Ingredient", pairs)
+
+    def forget_plans(self, keys: Sequence[str]) -> None:
+        """Do nothing: no reference trees are kept."""
+
+    def count_foods(self, rows: Rows) -> None:
+        """Add to the counts of foods in states."""
+        foods = self.merged("Ingredient", {row["label"] for row in rows})
+        states = self.merged("State", {row["state"] for row in rows})
+        counts = ((foods[row["label"]], states[row["state"]], row["made"], row["used"]) for row in rows)
+        self.add("Ingredient_SEEN_AS_State", counts, "made", "used")
+
+    def count_motions(self, rows: Rows) -> None:
+        """Add to the counts of states by verb."""
+        states = self.merged("State", {row["state"] for row in rows})
+        verbs = self.merged("Verb", {row["motion"] for row in rows})
+        counts = ((states[row["state"]], verbs[row["motion"]], row["count"]) for row in rows)
+        self.add("State_MADE_BY_Verb", counts, "count")
+
+    def count_verbs(self, rows: Rows) -> None:
+        """Add to the counts of units by verb."""
+        self.merged("Verb", {row["motion"] for row in rows})
+        self.database.executemany(
+            "UPDATE Verb SET units = coalesce(units, 0) + ?, several = coalesce(several, 0) + ? WHERE name = ?",
+            [(row["units"], row["several"], row["motion"]) for row in rows],
+        )
+
+    def load_matters(self, foods: Rows, kinds: Sequence[str], forms: Sequence[str], anything: Sequence[str]) -> None:
+        """Make what operators are done to, where it is not there yet."""
+        rows: list[tuple[str, str | None, str | None]] = [(row["name"], row["kind"], "Food") for row in foods]
+        rows += [(name, None, "Kind") for name in kinds]
+        rows += [(name, None, "Form") for name in forms]
+        rows += [(name, None, None) for name in anything]
+        self.database.executemany('INSERT OR IGNORE INTO Matter (name, kind, "_label") VALUES (?, ?, ?)', rows)
+
+    def load_operators(self, operators: Rows) -> None:
+        """Make operators that are not there yet, and tie new units to them."""
+        self.insert("Operator", ((row["key"], row["motion"], joined(row["tools"]), 0, None, None) for row in operators))
+        ids = self.ids("Operator", [row["key"] for row in operators])
+        motions = self.ids("Motion", {unit["key"] for row in operators for unit in row["units"]})
+        ties = (
+            (ids[row["key"]], motions[unit["key"]], joined(unit["done_to"]), joined(unit["changes"]))
+            for row in operators
+            for unit in row["units"]
+        )
+        self.insert("Operator_ATTESTED_BY_Motion", ties)
+
+    def attested(self, keys: Sequence[str]) -> list[AttestedRow]:
+        """Return what units attest."""
+        rows = self.database.execute(
+            "SELECT m.key, o.key, a.done_to, a.changes FROM json_each(?) k JOIN Motion m ON m.key = k.value "
+            f'JOIN Operator_ATTESTED_BY_Motion a ON a."{END}" = m.id JOIN Operator o ON o.id = a."{START}"',
+            (json.dumps(keys),),
+        )
+        return [AttestedRow([(unit, way, split(done), split(changes)) for unit, way, done, changes in rows])]
+
+    def evidence(self, pairs: Rows) -> list[EvidenceRow]:
+        """Return the evidence that is kept for operators and matters."""
+        asked = [(row["operator"], name) for row in pairs for name in row["matters"]]
+        rows = self.database.execute(
+            "SELECT o.key, m.name, d.seen, d.changes FROM json_each(?) p "
+            "JOIN Operator o ON o.key = json_extract(p.value, '$[0]') "
+            "JOIN Matter m ON m.name = json_extract(p.value, '$[1]') "
+            f'JOIN Operator_DONE_TO_Matter d ON d."{START}" = o.id AND d."{END}" = m.id',
+            (json.dumps(asked),),
+        )
+        return [EvidenceRow([(way, matter, split(seen), split(changes)) for way, matter, seen, changes in rows])]
+
+    def load_evidence(self, rows: Rows) -> None:
+        """Add to the counts of what operators are done to, and write down where that was first seen."""
+        operators = self.ids("Operator", {row["operator"] for row in rows})
+        matters = self.ids("Matter", {row["matter"] for row in rows})
+        self.database.executemany(
+            "INSERT INTO Operator_DONE_TO_Matter VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET "
+            "units = units + excluded.units, changed = changed + excluded.changed, "
+            "seen = excluded.seen, changes = excluded.changes",
+            [
+                (operators[row["operator"]], matters[row["matter"]], row["units"], row["changed"],
+                 joined(row["seen"]), joined(row["changes"]))
+                for row in rows
+            ],
+        )  # fmt: skip
+
+    def usual_foods(self, rows: Rows) -> None:
+        """Leave it to :meth:`finish`: what is most often done to what is known at the end."""
+
+    def count_operators(self, *, operators: Rows, gives: Rows, brings: Rows, places: Rows, appliances: Rows,
+                        states: Rows) -> None:  # fmt: skip
+        """Add to the counts of operators, and of the states in which matters are."""
+        self.database.executemany(
+            "UPDATE Operator SET count = count + ? WHERE key = ?",
+            [(row["count"], row["operator"]) for row in operators],
+        )
+        self.count("Operator_GIVES_State", gives, "operator", "state")
+        self.count("Operator_BRINGS_Matter", brings, "operator", "matter", "role")
+        self.count("Operator_DONE_IN_Utensil", places, "operator", "utensil")
+        self.count("Operator_WORKS_WITH_Utensil", appliances, "operator", "utensil")
+        self.count("Matter_FOUND_AS_State", states, "matter", "state")
+
+    def count_joins(self, posts: Rows, beside: Rows, cooked: Rows) -> None:
+        """Add to the counts of where foods of a kind join, beside what, and how they are cooked before."""
+        made = {row["post"]: row["properties"] for row in posts}
+        rows = ((name, post["work"], post["heated"], cell(post["joins"])) for name, post in made.items())
+        self.insert("Post", rows)
+        self.count("Matter_JOINS_AT_Post", posts, "kind", "post", "dish_type")
+        self.count("Matter_JOINS_BESIDE_Matter", beside, "kind", "other")
+        verbs = {name for name, _ in self.found("Verb", "name", {row["motion"] for row in cooked})}
+        self.count("Matter_COOKED_BY_Verb", [row for row in cooked if row["motion"] in verbs], "kind", "motion")
+
+    def load_frames(self, frames: Rows) -> None:
+        """Make frames with their stages, lines and slots."""
+        objects = self.ids("Object", {row["goal"] for row in frames})
+        videos = self.ids("Video", {row["video"] for row in frames})
+        matters = self.ids("Matter", {slot["properties"]["food"] for row in frames for slot in row["slots"]})
+        for row in frames:
+            frame = self.one("Frame", {"key": row["key"], **row["properties"]})
+            self.insert("Frame_OF_Object", [(frame, objects[row["goal"]])])
+            self.insert("Frame_DERIVED_FROM_Video", [(frame, videos[row["video"]])])
+            stages = [self.one("Stage", stage) for stage in row["stages"]]
+            self.insert("Frame_HAS_STAGE_Stage", _placed(frame, stages, row["main"]))
+            for line in row["lines"]:
+                number = self.one("Line", {})
+                self.insert("Stage_JOINED_BY_Line", [(stages[line["stage"]], number, line["place"])])
+                self.insert("Line_HAS_STAGE_Stage", _placed(number, stages, line["stages"]))
+            for slot in row["slots"]:
+                number = self.one("Slot", slot["properties"])
+                self.insert("Stage_HAS_SLOT_Slot", [(stages[slot["stage"]], number, slot["place"])])
+                self.insert("Slot_TAKES_Matter", [(number, matters[slot["properties"]["food"]])])
+
+    def foods_new(self, names: Sequence[str]) -> list[NameRow]:
+        """Return which of ``names`` are foods without a point."""
+        ingredients = self.found("Ingredient", "singular", names)
+        matters = self.database.execute(
+            "SELECT m.name, m.canonical FROM json_each(?) asked JOIN Matter m ON m.name = asked.value "
+            'WHERE m."_label" = ?',
+            (json.dumps(list(names)), "Food"),
+        )
+        return [NameRow(name) for name in {name for name, known in (*ingredients, *matters) if known is None}]
+
+    def load_vectors(self, rows: Rows) -> None:
+        """Give foods their points and the names that they are compared by."""
+        cells = [(row["canonical"], row["singular"], cell(row["vector"]), row["name"]) for row in rows]
+        self.database.executemany("UPDATE Ingredient SET canonical = ?, singular = ?, vector = ? WHERE name = ?", cells)
+        self.database.executemany(
+            "UPDATE Matter SET canonical = ?, vector = ? WHERE name = ?",
+            [(canonical, vector, name) for canonical, _, vector, name in cells],
+        )
+
+    def finish(self) -> None:
+        """Bring up to date what is found out once, at the end."""
+        for column, count in (("most_done", "units"), ("most_changed", "changed")):
+            self.database.execute(
+                f"UPDATE Operator SET {column} = (SELECT m.name FROM Operator_DONE_TO_Matter d "
+                f'JOIN Matter m ON m.id = d."{END}" WHERE d."{START}" = Operator.id AND m."_label" = \'Food\' '
+                f"AND d.{count} > 0 ORDER BY d.{count} DESC, m.name LIMIT 1)"
+            )
+        self.commit()
+
+
+def _placed(owner: int, stages: Sequence[int], numbers: Iterable[int]) -> Iterator[tuple[int, int, int]]:
+    return ((owner, stages[number], place) for place, number in enumerate(numbers))

@@ -1,0 +1,66 @@
+"""``foon load foon --offline``: what neo4j-admin imports is the graph that a load writes, and nothing is lost by it."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from campaign.whole_graph import whole_graph
+from typer.testing import CliRunner
+
+from foon_kg.cli import app
+from foon_kg.demo import demo_folder
+from foon_kg.loaders import read_paths
+from foon_kg.store.graph import Connection, load
+from foon_kg.store.server import connection_settings
+
+VIDEOS = ("greek_salad.txt", "spanish_omelette.txt", "garden_salad.txt")
+
+
+def run(*words):
+    return CliRunner().invoke(app, ["load", "foon", *map(str, words), "--json"])
+
+
+@pytest.mark.neo4j
+@pytest.mark.slow
+def test_an_import_is_what_a_load_writes_and_takes_the_place_of_nothing_unasked(
+    place, connection, monkeypatch, tmp_path
+):
+    files = [demo_folder() / name for name in VIDEOS]
+    load(connection, [result.subgraph for result in read_paths(files)])
+    loaded = whole_graph(connection)
+    monkeypatch.delenv("NEO4J_URI", raising=False)
+
+    done = run(*files, "--offline")
+    assert done.exit_code == 0, done.output
+    assert json.loads(done.stdout)["inserted"] == len(VIDEOS)
+    assert not (place.root / "import").exists()
+    with Connection(connection_settings()) as imported:
+        assert whole_graph(imported) == loaded
+
+        refused = run(files[0], "--offline")
+        assert refused.exit_code == 2
+        assert "--replace" in refused.output
+        again = run(*files)
+        assert json.loads(again.stdout)["unchanged"] == len(VIDEOS)
+        assert whole_graph(imported) == loaded
+
+    broken = tmp_path / "broken.txt"
+    broken.write_text("O\t1\tonion\n//\n", encoding="utf-8")
+    rejected = run(broken, "--offline", "--replace", "--bad-tolerance", "0")
+    assert rejected.exit_code == 1, rejected.output
+    assert not (place.root / "import").exists()
+    with Connection(connection_settings()) as kept:
+        assert whole_graph(kept) == loaded
+
+
+def test_another_neo4j_is_not_imported_into(monkeypatch):
+    monkeypatch.setenv("NEO4J_URI", "bolt://db.example.org:7687")
+    refused = run(demo_folder(), "--offline")
+    assert refused.exit_code == 2
+    assert "db.example.org" in refused.output
+
+
+@pytest.mark.parametrize("options", [["--replace"], ["--offline", "--check"]])
+def test_options_that_do_not_go_together_are_refused(options):
+    assert run(demo_folder(), *options).exit_code == 2
