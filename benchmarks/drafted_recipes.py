@@ -95,11 +95,11 @@ def added(node: ObjectNode, unit: FunctionalUnit) -> set[str]:
 
 
 def based(node: ObjectNode, members: dict[str, set[str]]) -> set[str]:
-    """Return the foods of which a node is made, in the end."""
+    """Return the foods of which a node is made, in the end: a food is in itself, with what came onto it."""
     names = node.ingredients or (node.label,)
-    return set().union(*(members.get(name, {name}) if name != node.label else {name} for name in names)) | (
-        members.get(node.label, set()) - {node.label} if node.label in members and not node.ingredients else set()
-    )
+    own = members.get(node.label, {node.label})
+    found = set().union(*(members.get(name, {name}) if name != node.label else {name} for name in names))
+    return found | (own & {node.label}) | (own - {node.label} if not node.ingredients else set())
 
 
 def class_of(motion: str) -> str:

@@ -41,6 +41,7 @@ NOWHERE = Around()
 class Foods:
     """Which foods are meant: those for which all of ``terms`` hold, in ``state`` if one is said.
 
+    Several states, or what a food must not be, are written as ``raw&!in pieces``.
     ``again``: a second portion of them, beside the one that joins elsewhere. ``made``: how they are prepared for it.
     """
 
@@ -65,9 +66,13 @@ class Foods:
 
     def mean(self, label: str, facts: Food, states: Iterable[str], around: Around = NOWHERE) -> bool:
         """Whether a food is meant that is called ``label``, of which any of ``states`` is said, in a recipe."""
-        if self.state and self.state not in states:
+        if self.state and not all(_is_so(state, states) for state in self.state.split("&")):
             return False
         return all(_holds(term, label, facts, around) for term in self.terms)
+
+
+def _is_so(state: str, states: Iterable[str]) -> bool:
+    return state[1:] not in states if state.startswith("!") else state in states
 
 
 def _holds(term: str, label: str, facts: Food, around: Around) -> bool:
@@ -179,9 +184,9 @@ def techniques() -> tuple[Technique, ...]:
 
 
 @cache
-def ways() -> tuple[Technique, ...]:
-    """Return what words of a name change of what a video does, in the order of the table."""
-    return tuple(_technique(name, row) for name, row in shipped("ways")["ways"].items())
+def ways(when: str = "ways") -> tuple[Technique, ...]:
+    """Return what words of a name change of what a video does, in the order of one of the tables of ``ways.toml``."""
+    return tuple(_technique(name, row) for name, row in shipped("ways")[when].items())
 
 
 @cache

@@ -9,16 +9,11 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.patterns import COOK, MIX, SHAPE, STIR, TOP, TURN
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import as_mash, owed
 
-_MIX = Stage((), "mix", frozenset({"mix"}), ("spatula",), "mixing bowl", "in", "", "", "mixture", (), 0)
-_SHAPE = replace(_MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")
-_HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
-_HEAT = replace(_HEAT, appliance="stove", source="heat")
-_TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
-_STIR = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
-_TOP = replace(_MIX, motion="", does=frozenset(), tools=(), vessel="plate", relation="on", label="")
+_MIX = replace(MIX, tools=("spatula",))
 _SMALL = 3
 
 
@@ -36,7 +31,7 @@ def made_apart(
         return coated_apart(line, joins)
     body = _Body(joins, told, known)
     if not body.main and (body.falls_apart or (grilled and not body.raw and not body.fried)):
-        top = replace(_TOP)
+        top = replace(TOP)
         return Line((top,)), tuple(_at(join, top, ()) for join in joins)
     return body.line() if body.main else coated_apart(line, joins)
 
@@ -81,15 +76,15 @@ class _Body:
     def line(self) -> tuple[Line, tuple[Join, ...]]:
         """Return the line and where its foods join."""
         dry = [join for join in self.joins if join.want.facts.is_a(*word_list("coats dry"))]
-        top = replace(_TOP)
+        top = replace(TOP)
         if dry and not self.shaped and self.main[0].want.facts.is_a(*word_list("is coated")):
             rest = [_at(join, top, ()) for join in self.joins if join not in self.fried]
             line, found = coated_apart(Line((top,)), rest)
             return self._with_fried(line, found)
-        mix, heat, turn, done = replace(_MIX), replace(_HEAT), replace(_TURN), replace(_HEAT)
-        stages: tuple[Stage, ...] = (mix, replace(_SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
+        mix, heat, turn, done = replace(_MIX), replace(COOK), replace(TURN), replace(COOK)
+        stages: tuple[Stage, ...] = (mix, replace(SHAPE), heat, turn, done) if self.shaped else (heat, turn, done)
         if self.loose:
-            heat = replace(_STIR, label="mixture")
+            heat = replace(STIR, label="mixture")
             stages = (heat,)
         top = replace(top, adds=(Line(stages),))
         found = tuple(
@@ -109,7 +104,7 @@ class _Body:
         """Return a line with a pan in which is fried what lies on the rest."""
         if not self.fried:
             return line, tuple(joins)
-        pan, before = replace(_STIR), line.stages[-1]
+        pan, before = replace(STIR), line.stages[-1]
         top = replace(before, adds=(*before.adds, Line((pan,))))
         moved = [
             replace(join, spot=replace(join.spot, stage=top)) if join.spot.stage is before else join for join in joins

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 from foon_kg.food import Tables, words
@@ -18,13 +19,12 @@ from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions, stirred_in_pieces
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
-from foon_kg.integration.pureed import blended_at_once, blended_when_done, is_stewed, stewed
+from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import garnished, is_heated, stirred, warmed
+from foon_kg.integration.warmed import garnished, is_heated, stirred
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,12 @@ class Called:
     warms: bool
     technique: Technique | None = None
 
+    @cached_property
+    def words(self) -> tuple[str, ...]:
+        """The words of its type, and those of its title in their order."""
+        title = words(self.title)
+        return (*sorted(self.told.difference(title)), *title)
+
     @property
     def drunk(self) -> bool:
         """Whether it is a drink."""
@@ -68,21 +74,20 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
         return Arranged(line, found, "one pot" in called.technique.plan)
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
-    title = words(called.title)
-    told = (*sorted(called.told.difference(title)), *title)
-    made, found = as_a_way_says(line, joins, called.dishes, told, known)
+    made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     boiled = not word_list("boils in the dish").isdisjoint(called.told)
-    line, joins = _drunk(line, joins, called) if called.drunk else wedges_last(line, joins, spooned=boiled)
+    line, joins = _drunk(line, joins, called, known) if called.drunk else wedges_last(line, joins, spooned=boiled)
     return _in_the_pot(line, joins, called, known)
 
 
-def _drunk(line: Line, joins: Sequence[Join], called: Called) -> tuple[Line, tuple[Join, ...]]:
+def _drunk(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> tuple[Line, tuple[Join, ...]]:
     if not is_heated(line) and called.warms:
-        line, joins = warmed(line, joins, called.told)
-    return garnished(*stirred(*blended_at_once(line, joins, called.told)), called.told)
+        line, joins = as_a_way_says(line, joins, (), called.words, known, when="warmed")
+    line, joins = as_a_way_says(line, joins, (), called.words, known, when="blended")
+    return garnished(*stirred(line, joins), called.told)
 
 
 def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables) -> Arranged:
@@ -117,10 +122,12 @@ def as_it_is_called(line: Line, joins: Sequence[Join], called: Called, known: Ta
     if any(dish.stacked for dish in dishes):
         line, joins = made_apart(line, joins, told, known, grilled=any(dish.grilled for dish in dishes))
     elif any(dish.coated for dish in dishes) and not dressed:
-        made, found = coated_alone(line, joins, told, known)
+        made, found = as_a_way_says(line, joins, (), called.words, known, when="dipped")
         if made is line:
-            made, found = in_portions(line, joins, told, known, baked=called.baked)
-        line, joins = stirred_in_pieces(line, joins, known) if made is line else (made, found)
+            made, found = coated_alone(line, joins, known)
+        if made is line:
+            made, found = as_a_way_says(line, joins, (), called.words, known, when="flesh", baked=called.baked)
+        line, joins = made, found
     return dressed_apart(line, joins) if dressed else (line, joins)
 
 

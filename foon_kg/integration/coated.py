@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
-from foon_kg.integration.frames import Line, Slot, Stage
+from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.places import NATURAL, Join
 from foon_kg.integration.preparation import Want, owed
 
@@ -15,38 +16,21 @@ _COATED = word_list("is coated")
 _DRY = word_list("coats dry")
 _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
-_SEASONS = ("leaven", "salty", "spice", "sweet")
-_IN_BATTER = word_list("is battered")
-_POURED = word_list("is poured on what is battered")
 
-_MIX = Stage((), "mix", frozenset({"mix"}), (), "bowl", "in", "", "", "", (), 0)
-_HEAT = replace(_MIX, motion="cook", does=frozenset({"heat"}), vessel="cooking pan", appliance="stove", source="heat")
-_TURN = replace(_HEAT, motion="flip", does=frozenset({"turn"}), tools=("turner",))
-
-
+_MIX = replace(MIX, tools=(), vessel="bowl", label="")
 _FINE = min(word_list("is called so when it is fine"))
 _THICK = min(word_list("is called so when it is beaten"))
 
 _POST = ("mix", "later", True)
-_BAKE = replace(_HEAT, motion="bake", does=frozenset({"dry", "heat"}), vessel="baking dish", appliance="oven")
-_TOP = replace(_MIX, motion="", does=frozenset(), vessel="plate", relation="on")
-_SAUCE = replace(_HEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
 _BESIDE = word_list("is served with what is fried")
 
 
-def coated_alone(
-    line: Line, joins: Sequence[Join], told: Collection[str], known: Tables
-) -> tuple[Line, tuple[Join, ...]]:
+def coated_alone(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
     """Return how coated flesh is made that is the dish: coated, fried, and baked under what melts on it.
 
-    ``told`` are the words of type and title. Nothing changes where there is no such flesh, or where something else has
-    to be cooked too, unless it is battered: then that is fried beside it.
+    Nothing changes where there is no such flesh, or where something else has to be cooked too.
     """
     facts = [join.want.facts for join in joins]
-    if not word_list("is called battered").isdisjoint(told):
-        made, found = _battered(line, joins, known)
-        if made is not line:
-            return made, found
     shaped = any("shape" in stage.does for one in _all(line) for stage in one.stages)
     rough = any(one.is_a(*word_list("coats roughly")) for one in facts)
     kinds = (
@@ -67,14 +51,11 @@ def coated_alone(
         return line, tuple(joins)
     melts = any(one.is_a(*word_list("melts on top")) for one in facts)
     if melts:
-        baked = replace(_BAKE)
+        baked = replace(BAKE)
         below = sorted(joins, key=lambda join: join.want.facts.is_a(*word_list("melts on top")))
         return coated_apart(Line((baked,)), [_at(join, baked) for join in below], kinds)
-    top = replace(_TOP)
-    if wet:
-        sauce = replace(_SAUCE, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
-    else:  # a fried piece that is stirred falls to pieces
-        sauce = replace(_HEAT) if whole else replace(_SAUCE)
+    top = replace(TOP)
+    sauce = replace(SIMMER if wet else COOK if whole else STIR)  # a fried piece that is stirred falls to pieces
     over = [join for join in joins if join.want.facts.is_a(*word_list("lies on flesh"), *_BESIDE)]
     rest = [join for join in joins if join not in over]
     made, found = coated_apart(Line((sauce,)), [_at(join, sauce) for join in rest], kinds)
@@ -83,50 +64,9 @@ def coated_alone(
     return Line((*made.stages, top)), (*found, *(_at(join, top) for join in over))
 
 
-def _battered(line: Line, joins: Sequence[Join], known: Tables) -> tuple[Line, tuple[Join, ...]]:
-    """Return how one food is turned in a batter of flour and what thins it, and fried; what goes with it is fried too.
-
-    Bread is dipped into eggs and milk. What is poured on it comes at the end.
-
-    Nothing changes where there is no such batter, or where more than one food may be turned in it.
-    """
-    batter = [join for join in joins if join.want.facts.is_a(*_DRY, *_WET, *word_list("thins what is fried in"))]
-    thin = any(join.want.facts.is_a(*_WET, *word_list("thins what is fried in")) for join in batter)
-    rest = [join for join in joins if join not in batter and not join.want.facts.is_a("fat", *_SEASONS)]
-    beside = [join for join in rest if join.want.facts.is_a(*word_list("is fried beside what is battered"))]
-    dipped = [join for join in rest if join not in beside and join.want.facts.is_a(*_COATED, *_IN_BATTER)]
-    beside += [join for join in dipped if dipped[0].want.facts.is_a(*_COATED) and join is not dipped[0]]
-    dipped = [join for join in dipped if join not in beside]
-    if not thin or len(batter) == 1 or len(dipped) != 1:
-        return line, tuple(joins)
-    mixed, fried, turned, done, top = (replace(one) for one in (_MIX, _HEAT, _TURN, _HEAT, _TOP))
-    bathed_in = replace(_MIX, adds=(Line((mixed,)),), label=dipped[0].want.label)
-    top = replace(top, adds=(Line((bathed_in, fried, turned, done)),))
-    fats = [join for join in joins if join.want.facts.is_a("fat")]
-    found = []
-    for join in joins:
-        if join in dipped:
-            found.append(_side(join, bathed_in, (fried, turned, done, top)))
-        elif join in fats:
-            found.append(_side(join, fried, (turned, done, top)))
-        elif join in batter or (join.want.facts.is_a(*_SEASONS) and not join.want.facts.is_a(*_POURED)):
-            found.append(_side(join, mixed, (bathed_in, fried, turned, done, top)))
-        else:
-            cooks = "cook" in owed(join.want, known)
-            slot = Slot(join.want.label, join.want.facts.kind, cooked=("cook",)) if cooks else None
-            found.append(
-                Join(join.want, replace(join.spot, stage=top, after=(), side=False), NATURAL, slot, on_top=True)
-            )
-    return Line((top,)), tuple(found)
-
-
 def _is_done(want: Want) -> bool:
     """Whether flesh is asked cooked; where only the title says so (fried chicken), the dish cooks it."""
     return want.cooked and bool(want.make) and tables().state(want.make).needs_heat
-
-
-def _side(join: Join, stage: Stage, after: tuple[Stage, ...]) -> Join:
-    return Join(join.want, replace(join.spot, stage=stage, post=_POST, after=after, side=True), NATURAL)
 
 
 def is_portion(want: Want, known: Tables) -> bool:
@@ -165,7 +105,7 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     dusted = replace(_MIX, label=name)
     bathed = replace(_MIX, adds=(wash,), label=name)
     rolled = replace(_MIX, adds=(powder,), label=name)
-    fried, turned, done = replace(_HEAT), replace(_TURN), replace(_HEAT)
+    fried, turned, done = replace(COOK), replace(TURN), replace(COOK)
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)
     served = replace(last, adds=(*last.adds, Line((*first, rolled, fried, turned, done))))

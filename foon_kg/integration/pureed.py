@@ -52,15 +52,6 @@ def blended_when_done(
     return line, tuple(joins)
 
 
-def blended_at_once(line: Line, joins: Sequence[Join], told: Collection[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return how a drink is made that is called blended (a smoothie), where its video blends none."""
-    called = not word_list("is called blended").isdisjoint(told)
-    solid = any(join.want.facts.is_a(*word_list("is blended to be drunk")) for join in joins)
-    if not called or not solid or any("blend" in stage.does for stage in line.all_stages()):
-        return line, tuple(joins)
-    return _with_stages(joins, (replace(_BLENDED),), replace(_SERVED, vessel="drinking glass"))
-
-
 def is_stewed(title: str, dishes: Collection[Dish], joins: Sequence[Join], known: Tables) -> bool:
     """Whether all is cooked together in a pot: a title ends so, or flesh in pieces is asked with a sauce."""
     head = list(itertools.takewhile(lambda word: word not in _JOINED, words(title)))

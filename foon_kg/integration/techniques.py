@@ -7,15 +7,16 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
-from foon_kg.food import Tables, singular, words
+from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.layouts import spots_of
 from foon_kg.integration.places import NATURAL, Join
-from foon_kg.integration.preparation import Want
+from foon_kg.integration.preparation import Want, owed
 
 _MAIN = "dish"
 """The line of a technique that makes the dish."""
@@ -32,8 +33,9 @@ def technique_for(
     around = Around([want.facts for want in wants], told)
     taught = [tuple(label) for label in recorded if set(label) <= set(told)]
     for one in techniques():
-        shown = any(label[-len(name) :] == name for name in one.called for label in taught)
-        if shown or not one.is_called(dish_type, told):
+        if not one.is_called(dish_type, told):
+            continue
+        if any(label[-len(name) :] == name for name in one.called for label in taught):
             continue
         if _has_its_foods(one, wants, around):
             return one
@@ -41,16 +43,24 @@ def technique_for(
 
 
 def as_a_way_says(
-    line: Line, joins: Sequence[Join], dishes: Iterable[Dish], told: Sequence[str], known: Tables
+    line: Line,
+    joins: Sequence[Join],
+    dishes: Iterable[Dish],
+    told: Sequence[str],
+    known: Tables,
+    *,
+    when: str = "ways",
+    baked: bool = False,
 ) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made by the first way of the table that a word of its name asks for; else as it is.
 
-    ``dishes`` are those that it is called; ``told`` are the words of its type and title.
+    ``dishes`` are those that it is called; ``told`` are the words of its type and title, ``baked``: they say that it
+    comes out of an oven. ``when`` names one of the tables of ways.
     """
     wants = [join.want for join in joins]
     around = Around([want.facts for want in wants], told)
-    dishes, shown = tuple(dishes), _shown(line)
-    for one in ways():
+    dishes, shown = tuple(dishes), _shown(line) | ({"baked"} if baked else set())
+    for one in ways(when):
         fits = all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
         fits = fits and all((name in shown) is holds for name, holds in map(_asked, one.video))
         if fits and one.is_called("", told) and _has_its_foods(one, wants, around):
@@ -64,9 +74,9 @@ def _asked(text: str) -> tuple[str, bool]:
 
 
 def _shown(line: Line) -> set[str]:
-    """Return what a video does of what ways ask for: it heats, it bakes in an oven."""
-    hot = [stage for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)]
-    return {"heat"} | {stage.appliance for stage in hot} if hot else set()
+    """Return what a video does, as ways ask for it: what its stages do, and what it is heated on or in."""
+    found = {stage.appliance for stage in line.all_stages() if not stage.does.isdisjoint(HEATS)}
+    return found.union(*(stage.does for stage in line.all_stages()))
 
 
 def _has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
@@ -143,24 +153,39 @@ class _Placed:
         over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
         stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
-            work.relation, work.appliance, work.source, part.label or work.label, (), 0,
+            work.relation, work.appliance, work.source, self._label(part, work.label), (), 0,
         )  # fmt: skip
         self.stages[id(part)] = stage
         return stage
+
+    def _label(self, part: Part, usual: str) -> str:
+        """Return what a stage makes: "~" is what its first food is called."""
+        if part.label == "~":
+            return next((join.want.label for join, _, at in self.found if at is part), usual)
+        return part.label or usual
 
 
 def _mean(foods: Foods, want: Want, around: Around) -> bool:
     return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
 
 
-def _states(want: Want) -> list[str]:
+def _states(want: Want) -> set[str]:
     """Return what is said of a food: its states, and what ways ask of how it is named and comes."""
-    found = [want.asked, want.make, want.then, *want.leaf]
-    found += [] if want.make else ["in one piece"]
-    double = not word_list("is asked twofold").isdisjoint(words(want.label))
-    found += ["several"] if double or want.label != singular(want.label) else []
+    known, label = tables(), want.label
+    fine = known.state(want.make).fine or 0 if want.make else 0
+    due = {"cook", "boil"} & owed(want, known)
     mash = {want.make, want.then} & word_list("only what is soft is so")
-    return [*found, "as mash"] if mash or "made" in want.facts.traits else found
+    said = {
+        "in one piece": not want.make,
+        "in pieces": fine > 1,
+        "portion": is_portion(want, known),
+        "due": bool(due),
+        "raw": "cook" in due and not (want.cooked and want.make),
+        "runs": want.squeezed or want.asked in word_list("runs"),
+        "several": label != singular(label) or not word_list("is asked twofold").isdisjoint(words(label)),
+        "as mash": bool(mash) or "made" in want.facts.traits,
+    }
+    return {want.asked, want.make, want.then, *want.leaf, *(name for name, holds in said.items() if holds)}
 
 
 def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | None]:
@@ -170,7 +195,7 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     row = preparations()[foods.made]
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     cut = bool(want.make) and bool(known.state(want.make).fine)
-    want = replace(want, cooked=want.cooked or bool(row.get("said")))
+    want = replace(want, cooked=row.get("said", want.cooked))
     if "make" in row and (row.get("always") or not cut):
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
     if "then" in row and not want.then and not cut:

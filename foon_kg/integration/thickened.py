@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.frames import Line
+from foon_kg.integration.patterns import STIR, with_line
 from foon_kg.integration.places import Join
-
-_COOKED = Stage(
-    (), "cook and stir", frozenset({"heat", "mix"}), ("spoon",), "cooking pan", "in", "stove", "heat", "", (), 0
-)  # fmt: skip
 
 
 def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:
@@ -31,9 +27,8 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
     meets = baths[0].spot.stage
     if not meets.does.isdisjoint(HEATS) or not flour.spot.stage.does.isdisjoint(HEATS):
         return line, tuple(joins)
-    pan = replace(_COOKED, step=meets.step)
-    became: dict[int, Stage] = {}
-    line = _with_sauce(line, meets, pan, became)
+    pan = replace(STIR, step=meets.step)
+    line, became = with_line(line, meets, Line((pan,)))
     own = (flour, fats[0], *baths)
 
     def moved(join: Join) -> Join:
@@ -47,16 +42,3 @@ def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ..
         return replace(join, spot=replace(spot, stage=pan, after=(first, *rest), side=True), slot=None)
 
     return line, tuple(moved(join) for join in joins)
-
-
-def _with_sauce(line: Line, meets: Stage, pan: Stage, became: dict[int, Stage]) -> Line:
-    """Return a line where a sauce joins one of its stages; ``became`` is what that and those after it are then."""
-    stages = []
-    for stage in line.stages:
-        adds = [_with_sauce(add, meets, pan, became) if isinstance(add, Line) else add for add in stage.adds]
-        if stage is meets:
-            adds.append(Line((pan,)))
-        if any(one is not other for one, other in itertools.zip_longest(adds, stage.adds)):
-            became[id(stage)] = replace(stage, adds=tuple(adds))
-        stages.append(became.get(id(stage), stage))
-    return Line(tuple(stages)) if any(a is not b for a, b in zip(stages, line.stages, strict=True)) else line

@@ -1,4 +1,4 @@
-"""A hot drink is heated in a pot and poured into a glass; of a cold one, what has to steep is."""
+"""What is drunk: whether its video heats it, how it is stirred in its glass, and what comes on top of it."""
 
 from __future__ import annotations
 
@@ -8,23 +8,13 @@ from dataclasses import replace
 from foon_kg.food import tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import MIXES, WORKS
-from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.frames import Line
 from foon_kg.integration.operators import Operators
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.patterns import MIX, STIR
+from foon_kg.integration.places import Join
 
-_POT = Stage(
-    (), "cook and stir", frozenset({"heat", "mix"}), ("spoon",), "pot", "in", "stove", "heat", "mixture", (), 0
-)
-_GLASS = replace(_POT, motion="stir", does=frozenset({"mix"}), tools=("spoon",), vessel="drinking glass")
-_GLASS = replace(_GLASS, appliance="", source="", label="")
-_TOP = replace(_GLASS, motion="", does=frozenset(), tools=())
+_GLASS = replace(MIX, motion="stir", vessel="drinking glass", label="")
 _SLICES = word_list("is a slice on a glass")
-
-
-def is_warmed(joins: Sequence[Join], told: frozenset[str]) -> bool:
-    """Whether what is drunk is hot, by the words of its title: not where something frozen floats in it."""
-    iced = any(join.want.facts.is_a(*word_list("is frozen water")) for join in joins)
-    return not iced and word_list("is drunk cold").isdisjoint(told) and not word_list("is drunk hot").isdisjoint(told)
 
 
 def is_heated(line: Line) -> bool:
@@ -35,39 +25,7 @@ def is_heated(line: Line) -> bool:
 
 def can_be_warmed(operators: Operators) -> bool:
     """Whether any video stirs something over the heat."""
-    return (_POT.motion, _POT.tools) in operators.ways.get("heat", ())
-
-
-def _steeps(joins: Sequence[Join]) -> bool:
-    facts = [join.want.facts for join in joins]
-    return any(one.is_a(*word_list("is steeped")) for one in facts) and any(one.is_a("water") for one in facts)
-
-
-def warmed(line: Line, joins: Sequence[Join], told: frozenset[str]) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that heats in a pot what is drunk hot, or only what has to steep, and pours it into a glass.
-
-    ``told`` are the words of the dish's type and title. What is not heated at all is made as its video makes it.
-    """
-    whole = is_warmed(joins, told)
-    if not whole and not _steeps(joins):
-        return line, tuple(joins)
-    pot, top = replace(_POT), replace(_TOP)
-    glass = replace(_TOP if whole else _GLASS, adds=(Line((pot,)),))  # what is mixed in the pot is only poured
-    if whole:
-        glass, top = replace(glass, vessel="mug"), replace(top, vessel="mug")
-    found = []
-    for join in joins:
-        facts = join.want.facts
-        melts = facts.is_a(*word_list("melts in what is drunk hot"))
-        on_top = whole and not melts and facts.is_a(*word_list("is put on what is drunk hot"))
-        steeped = facts.is_a(*word_list("is steeped")) or (
-            facts.is_a("water") and not facts.is_a(*word_list("is frozen water"))
-        )
-        stage = top if on_top else pot if whole or steeped else glass
-        after = {id(pot): (glass, top), id(glass): (top,), id(top): ()}[id(stage)]
-        spot = replace(join.spot, stage=stage, after=after, side=stage is pot)
-        found.append(Join(join.want, spot, min(join.fit, NATURAL)))
-    return Line((glass, top)), tuple(found)
+    return (STIR.motion, STIR.tools) in operators.ways.get("heat", ())
 
 
 def stirred(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:

@@ -31,6 +31,7 @@ _LONGEST = 2_000  # characters; what is longer is no clause
 
 _TO = frozenset({"in", "into", "on", "onto", "to", "over", "inside", "under", "at", "among", "between"})
 _FROM = frozenset({"from", "off"})
+_OVER = "over"
 _WITH = frozenset({"with", "using"})
 _COVERED_BY = word_list("covers with")
 _SHAPES = word_list("shapes")
@@ -43,6 +44,7 @@ ON_HAND = Place("on", "it")
 """Where a thing goes with which what is at hand is covered."""
 
 _FREES = frozenset({"grate", "separate", "shell"})
+_GIVES = frozenset({"grate", "separate"})
 _YOU = re.compile(r"\b[Yy]ou (\w+)")
 
 Token = Any  # spaCy says nothing of its types
@@ -159,6 +161,8 @@ def _action(verb: Token, verbs: Verbs, called: Token) -> tuple[NarratedAction, b
         for preposition in head.children:
             if preposition.dep_ in {"prep", "agent", "dative"} and preposition != taken:
                 said.add(preposition.lower_, governed(preposition))
+                if head == verb and _goes_over(preposition, said, lemma, verbs):
+                    said.places.append(AT_HAND)
     tools = said.settle(str(verb.lemma_), particle)
     action = NarratedAction(
         f"{lemma} {particle}".strip(),
@@ -194,8 +198,12 @@ def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, 
     particle = " ".join(child.lower_ for child in verb.children if child.dep_ == "prt" or child.lower_ == "aside")
     for child in (child for child in verb.children if child.dep_ == "prt"):
         in_vessel = any(is_vessel(one.name) for one in said.direct) and not verbs.is_said(f"{lemma} {child.lower_}")
-        if child.lower_ in _TO and (in_vessel or _brings(lemma, verbs)):
+        over = child.lower_ == _OVER and not tables().motion(lemma).does.isdisjoint(_GIVES)  # squeeze over the juice
+        if child.lower_ in _TO and (in_vessel or over or _brings(lemma, verbs)):
             particle = ""
+            if any(one.dep_ in OBJECTS and one.i < child.i for one in verb.children) and not governed(child):
+                said.places.append(AT_HAND)
+                continue
             there = [name for name in said.direct if child.lower_ != "in" or is_vessel(name.name)]
             said.direct = [name for name in said.direct if name not in there]  # put in a bowl, pour over the salad
             said.add(child.lower_, [*there, *governed(child)])
@@ -206,6 +214,12 @@ def _particle(verb: Token, lemma: str, verbs: Verbs, said: _Said) -> tuple[str, 
         return particle, None
     said.direct += governed(taken)
     return str(taken.lower_), taken
+
+
+def _goes_over(preposition: Token, said: _Said, lemma: str, verbs: Verbs) -> bool:
+    """Whether a preposition stands alone behind what is brought: drizzle the sauce over."""
+    alone = preposition.lower_ == _OVER and not list(preposition.children)
+    return alone and bool(said.direct) and not said.places and _brings(lemma, verbs)
 
 
 def _brings_or_mixes(verb: str, verbs: Verbs) -> bool:

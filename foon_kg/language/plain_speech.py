@@ -41,8 +41,11 @@ def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     heat = r"(?:\W+(?:heat|flame|speed|power|setting))?\b"
     left = _any_of("goes on by itself when left to it")
     boil = r"\bbring\s+((?:[\w-]+\s+){0,8}?)(?:back\s+)?to\s+(?:an?\s+|the\s+)?(?:[\w-]+\s+)?(boil|simmer)\b"
+    nouns = _any_of("verbs that are given")
     rows = (
         (boil, r"\2 \1"),
+        (rf"\bgive\s+((?:the\s+)?[\w-]+(?:\s+all)?)\s+an?\s+(?:[\w-]+\s+)?({nouns})\b", r"\2 \1"),
+        (r"\bbring\s+((?:[\w-]+\s+){1,4}?)together\b", r"combine \1"),
         (rf"\b(juice|zest)\s+(?:of|from)\s+(?:(?:an?|the|half|of|{number})\s+)*([a-z]+?)s?\b", r"\2 \1"),
         (rf"\b(?:let|allow to)\s+(?=(?:{left})\b)", ""),
         (rf"(?:,\s*)?\b(?:{_any_of('asides in speech')})\b", ""),

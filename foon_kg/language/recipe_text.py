@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from foon_kg.food import tables
+from foon_kg.food import singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model.narration import Mention
@@ -44,7 +44,7 @@ def recipe_text(lines: Sequence[str]) -> RecipeText:
         (place for place in after if heading is not None and _is(lines[place], "headings of instructions")), None
     )
     if end is None:
-        end = next((place for place in after if not _names_an_amount(lines[place])), len(lines))
+        end = next((place for place in after if not _is_listed(lines, place, start)), len(lines))
     if heading is None and end == len(lines):  # nothing would be left to do
         end = 0
     return RecipeText(_without_headings(lines[start:end]), _without_headings([*lines[:start], *lines[end:]]))
@@ -55,8 +55,10 @@ def _begins_with_a_title(lines: Sequence[str]) -> bool:
     if len(lines) < _TITLE_AND_MORE or _names_an_amount(lines[0]) or _STEP.match(lines[0]):
         return False
     ends = [line.rstrip()[-1:] in ".!?;:" for line in (lines[0], lines[-1])]
-    several = 1 < len(lines[0].split()) <= _LONGEST_TITLE
-    return ends == [False, True] and several and not tables().foods.is_listed(lines[0].strip(" -*").lower())
+    least = 1 if _names_an_amount(lines[1]) else _TITLE_AND_MORE
+    short = least <= len(lines[0].split()) <= _LONGEST_TITLE
+    name = singular(lines[0].strip(" -*"))
+    return ends == [False, True] and short and (name in tables().dishes or not tables().foods.is_listed(name))
 
 
 def _without_headings(lines: Iterable[str]) -> tuple[str, ...]:
@@ -75,6 +77,13 @@ def ingredients(lines: Iterable[str]) -> tuple[Mention, ...]:
 
 def _names_an_amount(line: str) -> bool:
     return _AMOUNT.match(line) is not None and _STEP.match(line) is None
+
+
+def _is_listed(lines: Sequence[str], place: int, start: int) -> bool:
+    """Whether a line names an ingredient: with an amount, or behind one that does by a bare name ("salt")."""
+    line = lines[place].strip(" -*\u2022")
+    bare = place > start and line[-1:] not in ".!?;:" and tables().foods.is_listed(line.lower())
+    return _names_an_amount(line) or bare
 
 
 def _is(line: str, headings: str) -> bool:

@@ -410,3 +410,42 @@ def test_what_remains_of_the_listed_ingredients_comes_where_it_is_asked():
     narration = Narration("x", mixes, (Sentence("said"),), ingredients=listed)
     (mix,) = [row.annotation.unit for row in draft(narration, FOON).units if row.annotation.unit.motion == "mix"][-1:]
     assert {"flour", "salt"} <= {node.label for node in mix.input_nodes}
+
+
+def test_a_food_onto_which_others_come_is_in_itself_and_not_listed_so():
+    pour = replace(action("pour", "salt"), places=(Place("over", "potato"),))
+    mix = action("mix", "potato", "egg")
+    (poured, mixed) = from_text(action("peel", "potato"), pour, mix)[-2:]
+    (potato,) = [node for node in poured.output_nodes if node.label == "potato"]
+    assert potato.ingredients == ("salt",)
+    (mixture,) = [node for node in mixed.output_nodes if "mixed" in node.states]
+    assert set(mixture.ingredients) == {"egg", "potato", "salt"}
+
+
+def test_all_of_it_is_what_is_at_hand():
+    for name in ("all", "it"):
+        mix, pour = from_text(action("mix", "egg", "flour", to="bowl"), action("pour", name, to="pot"))
+        (mixture,) = [node for node in mix.output_nodes if "mixed" in node.states]
+        assert mixture.label in {node.label for node in pour.input_nodes}
+        assert name not in {node.label for node in pour.input_nodes}
+
+
+def test_what_is_poured_over_and_is_not_there_yet_comes_onto_what_is_at_hand():
+    over = NarratedAction("pour", (), (Place("over", "salt"),))
+    mix, pour = from_text(action("mix", "egg", "flour", to="bowl"), over)
+    (mixture,) = [node for node in mix.output_nodes if "mixed" in node.states]
+    (after,) = [node for node in pour.output_nodes if node.label == mixture.label]
+    assert set(after.ingredients) == {"egg", "flour", "salt"}
+
+
+def test_no_food_is_brought_onto_a_dish_that_is_only_in_the_foon():
+    labels = {node.label for unit in from_text(action("pour", "onion")) for node in unit.output_nodes}
+    assert labels <= {"onion", "bowl", "cutting board"}
+
+
+def test_what_is_laid_on_a_greased_tray_lies_on_the_tray():
+    oil = replace(action("brush", "butter"), places=(Place("on", "baking tray"),))
+    lay = replace(action("pick-and-place", "potato"), places=(Place("on", "it"),))
+    (unit,) = from_text(oil, lay)[-1:]
+    (potato,) = [node for node in unit.output_nodes if node.label == "potato"]
+    assert potato.container == "baking tray"

@@ -55,6 +55,19 @@ def test_places_instruments_results_and_products():
     assert (season.objects, season.places) == ((Mention("salt"),), (Place("on", "salad"),))
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("text", ["Pour the cream over.", "Sprinkle the cheese over."])
+def test_what_is_brought_over_comes_onto_what_is_at_hand(text):
+    (action,) = actions(text)
+    assert [one.name for one in action.objects] == [text.split()[2]]
+    assert action.places == (Place("into", "it"),)
+
+
+def test_a_stir_that_is_given_is_stirring():
+    (stir,) = actions("Give it all a good stir.")
+    assert (stir.verb, {one.name for one in stir.objects} <= {"it", "all"}) == ("stir", True)
+
+
 def test_what_comes_in_is_what_is_said_after_in():
     into = (Place("into", "it"),)
     for text, name in (

@@ -9,8 +9,8 @@ from foon_kg.food.lists import word_lists
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Foods, Part, preparations, techniques, ways, works
 
-ROWS = (*techniques(), *ways())
-SAID = {"as mash", "in one piece", "several"}
+ROWS = (*techniques(), *(row for when in ("ways", "dipped", "flesh", "warmed", "blended") for row in ways(when)))
+SAID = {"as mash", "due", "in one piece", "in pieces", "portion", "raw", "runs", "several"}
 """What ways ask of how a food is named and comes, and no state."""
 
 PLANS = {"cold", "one pot"}
@@ -36,9 +36,11 @@ def test_a_technique_names_only_what_the_tables_know(technique):
     assert {line for part in parts(technique) for line in part.lines} == technique.lines.keys() - {"dish"}
     assert technique.plan <= PLANS
     assert {name.removeprefix("!") for name in technique.dishes} <= Dish.__dataclass_fields__.keys()
-    assert {name.removeprefix("!") for name in technique.video} <= {"heat", "oven"}
+    assert {name.removeprefix("!") for name in technique.video} <= {"baked", "blend", "heat", "oven", "turn"}
     known = tables()
-    assert {one.state for one in meant(technique)} <= {"", *SAID, *known.states}
+    assert {name.removeprefix("!") for one in meant(technique) for name in one.state.split("&")} <= {
+        "", *SAID, *known.states,
+    }  # fmt: skip
     traits = {trait for kind in known.foods.kinds.values() for trait in kind.traits}
     for term in (term.lstrip("!%").removeprefix("kind:") for one in meant(technique) for term in one.terms):
         named = term in known.foods.kinds or term in traits or known.foods.is_listed(term)
@@ -98,6 +100,8 @@ def test_foods_are_meant_by_what_is_around_them(text, food, is_meant):
         ("@is creamed", (), True),
         ("butter=melted", ("melted",), True),
         ("butter=melted", ("stick",), False),
+        ("butter=melted&!salted", ("melted",), True),
+        ("butter=melted&!salted", ("melted", "salted"), False),
         ("*", (), True),
     ],
 )

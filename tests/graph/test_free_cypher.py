@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import neo4j
 import pytest
 from kitchen_stories import SALAD, subgraph
@@ -295,3 +297,27 @@ def test_with_write_the_graph_changes_and_the_changes_are_counted(empty_graph):
         assert made.rows == (("x",),)
         assert made.changes == {"labels_added": 1, "nodes_created": 1, "properties_set": 1}
         assert ask_freely(connection, "MATCH (n:Note) RETURN count(n) AS n").rows == ((1,),)
+
+
+def test_two_changes_that_wait_for_each_other_are_made_one_after_the_other(empty_graph):
+    """Neo4j ends one of them, of which nothing stays: it is the one that holds fewer locks."""
+    settings = empty_graph
+    typed = "MATCH (b:Note {k: 0}) SET b.by = 'typed' WITH b MATCH (a:Note {k: 1}) SET a.by = 'typed'"
+    with (
+        Connection(settings) as connection,
+        neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver,
+        ThreadPoolExecutor(1) as another,
+        driver.session() as session,
+    ):
+        driver.execute_query("UNWIND range(0, 200) AS k CREATE (:Note {k: k})")
+        with session.begin_transaction() as held:
+            held.run("MATCH (n:Note) WHERE n.k > 0 SET n.by = 'held'").consume()
+            waiting = another.submit(ask_freely, connection, typed, write=True, timeout=300)
+            blocked = "SHOW TRANSACTIONS YIELD status WHERE status STARTS WITH 'Blocked' RETURN status"
+            while not driver.execute_query(blocked).records and not waiting.done():
+                pass
+            held.run("MATCH (n:Note {k: 0}) SET n.by = 'held'").consume()
+            held.commit()
+        assert waiting.result().changes == {"properties_set": 2}
+        by = driver.execute_query("MATCH (n:Note) RETURN n.by AS by, count(n) AS n").records
+        assert {row["by"]: row["n"] for row in by} == {"typed": 2, "held": 199}

@@ -18,13 +18,12 @@ from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.layouts import Spot
 from foon_kg.integration.parts import baked_at_last
 from foon_kg.integration.places import Join
-from foon_kg.integration.portions import in_portions
 from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
 from foon_kg.integration.techniques import as_a_way_says
-from foon_kg.integration.warmed import garnished, stirred, warmed
+from foon_kg.integration.warmed import garnished, stirred
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner
 from foon_kg.planning.settings import PlanSettings
@@ -56,8 +55,8 @@ def told(line, joins):
     return list(walk(line))
 
 
-def by_way(line, joins, title, dishes=()):
-    return as_a_way_says(line, joins, dishes, title.split(), tables())
+def by_way(line, joins, title, dishes=(), **asked):
+    return as_a_way_says(line, joins, dishes, title.split(), tables(), **asked)
 
 
 def test_a_dressing_is_mixed_by_itself_and_comes_over_the_rest():
@@ -104,7 +103,7 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
 def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     line = Line((stage("mix", {"mix"}),))
     joins = joins_at(line, 0, "chicken breast", "flour", "egg", "breadcrumb", "mozzarella", "tomato sauce")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
     assert told(line, joins)[:4] == [
         ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
@@ -114,7 +113,7 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
 def test_whole_portions_that_were_fried_are_not_stirred_with_their_sauce():
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "sole fillet", "flour", "butter", "lemon juice")
-    made, _ = coated_alone(line, joins, frozenset(), tables())
+    made, _ = coated_alone(line, joins, tables())
     assert [one.motion for one in made.stages] == ["cook", ""]
 
 
@@ -122,7 +121,7 @@ def test_nothing_is_coated_where_no_crumbs_are_or_something_else_has_to_be_cooke
     line = Line((stage("mix", {"mix"}),))
     for foods in (("chicken breast", "flour", "egg"), ("chicken breast", "egg", "breadcrumb", "potato")):
         joins = joins_at(line, 0, *foods)
-        assert coated_alone(line, joins, frozenset(), tables()) == (line, joins)
+        assert coated_alone(line, joins, tables()) == (line, joins)
 
 
 def test_what_is_shaped_of_a_mass_is_not_coated():
@@ -134,7 +133,7 @@ def test_what_is_shaped_of_a_mass_is_not_coated():
 def test_flesh_in_one_piece_is_coated_though_its_video_shapes_patties():
     line = Line((stage("shape", {"shape"}), stage("", (), vessel="plate")))
     joins = joins_at(line, 1, "cod fillet", "flour", "egg", "breadcrumb")
-    line, joins = coated_alone(line, joins, frozenset(), tables())
+    line, joins = coated_alone(line, joins, tables())
     assert ("cook", set()) in told(line, joins)
 
 
@@ -179,7 +178,7 @@ def test_bread_lies_below_and_above():
 def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
     line = Line((stage("blend", {"blend", "mix"}),))
     joins = joins_at(line, 0, "milk", "cocoa powder", "whipped cream")
-    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
+    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
         ("cook and stir", {"milk", "cocoa powder"}),
         ("", set()),
         ("", {"whipped cream"}),
@@ -189,7 +188,7 @@ def test_a_hot_drink_is_heated_in_a_pot_and_has_its_foam_on_top():
 def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
     line = Line((stage("blend", {"blend", "mix"}),))
     joins = joins_at(line, 0, "milk", "dark chocolate", "marshmallow")
-    assert told(*warmed(line, joins, frozenset({"hot", "chocolate"}))) == [
+    assert told(*by_way(line, joins, "hot chocolate", when="warmed")) == [
         ("cook and stir", {"milk", "dark chocolate"}),
         ("", set()),
         ("", {"marshmallow"}),
@@ -200,10 +199,9 @@ def test_chocolate_melts_in_a_hot_drink_and_candy_lies_on_it():
 def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
     line = Line((stage("stir", {"mix"}),))
     joins = joins_at(line, 0, "tea bag", "water", "sugar", "ice")
-    assert told(*warmed(line, joins, frozenset(title.split()))) == [
+    assert told(*by_way(line, joins, title, when="warmed")) == [
         ("cook and stir", {"tea bag", "water"}),
         ("stir", {"sugar", "ice"}),
-        ("", set()),
     ]
 
 
@@ -211,7 +209,7 @@ def test_of_a_drink_with_ice_only_what_steeps_is_heated(title):
 def test_what_is_called_cold_is_not_heated(title):
     line = Line((stage("stir", {"mix"}),))
     joins = joins_at(line, 0, "milk", "sugar")
-    assert warmed(line, joins, frozenset(title.split())) == (line, joins)
+    assert by_way(line, joins, title, when="warmed") == (line, joins)
 
 
 def laid(*foods, title="burger"):
@@ -272,7 +270,7 @@ def test_what_is_soft_is_smeared_on_slices_before_they_are_baked():
 
 def portioned(*foods, title="", baked=False):
     line = Line((stage("cook and stir", {"heat", "mix"}, vessel="cooking pan", appliance="stove"),))
-    return told(*in_portions(line, joins_at(line, 0, *foods), frozenset(title.split()), tables(), baked=baked))
+    return told(*by_way(line, joins_at(line, 0, *foods), title, when="flesh", baked=baked))
 
 
 def test_flesh_in_portions_is_fried_on_both_sides_before_its_sauce_comes():
@@ -368,7 +366,7 @@ def test_what_is_not_called_so_has_no_crust():
 def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_is_fried_by_itself(thin):
     line = Line((stage("cook", {"heat"}, vessel="cooking pan", appliance="stove"),))
     joins = joins_at(line, 0, "cod fillet", "flour", thin, "potato", "oil", "salt")
-    line, joins = coated_alone(line, joins, frozenset({"fish", "chip"}), tables())
+    line, joins = by_way(line, joins, "fish chip", when="dipped")
     assert told(line, joins) == [
         ("mix", {"flour", thin, "salt"}),
         ("mix", {"cod fillet"}),
@@ -383,7 +381,7 @@ def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_i
 def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
     line = Line((stage("bake", {"heat", "dry"}, vessel="baking tray", appliance="oven"),))
     joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
-    found = told(*coated_alone(line, joins, frozenset({"french", "toast"}), tables()))
+    found = told(*by_way(line, joins, "french toast", when="dipped"))
     assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
     assert found[1] == ("mix", {"bread"})
     assert found[-1] == ("", {"maple syrup"})

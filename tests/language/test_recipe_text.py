@@ -19,6 +19,13 @@ def test_lines_with_amounts_at_the_top_are_ingredients():
     )
 
 
+def test_a_title_of_one_word_and_a_food_without_an_amount_stand_with_the_amounts():
+    assert recipe_text(("Brownies", "200 g butter", "3 eggs", "salt", *STEPS)) == (
+        ("200 g butter", "3 eggs", "salt"),
+        STEPS,
+    )
+
+
 def test_headings_tell_the_parts_apart():
     lines = ("Ingredients:", "2 eggs", "salt", "## Directions", *STEPS)
     assert recipe_text(lines) == (("2 eggs", "salt"), STEPS)
@@ -52,3 +59,10 @@ def test_an_ingredient_is_taken_by_the_words_that_people_use_of_it():
     assert larder.left() == (Mention("salt"),)
     larder.take("salt")
     assert larder.left() == ()
+
+
+def test_a_shorter_name_speaks_of_the_ingredient_that_begins_with_it():
+    larder = Larder.of([Mention("chicken thighs"), Mention("soy sauce")])
+    assert larder.take("chicken") == Mention("chicken thighs")
+    assert larder.names(["chicken"])
+    assert not larder.names(["turkey"])

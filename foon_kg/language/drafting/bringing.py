@@ -58,8 +58,8 @@ class Bringing:
         """Return what goes in and comes out where a food is brought onto another, which has it on it then."""
         scene = self.maker.scene
         onto, brought = scene.foods[target], inputs[0]
-        added = tuple(one for one in (brought.ingredients or (brought.label,)) if one not in onto.ingredients)
-        covered = replace(onto, ingredients=(*(onto.ingredients or (onto.label,)), *added))
+        added = tuple(one for one in scene.parts(brought) if one not in scene.parts(onto))
+        covered = replace(onto, ingredients=(*onto.ingredients, *added))
         scene.forget([brought.label])
         if onto.container is not None and self.maker.nodes.in_utensil(onto):
             scene.focus = onto.container

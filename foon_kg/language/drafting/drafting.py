@@ -131,6 +131,7 @@ class _Drafter:
         if not action.places and brings_back(action.verb, action.said):
             homes = [self._scene.hands.place_of(one.name) for one in action.objects[:1]]
             action = replace(action, places=tuple(Place("in", home) for home in homes if home is not None))
+        action = self._referents.turned(action)
         places = self._referents.places(action)
         action, reading = self._with_appliances(replace(action, places=places), reading)
         places = action.places

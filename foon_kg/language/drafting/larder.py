@@ -27,17 +27,24 @@ class Larder:
     def take(self, name: str) -> Mention | None:
         """Return the ingredient that ``name`` speaks of, and remember that it was used; the beans of black beans."""
         wanted = canonical(name)
-        names = [wanted] if wanted in self.listed else self._alike(set(wanted.split()), wanted.split()[-1:])
+        names = [wanted] if wanted in self.listed else self._alike(wanted.split())
         if len(names) != 1:
             return None
         self.used.add(names[0])
         return self.listed[names[0]]
 
-    def _alike(self, words: set[str], head: list[str]) -> list[str]:
+    def names(self, words: Iterable[str]) -> bool:
+        """Return whether an ingredient is listed whose name has these words: the chicken of chicken thighs."""
+        wanted = set(words)
+        return any(wanted <= set(name.split()) for name in self.listed)
+
+    def _alike(self, wanted: list[str]) -> list[str]:
+        words, head = set(wanted), wanted[-1:]
         shorter = [name for name in self.listed if words < set(name.split()) and name.split()[-1:] == head]
         longer = [name for name in self.listed if set(name.split()) < words and name.split()[-1:] == head]
         unused = [name for name in shorter if name not in self.used]
-        return unused[:1] or shorter or longer
+        parts = [name for name in self.listed if words < set(name.split()) and name.split()[: len(wanted)] == wanted]
+        return unused[:1] or shorter or longer or parts
 
     def left(self) -> tuple[Mention, ...]:
         """Return what nobody has used yet."""

@@ -19,6 +19,7 @@ from foon_kg.model import Annotation, FunctionalUnit, ObjectNode, Participant, T
 from foon_kg.model.narration import NarratedAction
 
 _COOKS = frozenset({"heat", "warm"})
+_READY = word_list("is made ready for the oven")
 TURN_ON, TURN_OFF = "turn on", "turn off"
 
 
@@ -105,6 +106,9 @@ class Maker:
         row, heater = tables().utensil(at or ""), tables().utensil(source)
         if at is None or row is None:
             return False
+        ready = at in self.scene.utensils and not _READY.isdisjoint(self.scene.utensils[at].states)
+        if ready and "dry" in tables().motion(motion).does:
+            return True
         if heater is not None and "microwave" in heater.group:
             return "microwave" in row.can
         return not row.can.isdisjoint({"bake"} if "dry" in tables().motion(motion).does else {"cook", "heat"})

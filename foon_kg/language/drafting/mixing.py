@@ -66,6 +66,7 @@ class Mixing:
         tools = nodes.tools(action, next(iter(likes.values()), Precedents(())), [at, *(node.label for node in left)])
         mixture = self._mixture(action, motion, foods, at, evidence)
         scene.forget(names)
+        scene.mixed.add(mixture.label)
         scene.focus, scene.last = at, (mixture.label,)
         held = replace(filled(vessel, [mixture.label]), ingredients=(mixture.label,))
         inputs = [vessel, *left, *foods, *tools]
@@ -75,7 +76,7 @@ class Mixing:
         self, action: NarratedAction, motion: str, foods: Sequence[ObjectNode], at: str, evidence: Evidence
     ) -> ObjectNode:
         label = action.product or self._name_of(foods)
-        made_of = dict.fromkeys(part for food in foods for part in (food.ingredients or (food.label,)))
+        made_of = dict.fromkeys(part for food in foods for part in self.maker.scene.parts(food))
         parts = tuple(part for part in made_of if part != label) or tuple(made_of)
         if action.product is None and label not in {food.label for food in foods}:
             evidence.doubts.append(f"nobody names what {motion} makes: called “{label}”")
@@ -84,7 +85,7 @@ class Mixing:
 
     def _name_of(self, foods: Sequence[ObjectNode]) -> str:
         """Return what to call a mixture: as what it was before, else after its first food; each its own name."""
-        made = [food.label for food in foods if len(food.ingredients) > 1]
+        made = [food.label for food in foods if food.label in self.maker.scene.mixed]
         if made:
             return made[0]
         others = set(self.maker.scene.foods)

@@ -32,6 +32,8 @@ def rename(scene: Scene, label: str, name: str) -> None:
     scene.last = tuple(name if one == label else one for one in scene.last)
     if label in scene.sure:
         scene.sure[name] = scene.sure.pop(label)
+    if label in scene.mixed:
+        scene.mixed.add(name)
 
 
 def _makes(unit: FunctionalUnit, label: str) -> bool:

@@ -59,11 +59,16 @@ class NodeDrafter:
             relation, container = self.precedents.relation(origin), origin
         elif at is not None:
             relation, container = self.precedents.relation(at), at
-        elif container is not None and (container == away_from or self._in_use(container) or _prepares(container)):
+        elif container is not None and self._is_elsewhere(container, away_from):
             relation, container = None, None  # the FOON's bowl is another one than the bowl of this dish
         node = ObjectNode(mention.name, states, (), relation, container)
         self._place(node)
         return node
+
+    def _is_elsewhere(self, container: str, away_from: str | None) -> bool:
+        """Whether the place that the FOON has for a food is none of this dish: in use, or a food that is not there."""
+        food = not self.precedents.kitchen.is_utensil(container) and container not in self.scene.foods
+        return food or container == away_from or self._in_use(container) or _prepares(container)
 
     def _start(
         self, mention: Mention, like: Precedents, evidence: Evidence
@@ -170,9 +175,10 @@ class NodeDrafter:
             return focus
         if like.rows:
             (_, container), share = like.place_after()
-            if container is not None and container not in (before.container, mention.name):
+            there = container in self.scene.foods or self.precedents.kitchen.is_utensil(container or "")
+            if container is not None and there and container not in (before.container, mention.name):
                 evidence.weigh(share * SOMETHING, f"nobody says where to: taken as the {container}")
-                return container if self.precedents.kitchen.is_utensil(container) else self._food_place(container)
+                return container
         evidence.weigh(IMPLIED, "nobody says where to")
         return None
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from foon_kg.food import motions, singular, tables
 from foon_kg.food.lists import word_list
@@ -27,12 +27,15 @@ _ON_TOP = word_list("is the outside of what is at hand")
 _ANOTHER = word_list("is another vessel")
 _INGREDIENTS = word_list("speaks of ingredients")
 _DRY, _WET = word_list("speaks of what is dry"), word_list("speaks of what is wet")
+_COATS = frozenset({"coat", "grease", "spread"})
 _BOTH = 2
+IT = "it"
 _RAW = frozenset({"boil", "cook", "peel", "wash"})
 _SEVERAL = word_list("speaks of several")
 _IS_DRY = word_list("is dry in a batter") | word_list("sweetens a batter")
 _REMAINING = word_list("speaks of what remains")
 _DETERMINERS = word_list("says nothing of a thing")
+_ALL = word_list("speaks of all of it")
 
 
 @dataclass
@@ -69,7 +72,7 @@ class Referents:
                 named += ingredients or map(Mention, several or self._everything(mention.name, besides))
                 continue
             label = self.thing(mention.name, besides) or (self._merged(mention.name) if merged else None)
-            if label is not None:
+            if label is not None and not (label in self.scene.foods and self._greases(action, mention.name, label)):
                 named.append(Mention(label, mention.states))
             else:
                 named.append(self._new(mention))
@@ -78,6 +81,21 @@ class Referents:
             if named:
                 doubts.append(f"nobody says what “{action.verb}” is done to: taken as what is at hand")
         return tuple(dict.fromkeys(named)), tuple(doubts)
+
+    def turned(self, action: NarratedAction) -> NarratedAction:
+        """Return "pour over the cream" as "pour the cream over" where no cream is there that anything comes onto."""
+        if action.objects or len(action.places) != 1 or not self._hand():
+            return action
+        (place,) = action.places
+        if place.relation != "over" or self.precedents.kitchen.is_utensil(place.name):
+            return action
+        called = dict(self.called)
+        words = canonical(place.name).split()
+        there = is_everything(place.name) or is_outside(place.name) or self.thing(place.name) is not None
+        self.called = called
+        if there or (len(words) == 1 and self._is_dish(words)):
+            return action
+        return replace(action, objects=(Mention(place.name),), places=(Place("into", IT),))
 
     def places(self, action: NarratedAction) -> tuple[Place, ...]:
         """Return the places of an action by their names in the scene; what is no place is left out."""
@@ -91,7 +109,7 @@ class Referents:
             elif (mixed := self._dry_or_wet(name)) is not None:
                 found.append(Place(place.relation, mixed))
             elif is_everything(name) or is_outside(name):
-                found += [Place(place.relation, label) for label in self._hand()]
+                found += [Place(place.relation, label) for label in self._greased() or self._hand()]
             elif (label := self.thing(name, besides) or self._merged(name)) is not None:
                 found.append(Place(place.relation, label))
             elif self._is_dish(canonical(name).split()) and (vessel := self.scene.lying(besides)) is not None:
@@ -131,6 +149,14 @@ class Referents:
         listed = known in self.precedents.labels or tables().foods.is_listed(known)
         return self.title is not None and not listed and name.lower() in tables().states
 
+    def _greases(self, action: NarratedAction, name: str, label: str) -> bool:
+        """Whether empty vessels are brushed with a fat that is in a dish by now: more of it is taken for that."""
+        if "fat" not in tables().foods.food(name).traits or len(self.scene.parts(self.scene.foods[label])) == 1:
+            return False
+        vessels = [one.name for one in action.places if self.precedents.kitchen.is_utensil(one.name)]
+        empty = len(vessels) == len(action.places) > 0 and not any(map(self.scene.held, vessels))
+        return empty and not tables().motion(action.verb).does.isdisjoint(_COATS)
+
     def _dry_or_wet(self, name: str) -> str | None:
         """Return the mixture of what is dry, or of what is not, where both were mixed: "the wet ingredients"."""
         words = set(canonical(name).split())
@@ -140,7 +166,7 @@ class Referents:
         foods = tables().foods
         shares = {}
         for label in made:
-            parts = self.scene.foods[label].ingredients
+            parts = self.scene.parts(self.scene.foods[label])
             shares[label] = sum(foods.food(part).is_a(*_IS_DRY) for part in parts) / len(parts)
         best = max if not words.isdisjoint(_DRY) else min
         return best(shares, key=lambda label: shares[label])
@@ -151,7 +177,7 @@ class Referents:
             return None
         words = set(canonical(split_name(name)[1]).split())
         for label in reversed(self.scene.made()):
-            if any(words <= set(canonical(part).split()) for part in self.scene.foods[label].ingredients):
+            if any(words <= set(canonical(part).split()) for part in self.scene.parts(self.scene.foods[label])):
                 return label
         return None
 
@@ -200,7 +226,7 @@ class Referents:
         """Whether a name is that of a dish: nothing that is bought for one."""
         groups = food_groups()
         name = " ".join(words)
-        if self.larder.listed and words[-1] in tables().dishes and self.larder.take(name) is None:
+        if self.larder.listed and words[-1] in tables().dishes and not self.larder.names(words):
             return True
         if not tables().foods.food(name).owes.keys().isdisjoint(_RAW):
             return False  # potatoes are dishes by no other sign than their name
@@ -239,6 +265,14 @@ class Referents:
             return hand
         others = [label for label in (*reversed(self.scene.last), *reversed(self.scene.made())) if label not in besides]
         return tuple(label for label in others if label in self.scene.foods)[:1]
+
+    def _greased(self) -> tuple[str, ...]:
+        """Return the vessel at hand in which only fat is: things are laid on the tray, and not on its oil."""
+        hand = self._hand()
+        fat = all("fat" in tables().foods.food(label).traits for label in hand)
+        bare = all(len(self.scene.parts(self.scene.foods[label])) == 1 for label in hand)
+        at = {self.scene.foods[label].container for label in hand}
+        return (self.scene.focus,) if hand and fat and bare and at == {self.scene.focus} and self.scene.focus else ()
 
     def _hand(self) -> tuple[str, ...]:
         return self.scene.at_hand()
@@ -292,8 +326,9 @@ class Referents:
 
 def is_everything(name: str) -> bool:
     """Whether a name is a pronoun, or speaks of all that is there."""
-    words = set(canonical(name).split()) - _DETERMINERS
-    return name.lower() in PRONOUNS | _SEVERAL or (bool(words) and words <= EVERYTHING)
+    said = set(canonical(name).split())
+    words = said - _DETERMINERS
+    return name.lower() in PRONOUNS | _SEVERAL or (words <= EVERYTHING if words else said <= _ALL)
 
 
 def is_outside(name: str) -> bool:

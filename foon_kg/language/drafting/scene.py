@@ -24,8 +24,9 @@ class Scene:
     """The objects of one narration as they are now; labels are those of the FOON, or as narrated.
 
     ``focus`` is the vessel that something was last brought to or done in, ``last`` the foods of the last action.
-    ``sure`` says how sure the states of a food are; ``coming`` has, by canonical name, the first motion that will open
-    or heat a food that is only moved before.
+    ``sure`` says how sure the states of a food are; ``mixed`` has the labels of what several foods became one of: the
+    others have themselves in them, and what is on them; ``coming`` has, by canonical name, the first motion that will
+    open or heat a food that is only moved before.
     """
 
     kitchen: Kitchen
@@ -34,6 +35,7 @@ class Scene:
     focus: str | None = None
     last: tuple[str, ...] = ()
     sure: dict[str, float] = field(default_factory=dict)
+    mixed: set[str] = field(default_factory=set)
     coming: dict[str, str] = field(default_factory=dict)
     hands: Hands = field(default_factory=Hands)
 
@@ -68,7 +70,12 @@ class Scene:
 
     def made(self) -> tuple[str, ...]:
         """Return the foods that are made of several, in the order in which they were last touched."""
-        return tuple(label for label, food in self.foods.items() if len(food.ingredients) > 1)
+        return tuple(label for label, food in self.foods.items() if len(self.parts(food)) > 1)
+
+    def parts(self, food: ObjectNode) -> tuple[str, ...]:
+        """Return the foods that are in a food: itself, where it is no mixture, and what came onto it."""
+        others = tuple(part for part in food.ingredients if part != food.label)
+        return others if others and food.label in self.mixed else (food.label, *others)
 
     def another(self, vessel: str) -> str:
         """Return the name of an empty vessel like ``vessel``: another of its group, else the same with a number."""

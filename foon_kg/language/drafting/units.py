@@ -179,9 +179,9 @@ class UnitDrafter:
         states = self.nodes.become(before, like, action, evidence)
         after = replace(before, states=states, label=action.product or before.label)
         if with_:
-            added = dict.fromkeys(part for one in with_ for part in (one.ingredients or (one.label,)))
-            own = before.ingredients or (before.label,)
-            after = replace(after, ingredients=(*own, *(part for part in added if part not in own)))
+            added = dict.fromkeys(part for one in with_ for part in self.scene.parts(one))
+            own = self.scene.parts(before)
+            after = replace(after, ingredients=(*before.ingredients, *(part for part in added if part not in own)))
         if after == before and not like.rows:
             evidence.doubts.append(f"the FOON does not say what {motion} changes")
         there = self.nodes.in_utensil(before) and (like.with_vessel or at)
@@ -192,7 +192,8 @@ class UnitDrafter:
         held = vessel
         if action.product is not None:
             self.scene.forget([before.label])
-            after = replace(after, ingredients=before.ingredients or (before.label,))
+            after = replace(after, ingredients=self.scene.parts(before))
+            self.scene.mixed.add(after.label)
             held = [filled(emptied(one, [before.label]), [after.label]) for one in vessel]
         if after == before and not with_ and (moved or away is not None):  # spread into the pan: so it comes there
             moved = moved or self._maker.moved([after.label], away or "", action)

@@ -9,6 +9,7 @@ tells about the server (``SHOW …``, but for indexes and constraints). So its w
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -49,6 +50,7 @@ _ASKED_FOR_ITS_PLAN = "EXPLAIN\n"
 _AT_ONCE = "Eager"
 """The operator that has all rows there before the next one goes on."""
 _ACCESS_MODE = "Neo.ClientError.Statement.AccessMode"
+_WAITED_FOR_EACH_OTHER = "Neo.TransientError.Transaction.DeadlockDetected"
 _TIMED_OUT = "Neo.ClientError.Transaction.TransactionTimedOut"
 _NO_MEMORY = ("Neo.TransientError.General.OutOfMemoryError", "Neo.TransientError.General.MemoryPoolOutOfMemoryError")
 
@@ -77,7 +79,7 @@ def ask_freely(
     limit: int = ROW_LIMIT,
     timeout: float = TIME_LIMIT,
 ) -> Answer:
-    """Run ``text`` once, without retries, and return at most ``limit`` rows.
+    """Run ``text`` once, and return at most ``limit`` rows; a change that had to be ended for another's is tried again.
 
     Raises :class:`~foon_kg.model.errors.WriteRefused` for anything but a look at the graph (unless ``write``),
     GraphError where the text is no Cypher, fails, takes longer than ``timeout`` seconds (``timeout``; the server is
@@ -101,7 +103,7 @@ def ask_freely(
                     return _answered_plan(planned.summary.plan, planned.warnings, limit)
                 if planned is None:
                     same = endable != bounded and _to_write(session, text, endable, parameters, timeout)
-                    return _run(session, endable if same else bounded, parameters, limit, timeout)
+                    return _run_again(session, endable if same else bounded, parameters, limit, timeout)
                 answer = _run(session, endable, parameters, limit, timeout)
                 columns = answer.columns if planned.mode else planned.columns
                 return replace(answer, columns=columns, warnings=planned.warnings)
@@ -237,6 +239,34 @@ def _run(session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None
     changes = {name: count for name, count in sorted(counters.items()) if type(count) is int and count}
     rows = tuple(tuple(record.values()) for record in records[:limit])
     return Answer(columns, rows, len(records) > limit, changes)
+
+
+def _run_again(
+    session: neo4j.Session, text: str, parameters: Mapping[str, Any] | None, limit: int, timeout: float
+) -> Answer:
+    """Run what may write; until time is up again, where it and another had to wait for each other: nothing of it stays.
+
+    Where it makes transactions of its own some of them may stay: such a question is not asked again.
+    """
+    until = time.monotonic() + timeout
+    again = not any(token.lower in {"transaction", "transactions"} for token in read_pieces(text))
+    while True:
+        try:
+            return _run(session, text, parameters, limit, timeout)
+        except driver_errors.TransientError as error:
+            if error.code != _WAITED_FOR_EACH_OTHER:
+                raise
+            if not again or time.monotonic() >= until:
+                raise _waited(again=again) from error
+
+
+def _waited(*, again: bool) -> GraphError:
+    told = "nothing was changed" if again else "what its earlier transactions changed stays"
+    return GraphError(
+        f"this and another change waited for each other, and this was ended: {told}",
+        hint="Ask again.",
+        code="waited",
+    )
 
 
 def _too_large() -> GraphError:
