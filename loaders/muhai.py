@@ -127,7 +127,7 @@ def read_muhai_text(text: str, name: str, file: str = "") -> ReadResult:
     else:
         units = _with_goal(scene.units, name)
     notes = (Annotation(unit, measures=measures) for unit, measures in zip(units, scene.measures, strict=True))
-    return journal.result(name, list(notes), ())
+    return journal.result(name, list(notes), (), scene.lines)
 
 
 def _networks(definition: Form) -> Iterator[Form]:
@@ -168,9 +168,13 @@ class _Scene:
     def __init__(self, journal: Journal) -> None:
         self.units: list[FunctionalUnit] = []
         self.measures: list[Measures] = []
+        self.lines: list[int] = []
         self._oven: float | None = None
         self._journal = journal
         self._held: dict[str, _Held] = {}
+        self._became: dict[str, str] = {}
+        self._used: list[str] = []
+        self._line = 0
 
     def play(self, primitive: Form) -> None:
         """Add the unit of one primitive; what cannot be understood is told with its line."""
@@ -184,6 +188,7 @@ class _Scene:
             self._journal.reject(primitive.line, problem)
             return
         before = len(self.units)
+        self._used, self._line = [], primitive.line
         try:
             rule.act(self, words)
             if len(self.units) > before:
@@ -211,18 +216,40 @@ class _Scene:
         self.measures.append(Measures(amounts, seconds, celsius))
 
     def bind(self, variable: str, held: _Held) -> None:
+        """Let ``variable`` stand for ``held``; what was used for it is that by now."""
         self._held[variable] = held
+        self._became.pop(variable, None)
+        self._became.update((used, variable) for used in self._used if used != variable)
 
     def vessel(self, variable: str, otherwise: str) -> _Held:
         """Return what ``variable`` stands for; a fresh vessel where nothing made it."""
-        return self._held.get(variable) or _Held(otherwise)
+        return self._held.get(self._now(variable)) or _Held(otherwise)
 
     def filled(self, variable: str) -> _Held:
         """Return a vessel with food in it. Raises ``_NotThere`` where there is none."""
-        held = self._held.get(variable)
+        held = self._held.get(self._now(variable))
         if held is None or not held.foods:
             raise _NotThere(variable)
         return held
+
+    def beside(self, variable: str) -> _Held:
+        """Return a vessel with food in it, of which only some is used. Raises ``_NotThere`` where there is none."""
+        used = list(self._used)
+        held = self.filled(variable)
+        self._used = used
+        return held
+
+    def _now(self, variable: str) -> str:
+        """Return the variable that stands by now for what ``variable`` stood for, and note that it is used."""
+        now = variable
+        while now in self._became and now in self._held and self._held[now].foods:  # an empty one is another each time
+            now = self._became[now]
+        self._used.append(now)
+        if now != variable:
+            what = f"{variable} was used up by a primitive before"
+            action = f"taken for what became of it, {now}"
+            self._journal.remark(self._line, Remark(NoticeKind.NOT_PLAYED, what, action))
+        return now
 
     def tool(self, words: Sequence[str], place: int, otherwise: str) -> ObjectNode:
         """Return the tool at ``place``: what was fetched for it, what its name says, or the usual one."""
@@ -236,6 +263,7 @@ class _Scene:
     ) -> None:
         sides = (tuple(Participant(node) for node in dict.fromkeys(side)) for side in (inputs, outputs))
         self.measures.append(UNMEASURED)
+        self.lines.append(self._line)
         self.units.append(FunctionalUnit(next(sides), motion, next(sides), accepts_any=star))
 
     def change(
@@ -318,7 +346,7 @@ def _sprinkle(scene: _Scene, words: Sequence[str]) -> None:
 
 
 def _dip(scene: _Scene, words: Sequence[str]) -> None:
-    coat, body = scene.filled(words[4]), scene.filled(words[3])
+    coat, body = scene.beside(words[4]), scene.filled(words[3])
     names = tuple(food.label for food in coat.foods)
     after = body.of(replace(f, states=(*f.states, "coated"), ingredients=(*f.ingredients, *names)) for f in body.foods)
     scene.add("dip", (body.node(), *body.foods, coat.node(), *coat.foods), (after.node(), *after.foods, coat.node()))

@@ -72,6 +72,29 @@ def test_what_is_baked_is_baked_as_hot_as_the_oven_was_heated() -> None:
     assert told == [("turn on", Measures(celsius=180)), ("bake", Measures(seconds=1800, celsius=180))]
 
 
+def test_a_variable_that_was_used_up_stands_for_what_became_of_it_and_that_is_told() -> None:
+    """MUHAI's oatmeal cookies pour the eggs onto the bowl from which the flour was sifted."""
+    stale = BREAD.replace("(mix ?batter ?k5 ?k4 ?y ?mixing-tool)", "(mix ?batter ?k5 ?k4 ?butter ?mixing-tool)")
+    result = read_muhai_text(stale, "butter-bread")
+
+    (told,) = [notice for notice in result.notices if notice.kind is NoticeKind.NOT_PLAYED]
+    assert (told.line, told.message) == (6, "?butter was used up by a primitive before")
+    assert told.action == "taken for what became of it, ?y"
+    assert units(result)[4] == units(read_muhai_text(BREAD, "butter-bread"))[4]
+
+
+def test_a_name_that_is_bound_again_is_what_it_was_bound_to_last() -> None:
+    twice = BREAD.replace("?y", "?x")
+    result = read_muhai_text(twice, "butter-bread")
+
+    assert units(result) == units(read_muhai_text(BREAD, "butter-bread"))
+    assert result.notices == ()
+
+
+def test_each_unit_has_the_line_of_its_primitive() -> None:
+    assert read_muhai_text(BREAD, "butter-bread").lines == (2, 3, 4, 5, 6, 7, 8, 8)
+
+
 def test_the_last_food_is_the_dish_that_the_title_names() -> None:
     assert dishes(read_muhai_text(BREAD, "butter-bread-2")) == [("butter bread", "bread")]
 
@@ -120,3 +143,5 @@ def test_all_of_muhai_is_read_and_all_but_the_unfinished_one_is_a_dish(shared_da
     assert (len(rejected), {name for name, _ in rejected}) == (13, {"linguine-lentils-pancetta"})
     assert [Path(r.path).stem for r in results if len(dishes(r)) != 1] == ["linguine-lentils-pancetta"]
     assert [n.line for r in results for n in r.notices if n.kind is NoticeKind.BAD_BRACKETS] == [7]
+    (oatmeal,) = [r.subgraph for r in results if r.subgraph and r.subgraph.name == "easy-oatmeal-cookies"]
+    assert {"flour", "oats"} <= set(oatmeal.annotations[-1].unit.outputs[-1].node.ingredients)
