@@ -19,10 +19,7 @@ CALL () {
 }
 RETURN
   COLLECT {
-    UNWIND found AS o
-    MATCH (anything:Matter {name: 'any:thing'})
-    USING INDEX anything:Matter(name)
-    MATCH (anything)<-[d:DONE_TO]-(o)
+    MATCH (:Matter {name: 'any:thing'})<-[d:DONE_TO]-(o)
     RETURN [id(o), o.motion, o.tools, [d.units, d.changed, d.seen, d.changes]]
   } AS operators,
   COLLECT {

@@ -9,6 +9,9 @@ import pytest
 
 CHROMIUM = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
+PATIENCE = 120
+"""Seconds for a script to come back, on a machine that is busy with other tests."""
+
 FLAGS = (
     "--headless",
     "--no-sandbox",
@@ -32,6 +35,7 @@ def chromium(profile):
     for flag in (*FLAGS, f"--user-data-dir={profile}"):
         options.add_argument(flag)
     driver = webdriver.Chrome(options, webdriver.ChromeService(DRIVER))
+    driver.set_script_timeout(PATIENCE)
     try:
         yield driver
     finally:

@@ -5,18 +5,22 @@ erase it); else a container where a Docker engine answers; else foon-kg's own lo
 without any fails, it never skips. One server serves all workers of pytest-xdist, and ends with the run.
 
 Neo4j Community has one database, so tests marked ``neo4j`` must not run beside each other: they all go to one worker
-(``--dist=loadgroup`` in pyproject.toml, the group is given here); whoever wants an empty graph asks ``empty_graph``.
+(``--dist=loadgroup`` in pyproject.toml, the group is given here). Whoever wants an empty graph asks ``empty_graph``;
+without constraints and indexes it is a ``bare_graph``, at ten times the CPU: Neo4j forgets whatever it has compiled
+when an index comes or goes.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Set
 from dataclasses import asdict
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import hypothesis
@@ -25,6 +29,7 @@ import pytest
 from chromium import chromium
 from filelock import FileLock
 
+from foon_kg.cypher import schema_steps
 from foon_kg.model.errors import FoonError
 from foon_kg.store.graph import Connection, Neo4jGraph
 from foon_kg.store.server import ConnectionSettings, connection_from_environment
@@ -35,6 +40,11 @@ if TYPE_CHECKING:
 
 IMAGE = "neo4j:2026.09.0-community"
 SESSION_FOLDER = "FOON_KG_TEST_SESSION"
+QUICKLY_COMPILED = "-XX:TieredStopAtLevel=1"
+"""A server of tests lives for minutes: what Java spends to compile well, two fifths of its CPU, it never gets back."""
+
+OURS = {re.search(r"(?:CONSTRAINT|INDEX) (\w+)", step.text)[1]: step.text for step in schema_steps()}
+"""The constraints and indexes of foon-kg by their names."""
 
 # a test never depends on how quick the machine is; what else Hypothesis has chosen for this place (CI) stays
 hypothesis.settings.register_profile("untimed", hypothesis.settings(), deadline=None)
@@ -45,6 +55,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Make the folder in which the workers of this run agree on one server."""
     if not hasattr(config, "workerinput"):
         os.environ[SESSION_FOLDER] = tempfile.mkdtemp(prefix="foon-kg-test-")
+        os.environ.setdefault("JAVA_TOOL_OPTIONS", QUICKLY_COMPILED)
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
@@ -95,18 +106,26 @@ def neo4j_server() -> ConnectionSettings:
 
 @pytest.fixture(scope="module")
 def emptied_server(neo4j_server: ConnectionSettings) -> ConnectionSettings:
-    """The server, empty when the module begins: how Neo4j plans a query depends on what is left in the database."""
-    with FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock"):
+    """The server, bare when the module begins: how Neo4j plans a query depends on what is left in the database."""
+    with _alone():
         erase(neo4j_server)
     return neo4j_server
 
 
 @pytest.fixture
-def empty_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
-    """The server with nothing in its database, schema included, for this test alone."""
-    with FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock"):
+def bare_graph(neo4j_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
+    """The server with nothing in its database, neither constraint nor index, for this test alone."""
+    with _alone():
         erase(neo4j_server)
         yield neo4j_server
+
+
+@pytest.fixture
+def empty_graph(emptied_server: ConnectionSettings) -> Iterator[ConnectionSettings]:
+    """The server with no node in its database, and foon-kg's constraints and indexes alone, for this test alone."""
+    with _alone():
+        erase(emptied_server, keeping=OURS)
+        yield emptied_server
 
 
 @pytest.fixture
@@ -123,33 +142,51 @@ def graph(empty_graph: ConnectionSettings) -> Iterator[Neo4jGraph]:
         yield graph
 
 
+def _alone() -> FileLock:
+    """Return what keeps the tests of other workers from the graph."""
+    return FileLock(Path(os.environ[SESSION_FOLDER]) / "graph.lock")
+
+
 MOST_ROUNDS = 100
 BECAME_A_CONSTRAINT = "Neo.DatabaseError.Schema.IndexDropFailed"
+CONSTRAINTS = "SHOW CONSTRAINTS YIELD name"
+INDEXES = "SHOW INDEXES YIELD name, type, owningConstraint WHERE type <> 'LOOKUP' AND owningConstraint IS NULL"
 
 
-def erase(settings: ConnectionSettings) -> None:
-    """Delete every node, relationship, constraint and index of the database."""
+def erase(settings: ConnectionSettings, keeping: Mapping[str, str] = MappingProxyType({})) -> None:
+    """Delete every node, relationship, constraint and index of the database.
+
+    ``keeping`` are constraints and indexes by name, with the statement that makes each: they are there afterwards.
+    """
     with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
 
         def run(query: str) -> list[neo4j.Record]:
             return driver.execute_query(neo4j.Query(query), database_=settings.database).records
 
-        # a program that was killed may still have a statement running: what it makes is dropped in the next round
-        for _ in range(MOST_ROUNDS):
-            constraints = run("SHOW CONSTRAINTS YIELD name")
-            own = "SHOW INDEXES YIELD name, type, owningConstraint WHERE type <> 'LOOKUP' AND owningConstraint IS NULL"
-            indexes = run(own)
-            if not constraints and not indexes:
-                break
-            for row in constraints:
-                run(f"DROP CONSTRAINT `{row['name']}` IF EXISTS")
-            for row in indexes:
-                try:
-                    run(f"DROP INDEX `{row['name']}` IF EXISTS")
-                except neo4j.exceptions.DatabaseError as error:
-                    if error.code != BECAME_A_CONSTRAINT:
-                        raise
+        kept = _drop_schema(run, keeping.keys())
         run("MATCH (n) DETACH DELETE n")
+        if missing := keeping.keys() - kept:
+            for name in sorted(missing):
+                run(keeping[name])
+            run("CALL db.awaitIndexes()")
+
+
+def _drop_schema(run: Callable[[str], list[neo4j.Record]], keeping: Set[str]) -> Set[str]:
+    """Drop every constraint and index but those to keep; return which of them are there."""
+    # a program that was killed may still have a statement running: what it makes is dropped in the next round
+    for _ in range(MOST_ROUNDS):
+        constraints, indexes = ({row["name"] for row in run(query)} for query in (CONSTRAINTS, INDEXES))
+        if constraints | indexes <= keeping:
+            break
+        for name in constraints - keeping:
+            run(f"DROP CONSTRAINT `{name}` IF EXISTS")
+        for name in indexes - keeping:
+            try:
+                run(f"DROP INDEX `{name}` IF EXISTS")
+            except neo4j.exceptions.DatabaseError as error:
+                if error.code != BECAME_A_CONSTRAINT:
+                    raise
+    return constraints | indexes
 
 
 def _named() -> ConnectionSettings | None:

@@ -31,9 +31,13 @@ EXAMPLES = examples(
 
 
 def cypher(
-    query: Annotated[str | None, typer.Argument(help="The Cypher text; - reads it from standard input.")] = None,
+    query: Annotated[
+        str | None, typer.Argument(metavar="CYPHER", help="The Cypher text; - reads it from standard input.")
+    ] = None,
     *,
-    name: Annotated[str | None, typer.Option(help="Ask one of the queries that come with foon-kg instead.")] = None,
+    name: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Ask one of the queries that come with foon-kg instead.")
+    ] = None,
     show_list: Annotated[bool, typer.Option("--list", help="Show those queries, and how to ask them.")] = False,
     write: Annotated[bool, typer.Option("--write", help="Let the query change the graph.")] = False,
     param: Annotated[

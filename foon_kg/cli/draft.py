@@ -136,7 +136,10 @@ def accept(
     paths: Drafts,
     *,
     sure: Annotated[
-        float, typer.Option("--sure", min=0, max=1, help="Doubts of units less sure than this must be resolved.")
+        float,
+        typer.Option(
+            "--sure", metavar="SURE", min=0, max=1, help="Doubts of units less sure than this must be resolved."
+        ),
     ] = 0.5,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Accept doubts, leave out rows that are no units, replace videos.")

@@ -22,6 +22,18 @@ OTHERS = "Commands"
 class HelpedCommand(TyperCommand):
     """A command whose help is drawn where somebody looks at it."""
 
+    def collect_usage_pieces(self, ctx: typer.Context) -> list[str]:  # type: ignore[override]
+        """Return what stands behind the command's name in the usage line."""
+        return [_plainly(piece) for piece in super().collect_usage_pieces(ctx)]
+
+    def get_params(self, ctx: typer.Context) -> list[Any]:  # type: ignore[override]
+        """Return the parameters; of arguments help names no type of Python: their names say what they take."""
+        found: list[Any] = super().get_params(ctx)
+        for one in found:
+            if one.param_type_name == "argument":
+                one.display_type_rich = _no_type
+        return found
+
     def format_help(self, ctx: typer.Context, formatter: Any) -> None:  # type: ignore[override]  # noqa: ANN401 - typer's
         """Write the help, or draw it on a terminal."""
         if sys.stdout.isatty():
@@ -53,6 +65,19 @@ class HelpedGroup(TyperGroup):
         for panel, rows in panels.items():
             with formatter.section(panel):
                 formatter.write_dl(rows)
+
+
+def _plainly(piece: str) -> str:
+    """Return an argument of the usage line as people write it: ``PATH...``; ``[FOOD...]`` where it may be missing."""
+    name, may_be_missing = piece.removesuffix("...")[1:-1], piece.startswith("[")
+    if piece == "[OPTIONS]" or piece[:1] not in {"[", "{"}:
+        return piece
+    dots = "..." if piece.endswith("...") and not name.endswith("...") else ""
+    return f"[{name}{dots}]" if may_be_missing else f"{name}{dots}"
+
+
+def _no_type(ctx: typer.Context) -> None:  # noqa: ARG001 - what it is called with
+    return None
 
 
 def _draw(command: HelpedCommand | HelpedGroup, ctx: typer.Context) -> None:

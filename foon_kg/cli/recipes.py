@@ -27,8 +27,10 @@ def recipes(
     *,
     sample: Annotated[int, typer.Option(min=0, metavar="N", help="Show N recipes drawn at random.")] = 0,
     dish: Annotated[str | None, typer.Option(metavar="TYPE", help="Draw them from this dish type.")] = None,
-    partition: Annotated[str, typer.Option(help="Draw them from this part of it: train, val or test.")] = "",
-    seed: Annotated[int, typer.Option(help="The same seed draws the same recipes.")] = 0,
+    partition: Annotated[
+        str, typer.Option(metavar="PART", help="Draw them from this part of it: train, val or test.")
+    ] = "",
+    seed: Annotated[int, typer.Option(metavar="S", help="The same seed draws the same recipes.")] = 0,
     unseen: Annotated[
         int, typer.Option(min=0, metavar="N", help="Show the N foods that most recipes want and no video shows.")
     ] = 0,

@@ -30,7 +30,9 @@ Ingredients = Annotated[
     typer.Option("--ingredient", metavar="FOOD", help="It has this ingredient; may be given many times."),
 ]
 Container = Annotated[str | None, typer.Option("--in", metavar="PLACE", help="It is in, or on, this container.")]
-AtLevel = Annotated[int, typer.Option(min=1, max=3, help="1: labels; 2: states and places too; 3: ingredients too.")]
+AtLevel = Annotated[
+    int, typer.Option(metavar="N", min=1, max=3, help="1: labels; 2: states and places too; 3: ingredients too.")
+]
 By = Annotated[
     Literal["units", "success"], typer.Option(help="What is best: the fewest units, or the greatest success.")
 ]

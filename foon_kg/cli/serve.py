@@ -26,10 +26,10 @@ EXAMPLES = examples(
 
 
 def serve(  # noqa: PLR0917 - each parameter is an option of its own
-    host: Annotated[str, typer.Option(help="The address to bind to; another than loopback asks for a token.")] = (
-        "127.0.0.1"
-    ),
-    port: Annotated[int, typer.Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 8000,
+    host: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="The address to bind to; another than loopback asks for a token.")
+    ] = ("127.0.0.1"),
+    port: Annotated[int, typer.Option(metavar="N", min=0, max=65535, help="The port; 0 takes a free one.")] = 8000,
     token_file: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Ask who calls the API for the token in this file (made if missing)."),

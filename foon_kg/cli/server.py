@@ -23,7 +23,9 @@ def start(
     *,
     port: Annotated[
         int | None,
-        typer.Option(min=1024, max=65535, help="Listen on this port; otherwise on the one it had, first a free one."),
+        typer.Option(
+            metavar="N", min=1024, max=65535, help="Listen on this port; otherwise on the one it had, first a free one."
+        ),
     ] = None,
     idle: Annotated[
         int | None, typer.Option(min=0, metavar="MINUTES", help="Stop after so long without use; 0 is never. [30]")

@@ -133,6 +133,7 @@ def dish_row(name: str, row: Toml) -> Dish:
         row.get("coated", False),
         row.get("formed", False),
         frozenset(row.get("is_no", [])),
+        frozenset(row.get("raw", [])),
     )
 
 

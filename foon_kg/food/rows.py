@@ -147,7 +147,8 @@ class Dish:
     ``grilled``: it is fried as a whole once it is put together. ``laid``: its foods lie on dough or bread.
     ``dressed``: a dressing comes over it. ``mashed``: it is boiled and mashed with the rest, and done. ``coated``: with
     crumbs it is flesh in a crust. ``formed``: balls, patties or cakes are shaped of a mass. ``is_no`` are dishes that
-    it is not, though a dish type or a word of its name says so (a pancake is no cake).
+    it is not, though a dish type or a word of its name says so (a pancake is no cake). ``raw`` are kinds that are eaten
+    raw in what is called so.
     """
 
     name: str
@@ -165,3 +166,4 @@ class Dish:
     coated: bool = False
     formed: bool = False
     is_no: frozenset[str] = frozenset()
+    raw: frozenset[str] = frozenset()

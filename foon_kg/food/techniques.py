@@ -1,4 +1,4 @@
-"""Techniques: how dishes of a family are put together whatever a video does: ``techniques.toml``, ``savoury.toml``.
+"""Techniques: how dishes of a family are put together whatever a video does (:data:`TABLES`).
 
 Ways (``ways.toml``) are of the same form: what one word of a name changes of what a video does.
 
@@ -24,6 +24,10 @@ _STEP = re.compile(
     r"(?: ?< ?(?P<lines>[^:]+?))?(?: ?: ?(?P<foods>.+))?$"
 )
 _FOODS = re.compile(r"(?P<again>\+?)(?P<terms>[^=>]+)(?:=(?P<state>[^>]+))?(?:>(?P<made>.+))?$")
+
+
+TABLES = ("cold", "savoury", "techniques")
+"""The documents with rows of techniques, in the order in which these are tried."""
 
 
 @dataclass(frozen=True)
@@ -179,7 +183,7 @@ def _stands_in(name: tuple[str, ...], told: Sequence[str]) -> bool:
 @cache
 def techniques() -> tuple[Technique, ...]:
     """Return every technique in the order of the tables: the first that suits a dish is taken."""
-    rows = (row for table in ("savoury", "techniques") for row in shipped(table)["techniques"].items())
+    rows = (row for table in TABLES for row in shipped(table)["techniques"].items())
     return tuple(_technique(name, row) for name, row in rows)
 
 

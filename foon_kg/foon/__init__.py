@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -25,7 +26,6 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
-    from foon_kg.model.drafted import Lesson
     from foon_kg.model.knowledge import Neighbour
     from foon_kg.planning.batch import Answer, Cook, Question
     from foon_kg.planning.kitchen_file import ReadKitchen
@@ -37,7 +37,6 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.search.classic import GoalSought, RetrievalResult
     from foon_kg.similarity import Similarity
     from foon_kg.store.graph import GraphView
-    from foon_kg.store.server import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
     from foon_kg.validation import KnownFoon
@@ -61,14 +60,10 @@ class Foon(Changing):
     It is a context manager; :meth:`close` gives connections back.
     """
 
-    def __init__(
-        self,
-        snapshot: Snapshot | None = None,
-        server: ConnectionSettings | None = None,
-        lessons: Sequence[Lesson] = (),
-    ) -> None:
-        super().__init__(snapshot, server, lessons)
-        self._cooks: dict[PlanSettings, Cook] = {}
+    @cached_property
+    def _cooks(self) -> dict[PlanSettings, Cook]:
+        """What plans from files, kept ready by settings."""
+        return {}
 
     def close(self) -> None:
         """Forget what is kept ready, and give connections back. Another question opens them again."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Tables, tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.integration.course import COATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
 from foon_kg.integration.places import NATURAL, Join
@@ -18,6 +19,7 @@ _WET = word_list("coats wet")
 _WHOLE = word_list("is strewn whole")
 
 _MIX = replace(MIX, tools=(), vessel="bowl", label="")
+_BATH = replace(_MIX, motion=min(word_list("is turned in by")), does=COATS)
 _FINE = min(word_list("is called so when it is fine"))
 _THICK = min(word_list("is called so when it is beaten"))
 
@@ -101,10 +103,9 @@ def coated_apart(line: Line, joins: Sequence[Join], kinds: Collection[str] = _CO
     powder = Line((replace(_MIX, label=_FINE if flour else ""),))
     outer = [join for join in dry if join.want.facts.is_a(*word_list("coats roughly"))]
     dust = [join for join in dry if join not in outer] if outer and wet else []  # it lets the wash cling to it
-    name = f"{singular(flesh[0].want.label)} mixture"
-    dusted = replace(_MIX, label=name)
-    bathed = replace(_MIX, adds=(wash,), label=name)
-    rolled = replace(_MIX, adds=(powder,), label=name)
+    dusted = replace(_BATH)
+    bathed = replace(_BATH, adds=(wash,))
+    rolled = replace(_BATH, adds=(powder,))
     fried, turned, done = replace(COOK), replace(TURN), replace(COOK)
     last = line.stages[-1]
     first = (dusted, bathed) if dust else (bathed,)

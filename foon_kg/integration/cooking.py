@@ -17,7 +17,7 @@ from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.coated import is_portion
-from foon_kg.integration.course import HEATS, MIXES, WORKS, Course, Plan
+from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import BATH, Line, Phase, Stage
 from foon_kg.integration.layouts import only_carries
@@ -223,7 +223,8 @@ class Cooking:
         if main and vessel is not None and not joins and not lines and self._stays_there(stage, vessel, later):
             return vessel
         device, relation = self.utensils.device_for(stage)
-        dressed = main and self.serving.is_dressed(stage, vessel, joins, later)
+        alone = vessel is None and not lines and len(joins) == 1  # there is nothing to mix it with
+        dressed = main and not alone and self.serving.is_dressed(stage, vessel, joins, later)
         label = self._label_for(stage, vessel, lines, joins, dressed=dressed)
         vessel = self._vessel_for(stage, label, vessel, lines, joins)
         heats = bool(device) and (not stage.does.isdisjoint(HEATS) or stage.source == "heat")
@@ -519,6 +520,7 @@ class Cooking:
         # what is only browned at last, by no video's step, is done before
         finished = not any(not one.does.isdisjoint(HEATS) for one in later if one.step >= 0)
         label = self.work.label(stage, vessel, last=main and not any(self._mixing(one) for one in later), main=main)
+        label = label or (self.work.coated(vessel) if stage.does >= COATS else "")
         fried = self._fried(vessel) if heats and finished and not label else None
         label = label if fried is None else fried.label
         product = (bool(label) or (mixes and not heats)) and not self._is_drained_next(vessel, later)
@@ -561,7 +563,7 @@ class Cooking:
         done = "turn" in stage.does and not stage.appliance and is_flat(vessel.label)  # it lies on a plate
         if flat or (done and not heats) or ("cut" in stage.does and not heats and self._is_in_pieces(vessel)):
             return True
-        needless = stage.does <= {"mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
+        needless = stage.does <= {"coat", "mix", "scatter"} or self._is_done_so(stage, vessel.contents[0])
         if single and mixes and not heats and needless:
             return True
         if mixes and stage.does <= {"mash", "mix", "blend", "move", "scatter"} and self._is_mixed(stage, vessel):

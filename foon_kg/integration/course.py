@@ -10,6 +10,9 @@ from foon_kg.integration.places import Join
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
 HEATS = frozenset({"heat", "warm"})
+COATS = frozenset({"coat", "mix"})
+"""What a stage does at which one food is turned in another, and stays what it is."""
+
 WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut"}
 
 

@@ -121,8 +121,9 @@ def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) ->
         return replace(want, then=min(word_list("is mashed so")))
     if any(head in heads and word in mash for head, word in itertools.pairwise(told)):
         return replace(want, then=min(word_list("is mashed so")))
+    given = word_list("is so by the dish")
     for before in _before_it(want, told):
-        if before not in known.states or before in {want.asked, *want.leaf}:
+        if before not in known.states or before in {want.asked, *want.leaf, *given}:
             continue
         word = heads[0]
         dish = known.dishes.get(f"{before} {word}")

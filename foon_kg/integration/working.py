@@ -9,7 +9,7 @@ from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
-from foon_kg.integration.course import HEATS, MIXES, WORKS, Plan
+from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Plan
 from foon_kg.integration.frames import Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way
 from foon_kg.integration.preparation import Want
@@ -264,6 +264,8 @@ class Worker:
     def way(self, stage: Stage, vessel: Vessel) -> Attested | None:
         """Return how a stage is done to what is in the vessel, nearest to what the FOON attests, or ``None``."""
         foods = foods_of(vessel)
+        if stage.does >= COATS:
+            return self.bench.require([(stage.motion, stage.tools)], foods)
         if stage.motion in word_list("needs a closed vessel") and not self._is_closed(vessel):
             return self.stirring(foods)
         if "heat" in stage.does and "heat" not in self.known.motion(stage.motion).does:
@@ -346,6 +348,13 @@ class Worker:
         *first, head = label.split()
         return " ".join([*(word for word in first if word in own), head])  # no biscuit dough where bread is made
 
+    def coated(self, vessel: Vessel) -> str:
+        """Return what the one food is called that lies in a vessel in what coats it, ``""`` where there are several."""
+        coats = (*word_list("coats dry"), *word_list("coats wet"), *word_list("clings to what is coated"))
+        facts = self.known.foods.food
+        found = {s.label for s in vessel.contents if not all(facts(food).is_a(*coats) for food in s.foods)}
+        return found.pop() if len(found) == 1 else ""
+
     def _heated(self, way: Way, *, finished: bool) -> set[str]:
         motion = self.known.motion(way[0])
         if "dry" in motion.does:
@@ -374,7 +383,7 @@ class Worker:
     def states(self, stage: Stage, vessel: Vessel, way: Way, *, product: bool, finished: bool) -> tuple[str, ...]:
         """Return in which states the foods of a vessel are after a stage; ``finished``: it is not heated any more."""
         does = self.known.motion(way[0]).does
-        states: set[str] = set()
+        states = {"coated"} if stage.does >= COATS else set[str]()
         if "turn" in does and does.isdisjoint(HEATS) and len(vessel.contents) == 1:
             return tuple(sorted({*vessel.contents[0].states, "flipped"}))
         if product and "dry" not in does:

@@ -262,6 +262,7 @@ class _Question:
         own = frame.dish_type == dish_type and not missing_core(fit.dish, asked) and is_truly(fit)
         own = own and not (asked.title and unexplained(fit.dish, asked))
         eased = frozenset(kind for dish in asked.of_type for kind in dish.eases)
+        eased |= frozenset(kind for dish in asked.dishes for kind in dish.raw)
         named = asked.dishes
         tins = [dish.tin for dish in named if dish.tin]
         tin = tins[-1] if tins else ""

@@ -28,9 +28,11 @@ _WHOLE = {
 
 def raw(case: Case) -> Iterator[Finding]:
     """K1: what must be cooked is cooked by a unit, and dry starch in a liquid."""
+    called = case.tables.dishes_named(case.recipe.title or "") if case.recipe else ()
+    eaten_raw = frozenset(kind for dish in called for kind in dish.raw)
     eased = frozenset(kind for dish in case.tables.dishes_named(*case.dish_types) for kind in dish.eases)
     for part in case.parts:
-        if part.remains or part.untold:
+        if part.remains or part.untold or part.food.is_a(*eaten_raw):
             continue
         for treatment in ("cook", "boil"):
             level = part.food.owes.get(treatment)

@@ -12,7 +12,7 @@ from mcp_types import ToolAnnotations
 from pydantic import Field
 
 from foon_kg import __version__
-from foon_kg.model.errors import FoonError, UsageError
+from foon_kg.model.errors import FoonError, UsageError, WriteRefused
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.planning.settings import Substitute
 from foon_kg.web.asking import AT_HAND, DRAFTS, MOST_INGREDIENTS, MOST_THINGS, DishType, Words
@@ -145,7 +145,14 @@ class _Tools:
         ask = self._cypher
         if ask is None:
             raise ToolError(_said(UsageError("these are files, and no graph", hint="Start foon mcp without --files.")))
-        return _explained(lambda: ask(query, parameters or {}, limit))
+
+        def looked() -> JsonObject:
+            try:
+                return ask(query, parameters or {}, limit)
+            except WriteRefused as error:  # an agent can add no option
+                raise WriteRefused(error.message, hint="This tool only looks at the graph.") from error
+
+        return _explained(looked)
 
     def _answer(self, question: Question) -> JsonObject:
         reply = _explained(lambda: self._service.answer(question))

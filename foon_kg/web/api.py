@@ -65,6 +65,7 @@ _NAMES = Query(alias="name", min_length=1, max_length=20, description="Foods, kn
 _LABEL = Query(min_length=1, max_length=asking.MOST_LETTERS, description="An object's name.", examples=["onion"])
 _BEGINNING = Query(max_length=asking.MOST_LETTERS, description="What is typed so far.", examples=["chopped on"])
 _LIMIT = Query(ge=1, le=50)
+_TOLD = 40  # letters of what is too long
 _ROLE = Query(
     alias="as", max_length=40, description="What it does in a dish: liquid, protein, fat …", examples=["liquid"]
 )
@@ -266,8 +267,12 @@ def _invalid(_: Request, error: Exception) -> Response:
     if not isinstance(error, RequestValidationError):
         raise error
     first = error.errors()[0]
-    place = ".".join(map(str, first["loc"]))
-    told = FoonError(f"{place}: {first['msg']}", hint="See /api/docs.", code="request")
+    place, hint = ".".join(map(str, first["loc"])), "See /api/docs."
+    message = f"{place}: {first['msg']}"
+    if first["type"] == "string_too_long":  # a cook can be told that, too
+        message = f"“{first['input'][:_TOLD]}…” is longer than {first['ctx']['max_length']} characters"
+        hint = f"Write it shorter ({place} in the API)."
+    told = FoonError(message, hint=hint, code="request")
     return Response(Reply.of_error(told).body, 422, media_type="application/json")
 
 

@@ -15,12 +15,16 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 
 
-def main(folder: str, number: str, harm: str, *words: str) -> None:
+def on_a_harmed_disk(folder: str, number: str, harm: str, *words: str) -> dict[str, object]:
+    """Return what the command did, in this process."""
     with HarmedDisk(folder, int(number), Harm(harm)).used() as disk:
         done = CliRunner().invoke(app, list(words))
     failed = done.exception if not isinstance(done.exception, SystemExit) else None
-    told = {"done": disk.done, "code": done.exit_code, "output": done.output, "failed": repr(failed) if failed else ""}
-    print(json.dumps(told))
+    return {"done": disk.done, "code": done.exit_code, "output": done.output, "failed": repr(failed) if failed else ""}
+
+
+def main(*given: str) -> None:
+    print(json.dumps(on_a_harmed_disk(*given)))
 
 
 if __name__ == "__main__":

@@ -67,6 +67,13 @@ def test_a_page_shows_how_to_use_every_command(words):
     )
 
 
+@every_command
+def test_help_names_what_is_given_and_no_type_of_python(words):
+    shown = CliRunner().invoke(app, [*words, "--help"]).stdout
+    assert not re.search(r"<(?:str|int|float|path|Path|list\W|\w+ range)", shown)
+    assert not re.search(r"[{}]|\.\.\.\W*\.\.\.", shown.splitlines()[0])
+
+
 @pytest.mark.parametrize("words", [(), ("server",), ("load",), ("evaluate",), *COMMANDS], ids=" ".join)
 def test_help_fits_a_terminal(words):
     answer = CliRunner().invoke(app, [*words, "--help"])

@@ -31,6 +31,12 @@ MIX = unit("green olive(whole); onion(chopped); bowl > mix > salad{green olive,t
 TOSS = Subgraph("toss", (Annotation(MIX),))
 
 
+@pytest.fixture
+def empty_graph(bare_graph):
+    """A graph whose vector index is new: foods that were there before are nobody's neighbours in it."""
+    return bare_graph
+
+
 @pytest.fixture(params=["snapshot", pytest.param("neo4j", marks=pytest.mark.neo4j)])
 def keep(request):
     """Keep subgraphs in memory or in Neo4j, and answer what opens a view on them."""

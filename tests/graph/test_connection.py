@@ -93,8 +93,8 @@ def test_warming_a_database_that_is_down_is_no_error(nobody):
 
 
 @pytest.mark.neo4j
-def test_warming_an_empty_database_writes_nothing_into_it(empty_graph, connection):
-    warm(empty_graph)
+def test_warming_an_empty_database_writes_nothing_into_it(bare_graph):
+    warm(bare_graph)
     for question in ("MATCH (n) RETURN count(n)", "SHOW CONSTRAINTS YIELD name RETURN count(name)"):
-        with connection.session() as session:
+        with Connection(bare_graph) as connection, connection.session() as session:
             assert session.run(question).single().value() == 0

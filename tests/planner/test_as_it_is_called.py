@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from planner.public_foon import public_snapshot
-from planner.told_steps import planned_steps
+from planner.told_steps import first, inside, motions, planned_steps
 
 pytestmark = pytest.mark.shared_data
 
@@ -12,20 +12,6 @@ pytestmark = pytest.mark.shared_data
 @pytest.fixture(scope="module")
 def steps():
     return planned_steps(public_snapshot())
-
-
-def motions(told):
-    return [motion for _, motion, _ in told]
-
-
-def inside(told, motion):
-    """The foods of what the first such motion works on."""
-    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
-    return {food for node in outputs for food in node.ingredients}
-
-
-def first(told, food, motion):
-    return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
 
 
 def comes(told, food, vessel):

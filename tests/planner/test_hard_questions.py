@@ -74,7 +74,7 @@ def test_a_dish_type_without_goals_has_no_tree_and_the_hint_names_those_with_goa
 def test_a_foon_without_units_has_no_tree():
     with pytest.raises(NoTreeError, match="this FOON has no salad") as refused:
         plan(Snapshot.of([], KITCHEN), recipe("salad", "onion chopped"), SETTINGS)
-    assert (refused.value.code, refused.value.hint) == ("no-goal", "It has goals of these dish types: none.")
+    assert (refused.value.code, refused.value.hint) == ("no-goal", "It is empty: foon load foon PATH…")
 
 
 def test_one_ingredient_alone_is_a_dish_without_the_others():

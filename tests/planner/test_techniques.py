@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from planner.public_foon import public_snapshot
-from planner.told_steps import planned_steps
+from planner.told_steps import first, inside, motions, planned_steps
 
 pytestmark = pytest.mark.shared_data
 
@@ -12,20 +12,6 @@ pytestmark = pytest.mark.shared_data
 @pytest.fixture(scope="module")
 def steps():
     return planned_steps(public_snapshot())
-
-
-def motions(told):
-    return [motion for _, motion, _ in told]
-
-
-def inside(told, motion):
-    """The foods of what the first such motion works on."""
-    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
-    return {food for node in outputs for food in node.ingredients}
-
-
-def first(told, food, motion):
-    return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)
 
 
 def test_a_kugel_is_boiled_noodles_baked_in_eggs(steps):
@@ -166,3 +152,32 @@ def test_pieces_in_a_crust_are_fried_before_their_sauce_comes(steps):
     told = steps("stir-fry", "Sweet and Sour Pork", "pork loin:cubed", "egg:uncooked", "cornstarch:powder",
                  "ketchup:sauce", "rice vinegar:liquid", "sugar:granulated", "oil:liquid")  # fmt: skip
     assert first(told, "egg", "crack") < motions(told).index("flip") < motions(told).index("cook and stir")
+
+
+def test_flesh_is_turned_in_flour_then_in_beaten_eggs_then_in_crumbs(steps):
+    told = steps("pork", "Schnitzel", "pork cutlets:raw", "flour:powder", "eggs:uncooked", "breadcrumbs:crumbs",
+                 "oil:liquid")  # fmt: skip
+    dips = [inputs for inputs, motion, _ in told if motion == "dip"]
+    assert [{"flour", "egg mixture", "mixture", "breadcrumbs"} & inputs for inputs in dips] == [
+        {"flour"}, {"mixture"}, {"breadcrumbs"},
+    ]  # fmt: skip
+    assert all("pork cutlets" in inputs for inputs in dips)
+
+
+def test_what_is_called_raw_stays_raw(steps):
+    told = steps("seafood", "Ceviche", "sea bass:cubed", "lime juice:juice", "red onion:sliced", "avocado:diced",
+                 "salt:granulated")  # fmt: skip
+    assert not {"cook", "boil", "turn on", "heat"} & set(motions(told))
+    assert first(told, "lime juice", "stir") < motions(told).index("chill")
+
+
+def test_what_a_title_calls_pickled_is_not_bought_so_where_it_is_made(steps):
+    told = steps("vegetables", "Pickled Red Onions", "red onions:sliced", "vinegar:liquid", "water:liquid",
+                 "sugar:granulated", "salt:granulated")  # fmt: skip
+    assert motions(told).index("cook and stir") < first(told, "red onions", "stir") < motions(told).index("chill")
+
+
+def test_a_white_sauce_is_cooked_for_pasta_that_no_title_calls_so(steps):
+    told = steps("pasta", "Tuna Pasta Bake", "penne:uncooked", "tuna:canned", "butter:unmelted", "flour:powder",
+                 "milk:liquid", "cheddar:grated")  # fmt: skip
+    assert motions(told).index("melt") < first(told, "milk", "simmer") < first(told, "penne", "mix")

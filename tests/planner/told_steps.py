@@ -23,3 +23,19 @@ def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
         return [({n.label for n in one.input_nodes}, one.motion, one.output_nodes) for one in units]
 
     return plan
+
+
+def motions(told: Told) -> list[str]:
+    """Return what is done, step by step."""
+    return [motion for _, motion, _ in told]
+
+
+def inside(told: Told, motion: str) -> set[str]:
+    """Return the foods of what the first such motion works on."""
+    (outputs, *_) = [outputs for _, one, outputs in told if one == motion]
+    return {food for node in outputs for food in node.ingredients}
+
+
+def first(told: Told, food: str, motion: str) -> int:
+    """Return at which step such a motion is first done to a food."""
+    return next(place for place, (inputs, one, _) in enumerate(told) if food in inputs and one == motion)

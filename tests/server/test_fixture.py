@@ -1,5 +1,9 @@
+import re
+
 import neo4j
 import pytest
+
+from foon_kg.cypher import schema_steps
 
 pytestmark = pytest.mark.neo4j
 
@@ -9,10 +13,35 @@ def _count(settings):
         return driver.execute_query("MATCH (n) RETURN count(n) AS n", database_=settings.database).records[0]["n"]
 
 
-@pytest.mark.parametrize("round_", [1, 2])
-def test_an_empty_graph_is_empty_whatever_the_test_before_wrote(empty_graph, round_):
-    assert _count(empty_graph) == 0
-    with neo4j.GraphDatabase.driver(empty_graph.uri, auth=(empty_graph.user, empty_graph.password)) as driver:
+def _schema(settings):
+    with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
+        rows = [*driver.execute_query("SHOW CONSTRAINTS YIELD name").records, *driver.execute_query(INDEXES).records]
+    return {row["name"] for row in rows}
+
+
+INDEXES = "SHOW INDEXES YIELD name, type, owningConstraint WHERE type <> 'LOOKUP' AND owningConstraint IS NULL"
+
+
+def _disturb(settings):
+    with neo4j.GraphDatabase.driver(settings.uri, auth=(settings.user, settings.password)) as driver:
         driver.execute_query("CREATE CONSTRAINT c FOR (n:Left) REQUIRE n.key IS UNIQUE")
-        driver.execute_query("CREATE (:Left {key: $round})", round=round_)
-    assert _count(empty_graph) == 1
+        driver.execute_query("CREATE INDEX i FOR (n:Left) ON (n.name)")
+        driver.execute_query("DROP INDEX object_label IF EXISTS")
+        driver.execute_query("CREATE (:Left {key: 1})-[:AND]->(:Right)")
+
+
+@pytest.mark.parametrize("round_", [1, 2])
+def test_an_empty_graph_has_the_schema_alone_whatever_the_test_before_wrote(empty_graph, round_):
+    assert _count(empty_graph) == 0
+    ours = {re.search(r"(CONSTRAINT|INDEX) (\w+)", step.text)[2] for step in schema_steps()}
+    assert _schema(empty_graph) == ours
+    _disturb(empty_graph)
+    assert _count(empty_graph) == 2
+
+
+@pytest.mark.parametrize("round_", [1, 2])
+def test_a_bare_graph_has_nothing_whatever_the_test_before_wrote(bare_graph, round_):
+    assert _count(bare_graph) == 0
+    assert _schema(bare_graph) == set()
+    _disturb(bare_graph)
+    assert _count(bare_graph) == 2

@@ -35,7 +35,7 @@ def served(application, callers=None):
     thread.start()
     address = f"http://127.0.0.1:{listener.getsockname()[1]}"
     try:
-        httpx.get(f"{address}/api/summary", timeout=30)  # the socket listens already: it waits for the first answer
+        httpx.get(f"{address}/api/summary", timeout=120)  # the socket listens already: it waits for the first answer
         yield address
     finally:
         server.should_exit = True

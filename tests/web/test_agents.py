@@ -45,7 +45,7 @@ def refusal(answer):
 
 def no_writing(text, parameters, limit):
     if "DELETE" in text:
-        raise WriteRefused("this would change the graph", hint="A question only looks at the graph.")
+        raise WriteRefused("this would change the graph", hint="Add --write.")
     return {"columns": ["n"], "rows": [[limit]], "cut": False}
 
 
@@ -138,6 +138,7 @@ def test_what_is_wrong_comes_with_a_hint(server):
     assert "moon dust" in refusal(unknown)
     assert "ingredients" in refusal(empty)
     assert "(read-only)" in refusal(write)
+    assert "--write" not in refusal(write)
 
 
 def test_files_have_no_cypher():

@@ -397,3 +397,10 @@ def test_each_error_points_to_the_page_that_describes_the_api(client):
     for answer in (client.get("/api/complete"), client.get("/nothing"), client.put("/api/summary", json={})):
         assert answer.status_code in {404, 405, 422}
         assert answer.json()["error"]["hint"] == "See /api/docs."
+
+
+def test_what_is_too_long_is_told_in_plain_words(client):
+    told = client.post("/api/plan", json={"dish_type": "salad", "ingredients": ["onion", "x" * 101]})
+    assert told.status_code == 422
+    assert told.json()["error"]["message"] == f"“{'x' * 40}…” is longer than 100 characters"
+    assert "body.ingredients.1" in told.json()["error"]["hint"]

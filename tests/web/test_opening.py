@@ -35,6 +35,17 @@ def test_its_dishes_are_those_of_the_foon_and_a_click_plans_one(page, address):
     assert not page.find_element("id", "opening").is_displayed()
 
 
+def test_a_foon_in_which_nothing_is_yet_says_so(page):
+    empty = Snapshot.of([], demo_foon().kitchen)
+    with served(app(foon=FixedFoon(empty))) as other:
+        page.get(f"{other}/")
+        until(page, "return document.querySelector('#examples').innerText.includes('This FOON is empty.')")
+        assert not page.find_element("id", "lead").is_displayed()
+        page.get(f"{other}/explore")
+        until(page, "return document.querySelector('#about').innerText.includes('This FOON is empty.')")
+        assert not page.find_element("id", "picture").is_displayed()
+
+
 def test_another_foon_has_other_dishes(page):
     only = Snapshot.of((one for one in demo_foon().subgraphs if one.name == "lemonade"), demo_foon().kitchen)
     with served(app(foon=FixedFoon(only))) as other:

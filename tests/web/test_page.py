@@ -315,9 +315,9 @@ def test_the_page_asks_for_the_token_or_takes_it_from_the_address(browser):
     with served(app(token=TOKEN)) as guarded:
         browser.get(f"{guarded}/")
         until(browser, "return !document.getElementById('token').hidden")
+        assert not browser.find_element("id", "plan").is_displayed()
         browser.find_element("id", "token-text").send_keys("wrong-token", ENTER)
-        until(browser, "return document.querySelectorAll('#dish option').length === 1")
-        browser.execute_script("document.getElementById('token-text').value = ''")
+        until(browser, "return document.getElementById('token-wrong').innerText === 'That is not its token.'")
         browser.find_element("id", "token-text").send_keys(TOKEN, ENTER)
         until(browser, "return document.querySelectorAll('#dish option').length > 1")
         browser.execute_script("sessionStorage.clear()")

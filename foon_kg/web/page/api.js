@@ -14,7 +14,22 @@ export class Refusal extends Error {
   }
 }
 
-export const keepToken = (token) => sessionStorage.setItem(KEPT, token);
+const keepToken = (token) => sessionStorage.setItem(KEPT, token);
+const at = (id) => document.getElementById(id);
+
+// Ask for the token, and say so if there is one that is not it.
+export const askToken = () => {
+  at("token-wrong").textContent = sessionStorage.getItem(KEPT) ? "That is not its token." : "";
+  at("token").hidden = false;
+  at("token-text").focus();
+  at("token-text").select();
+};
+
+export const onToken = (then) => at("token-form").addEventListener("submit", (event) => {
+  event.preventDefault();
+  keepToken(at("token-text").value.trim());
+  then();
+});
 
 // The part of an address after # is never sent to a server, and it is taken away before anybody reads it here.
 export const tokenFromAddress = () => {

@@ -35,7 +35,7 @@ const answer = async (words, key, question, view) => {
     if (mine !== turn) return;
     say("");
     made = { key: "", parts: [errorNotice(error, ...remedies(error.missing))] };
-    if (error.status === 401) askToken();
+    if (error.status === 401) api.askToken();
   }
   shown.leave?.();
   shown = made;
@@ -73,12 +73,16 @@ const choose = (food, like) => {
   ask(fromAddress().view);
 };
 
-const makePlan = (key) => answer("Planning …", key, () => api.plan(question()), (told) => {
+const makePlan = (key) => {
   const words = foods.words().join(", ");
-  at("asked").textContent = `${told.recipe.dish_type} with ${words}`;
-  remember(key, told.goal.label, words);
-  return planPage(told, { key, asked: question(), chosen: wished.chosen(), choose });
-});
+  const tell = (type) => { at("asked").textContent = `${type} with ${words}`; };
+  tell(dish.value || "something");
+  return answer("Planning …", key, () => api.plan(question()), (told) => {
+    tell(told.recipe.dish_type);
+    remember(key, told.goal.label, words);
+    return planPage(told, { key, asked: question(), chosen: wished.chosen(), choose });
+  });
+};
 
 const suggest = (key) => answer("Looking at every dish …", key, () => api.suggest(foods.words(), wished.question().kitchen), (told) => {
   document.title = "What these foods could make · foon";
@@ -118,11 +122,6 @@ const follow = (again = false) => {
   return asked.view === "make" ? suggest(key) : makePlan(key);
 };
 
-const askToken = () => {
-  at("token").hidden = false;
-  at("token-text").focus();
-};
-
 const begin = async () => {
   try {
     const told = await api.summary();
@@ -140,7 +139,7 @@ const begin = async () => {
     follow(true);
   } catch (error) {
     if (!(error instanceof api.Refusal)) throw error;
-    if (error.status === 401) askToken();
+    if (error.status === 401) api.askToken();
     else at("examples").replaceChildren(errorNotice(error));
   }
 };
@@ -163,11 +162,7 @@ at("clear").addEventListener("click", () => {
   say("All ingredients are removed.");
   ingredient.focus();
 });
-at("token-form").addEventListener("submit", (event) => {
-  event.preventDefault();
-  api.keepToken(at("token-text").value.trim());
-  begin();
-});
+api.onToken(begin);
 at("skip").addEventListener("click", (event) => { // an address of its own would lead away from the plan
   event.preventDefault();
   at(result.hidden ? "opening" : "result").focus();

@@ -1,6 +1,6 @@
 // The page /explore: what is asked for, the picture of it, and what is told beside it.
 
-import { Refusal, keepToken, tokenFromAddress } from "../api.js";
+import { Refusal, askToken, onToken, tokenFromAddress } from "../api.js";
 import { combobox } from "../combobox.js";
 import { counted, element, errorNotice } from "../element.js";
 import * as asking from "./asking.js";
@@ -43,7 +43,7 @@ const failed = (error) => {
   if (!(error instanceof Refusal)) throw error;
   say("");
   at("about").replaceChildren(errorNotice(error));
-  if (error.status === 401) { at("token").hidden = false; at("token-text").focus(); }
+  if (error.status === 401) askToken();
 };
 
 const drawing = picture(at("picture"), {
@@ -185,11 +185,7 @@ for (const id of [...FILTERS.map(([id]) => id), "utensils"]) {
   });
 }
 for (const id of ["larger", "smaller", "all", "tidy"]) at(id).addEventListener("click", () => drawing[id === "all" ? "fit" : id]());
-at("token-form").addEventListener("submit", (event) => {
-  event.preventDefault();
-  keepToken(at("token-text").value.trim());
-  begin();
-});
+onToken(begin);
 addEventListener("hashchange", follow);
 tokenFromAddress();
 begin();

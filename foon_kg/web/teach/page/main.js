@@ -1,6 +1,6 @@
 // The page /teach: a draft row by row, each beside what was said; what is decided is kept in this browser until it is closed.
 
-import { Refusal, ask, keepToken, tokenFromAddress } from "../api.js";
+import { Refusal, ask, askToken, onToken, tokenFromAddress } from "../api.js";
 import { download } from "../download.js";
 import { counted, errorNotice } from "../element.js";
 import { rowView } from "./row.js";
@@ -27,7 +27,7 @@ const keep = () => {
 const failed = (error) => {
   if (!(error instanceof Refusal)) throw error;
   at("trouble").replaceChildren(errorNotice(error));
-  if (error.status === 401) { at("token").hidden = false; at("token-text").focus(); }
+  if (error.status === 401) askToken();
 };
 
 const look = async (question) => {
@@ -128,9 +128,7 @@ at("close").addEventListener("click", () => {
   at("file").focus();
 });
 at("all").addEventListener("change", draw);
-at("token-form").addEventListener("submit", (event) => {
-  event.preventDefault();
-  keepToken(at("token-text").value);
+onToken(() => {
   at("token").hidden = true;
   at("trouble").replaceChildren();
   resume();
