@@ -89,9 +89,9 @@ def test_flesh_is_turned_in_what_is_wet_then_in_what_is_dry_and_fried():
     line, joins = coated_apart(line, joins)
     assert told(line, joins) == [
         ("mix", {"egg"}),
-        ("mix", {"chicken breast"}),
+        ("dip", {"chicken breast"}),
         ("mix", {"flour"}),
-        ("mix", set()),
+        ("dip", set()),
         ("cook", {"oil"}),
         ("flip", set()),
         ("cook", set()),
@@ -106,7 +106,7 @@ def test_flesh_in_crumbs_that_is_the_dish_is_baked_under_what_melts_on_it():
     line, joins = coated_alone(line, joins, tables())
     assert told(line, joins)[-1] == ("bake", {"mozzarella", "tomato sauce"})
     assert told(line, joins)[:4] == [
-        ("mix", {"chicken breast", "flour"}), ("mix", {"egg"}), ("mix", set()), ("mix", {"breadcrumb"}),
+        ("dip", {"chicken breast", "flour"}), ("mix", {"egg"}), ("dip", set()), ("mix", {"breadcrumb"}),
     ]  # fmt: skip
 
 
@@ -369,7 +369,7 @@ def test_what_is_called_battered_is_turned_in_its_batter_and_what_goes_with_it_i
     line, joins = by_way(line, joins, "fish chip", when="dipped")
     assert told(line, joins) == [
         ("mix", {"flour", thin, "salt"}),
-        ("mix", {"cod fillet"}),
+        ("dip", {"cod fillet"}),
         ("cook", {"oil"}),
         ("flip", set()),
         ("cook", set()),
@@ -383,7 +383,7 @@ def test_bread_is_dipped_into_eggs_and_milk_and_syrup_comes_on_it():
     joins = joins_at(line, 0, "bread", "egg", "milk", "cinnamon", "butter", "maple syrup")
     found = told(*by_way(line, joins, "french toast", when="dipped"))
     assert found[0] == ("mix", {"egg", "milk", "cinnamon"})
-    assert found[1] == ("mix", {"bread"})
+    assert found[1] == ("dip", {"bread"})
     assert found[-1] == ("", {"maple syrup"})
 
 
