@@ -23,13 +23,16 @@ def amount_of(text: str) -> tuple[str, str]:
 
 
 def measured_words(measures: Measures, motion: str) -> str:
-    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (200 g)"; nothing for none."""
+    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (recorded: 200 g)"; nothing for none.
+
+    Amounts are told as recorded: who asks may have another one in mind.
+    """
     by = "to" if motion in word_list("comes to a temperature") else "at"
     said = f" for {_long(measures.seconds)}" if measures.seconds is not None else ""
     said += f" {by} {measures.celsius:g} °C" if measures.celsius is not None else ""
     amounts = [amount_of(text) for text in measures.amounts]
     told = [amount if len(amounts) == 1 else f"{amount} {food}" for amount, food in amounts]
-    return f"{said} ({', '.join(told)})" if told else said
+    return f"{said} (recorded: {', '.join(told)})" if told else said
 
 
 def _long(seconds: float) -> str:

@@ -89,7 +89,7 @@ def test_steps_are_sentences_in_which_unseen_foods_are_marked():
     place = lines.index("Steps")
     assert lines[place + 1] == "  1 Grate the ~kohlrabi into the salad bowl with the grater.  [like carrot]"
     assert lines[place + 2].startswith("  2 Toss the ~kohlrabi and cream in the salad bowl")
-    assert "~ no video of this FOON has it" in lines
+    assert "~ handled like another food: no video shows it so" in lines
 
 
 def test_steps_say_what_goes_in_what_is_done_and_what_comes_out():

@@ -59,7 +59,8 @@ def tree_view(tree: ShownTree, *, as_units: bool = False) -> RenderableType:
     if tree.lines:
         rest.append(_section("Progress of each ingredient", _progress(lives(tree.lines), unseen)))
     if unseen and not as_units:
-        rest.append(Padding(Text(f"{UNSEEN_SIGN} no video of this FOON has it", ASIDE), (1, 0, 0, 0)))
+        legend = f"{UNSEEN_SIGN} handled like another food: no video shows it so"
+        rest.append(Padding(Text(legend, ASIDE), (1, 0, 0, 0)))
     header = _header(tree.result, unseen) if tree.result else _plain_header(tree)
     steps = _units(tree.units, unseen) if as_units else _sentences(tree.units, unseen)
     return Group(header, _Beside(_section("Steps", steps), Group(*rest)))
