@@ -34,20 +34,23 @@ def read_drafted(paths: Iterable[Path]) -> Iterator[DraftedRecipe]:
     Raises :class:`~foon_kg.model.errors.ReadError` with the line for what is none.
     """
     for path in paths:
+        if not path.exists():
+            raise UsageError(f"there is no file {path}", hint="Check the path.")
         if not is_drafts_file(path):
             raise UsageError(f"{path}: no drafts of recipes", hint=f"Their files end in {', '.join(ENDINGS)}.")
         yield from _read(path)
 
 
 def _read(path: Path) -> Iterator[DraftedRecipe]:
-    number = 0
+    number = 1
     try:
         with _open(path) as stream:
-            for number, line in enumerate(iter(lambda: stream.readline(LONGEST_LINE), ""), 1):
+            while line := stream.readline(LONGEST_LINE):
                 yield DraftedRecipe.from_json(json.loads(line), f"{path}:{number}")
+                number += 1
     except (ValueError, EOFError) as error:
         hint = "foon draft recipes writes such files, and goes on where one was left."
-        raise ReadError(f"{path}:{number + 1}: it holds no draft of a recipe: {error}", hint=hint) from error
+        raise ReadError(f"{path}:{number}: it holds no draft of a recipe: {error}", hint=hint) from error
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror or error}", hint="Check the path.") from error
 

@@ -84,8 +84,10 @@ def read_muhai(paths: Iterable[Path]) -> Iterator[ReadResult]:
     """
     found: set[Path] = set()
     for path in paths:
+        if not path.exists():
+            raise ReadError(f"there is no file or folder {path}", hint="Check the path.")
         files = [file for file in path.rglob(f"*{_ENDING}") if file.is_file()] if path.is_dir() else [path]
-        if not path.exists() or not files or (not path.is_dir() and path.suffix.lower() != _ENDING):
+        if not files or (not path.is_dir() and path.suffix.lower() != _ENDING):
             raise ReadError(f"{path}: no MUHAI recipe there", hint=f"Name a *{_ENDING} file, or a folder of them.")
         found.update(files)
     return (read_muhai_file(file) for file in sorted(found, key=lambda file: (file.stem, str(file))))

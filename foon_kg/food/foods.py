@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Food, Kind, Level, Match
 from foon_kg.food.words import plain_words, singular, words
 
@@ -43,6 +44,11 @@ class FoodTable:
             make_room(self._known)
             self._known[key] = replace(self._food(singular(_plain(label)), key[1]), name=singular(label))
         return self._known[key]
+
+    def as_measured(self, label: str, measures: Iterable[str]) -> str:
+        """Return the state that ``measures`` say of a food: canned of a can of corn; ``""`` where they say nothing."""
+        by_can = not word_list("measures what is canned").isdisjoint(measures)
+        return _PACKED if by_can and self.food(label, [_PACKED]).kind != self.food(label).kind else ""
 
     def find(self, label: str) -> tuple[str, str, Match]:
         """Return the kind of a name, the name of the table that it was found as, and how: the longest phrase wins."""

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from foon_kg.food import singular, tables
 from foon_kg.food.called import dish_type_called
+from foon_kg.food.lists import word_list
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
@@ -98,7 +99,9 @@ class IngredientWords:
         self, text: str, food: str, states: Sequence[str], rest: Sequence[str]
     ) -> tuple[RequiredIngredient, tuple[str, ...]]:
         processed = [state for state in states if not self.kitchen.is_start_state(food, state)]
-        state = (processed or list(states) or [" ".join(rest[_counting(rest) :])])[-1]
+        amount = _counting(rest)
+        said = " ".join(rest[amount:]) or tables().foods.as_measured(food, (word.lower() for word in rest[:amount]))
+        state = (processed or list(states) or [said])[-1]
         wanted, notes = self.with_state(RequiredIngredient(food, state))
         left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
         if left_out:
@@ -191,7 +194,8 @@ def _counting(words: Sequence[str]) -> int:
         return 0
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
 
-    counts = (word[0].isnumeric() or word.lower() == "of" or is_measure(word.lower()) for word in words)
+    measures = word_list("measures what is canned") | {"of"}
+    counts = (word[0].isnumeric() or word.lower() in measures or is_measure(word.lower()) for word in words)
     return next((place for place, amount in enumerate(counts) if not amount), len(words))
 
 

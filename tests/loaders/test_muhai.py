@@ -125,6 +125,8 @@ def test_a_file_without_a_network_is_rejected(text: str) -> None:
 def test_a_folder_without_recipes_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ReadError, match="no MUHAI recipe"):
         list(read_muhai([tmp_path]))
+    with pytest.raises(ReadError, match=r"there is no file or folder .*nowhere"):
+        list(read_muhai([tmp_path / "nowhere"]))
 
 
 def test_degree_signs_of_another_encoding_are_read(tmp_path: Path) -> None:

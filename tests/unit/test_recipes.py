@@ -38,6 +38,11 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
         ("½ cup chopped onion", "onion", "chopped"),
         ("2 cups of dragon fruit", "dragon fruit", "whole"),
         ("2 cups dragon fruit, chopped", "dragon fruit", "chopped"),
+        ("1 can green beans", "green beans", "canned"),
+        ("2 Tins of corn", "corn", "canned"),
+        ("1 can chopped tomatoes", "tomatoes", "chopped"),
+        ("1 can coconut milk", "coconut milk", "liquid"),
+        ("2 cups corn", "corn", "whole"),
     ],
 )
 def test_an_amount_is_no_state_and_no_part_of_a_name(text, food, state):
