@@ -114,7 +114,7 @@ def _memory_of(place: Home, server: psutil.Process) -> Memory | None:
 
 def _ended_within(server: psutil.Process, seconds: float) -> bool:
     try:
-        server.wait(seconds)
+        processes.wait_for_end(server, seconds)
     except psutil.TimeoutExpired:
         return False
     return True

@@ -20,6 +20,7 @@ ANSWER_SECONDS = 180
 STOP_SECONDS = 60
 ASKING_SECONDS = 5
 POLL_SECONDS = 0.05
+_BETWEEN_LOOKS = 1.0
 BOLT_ANSWER = 4  # bytes of the version chosen
 BOLT_HELLO = bytes.fromhex("6060b017 00000405 00000000 00000000 00000000")
 """Bolt's magic number and the one version proposed; any server of Bolt answers with four bytes (Bolt handshake)."""
@@ -183,11 +184,35 @@ def has_failed_to_write(settings: ConnectionSettings) -> bool:
     return False
 
 
+def wait_for_end(process: psutil.Process, seconds: float) -> None:
+    """Wait until the process has ended; raises psutil.TimeoutExpired where it has not within ``seconds``.
+
+    One that has ended and whose parent has not asked after it yet keeps its number for as long as that parent lives.
+    """
+    until = time.monotonic() + seconds
+    while (left := until - time.monotonic()) > _BETWEEN_LOOKS:
+        try:
+            process.wait(_BETWEEN_LOOKS)
+        except psutil.TimeoutExpired:
+            if not has_ended(process):
+                continue
+        return
+    process.wait(max(left, 0))
+
+
+def has_ended(process: psutil.Process) -> bool:
+    """Whether the process has ended, be it that its parent has not asked after it yet."""
+    try:
+        return process.status() == psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return True
+
+
 def end_at_once(process: psutil.Process) -> None:
     """End the process without another word of it; Neo4j recovers from that at its next start."""
     try:
         process.kill()
-        process.wait(STOP_SECONDS)
+        wait_for_end(process, STOP_SECONDS)
     except psutil.NoSuchProcess:
         return
 
@@ -196,9 +221,9 @@ def end(process: psutil.Process) -> None:
     """Ask the process to stop, and insist after a minute; Neo4j recovers from that at its next start."""
     try:
         process.terminate()
-        process.wait(STOP_SECONDS)
+        wait_for_end(process, STOP_SECONDS)
     except psutil.TimeoutExpired:
         process.kill()
-        process.wait(STOP_SECONDS)
+        wait_for_end(process, STOP_SECONDS)
     except psutil.NoSuchProcess:
         return
