@@ -88,7 +88,7 @@ def _next_node(tokens: Sequence[Token], place: int, closed_at: Mapping[int, int]
     while place < len(tokens) and len(between) <= LONGEST_ARROW:
         text = tokens[place].text
         if text == "(":
-            return place if _RELATIONSHIP.fullmatch(between) else None
+            return place if place in closed_at and _RELATIONSHIP.fullmatch(between) else None
         if text in {"[", "{"}:
             place = closed_at.get(place, len(tokens))
         between += text
