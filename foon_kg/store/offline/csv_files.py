@@ -11,7 +11,7 @@ from foon_kg.store.disk import explain_os_error
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.offline.staged import Staged
-from foon_kg.store.offline.tables import EDGES, END, LIST_DELIMITER, NODES, START, Edges, Nodes, kind_of, named
+from foon_kg.store.offline.tables import EDGES, END, FORMAT, NODES, START, Edges, Nodes, kind_of, named
 
 ROWS_AT_ONCE = 10_000
 
@@ -21,7 +21,7 @@ _RECORD = ("name:string", "version:long", "kitchen:string", "words:string", "met
 
 def write_csv_files(staged: Staged, folder: Path, kitchen: Kitchen) -> list[str]:
     """Write a file for each table into ``folder``, and return the arguments of the import that name them."""
-    arguments = [f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true", "--id-type=integer"]
+    arguments = [*FORMAT, "--id-type=integer"]
     with explain_os_error(f"cannot write to {folder}"):
         for table in (*NODES, *EDGES):
             path = folder / f"{table.name}.csv"
@@ -34,7 +34,7 @@ def write_csv_files(staged: Staged, folder: Path, kitchen: Kitchen) -> list[str]
 
 def _write(database: sqlite3.Connection, table: Nodes | Edges, path: Path) -> int:
     """Write one table, a line a row; return how many there are. SQLite makes the lines."""
-    header = [*_ids(table), *table.columns, *([":LABEL"] if isinstance(table, Nodes) and table.labelled else [])]
+    header = [*table.ids, *table.columns, *([":LABEL"] if isinstance(table, Nodes) and table.labelled else [])]
     cells = ["id"] if isinstance(table, Nodes) else [f'"{START}"', f'"{END}"']
     cells += [_cell(named(column), kind_of(column)) for column in table.columns]
     cells += [_cell("_label", "string")] if isinstance(table, Nodes) and table.labelled else []
@@ -47,12 +47,6 @@ def _write(database: sqlite3.Connection, table: Nodes | Edges, path: Path) -> in
             stream.writelines(f"{line}\n" for (line,) in lines)
             count += len(lines)
     return count
-
-
-def _ids(table: Nodes | Edges) -> list[str]:
-    if isinstance(table, Nodes):
-        return [f":ID({table.label})"]
-    return [f":START_ID({table.start})", f":END_ID({table.end})"]
 
 
 def _cell(name: str, kind: str) -> str:

@@ -1,6 +1,7 @@
 """The graph that ``foon load foon`` writes, as tables: one for each label and each type of relationship.
 
-This is what is staged for an offline import (:mod:`foon_kg.store.offline.staged`) and what its CSV files are made of.
+This is what is staged for an offline import (:mod:`foon_kg.store.offline.staged`), and what the CSV files are made of,
+its own and those of ``foon export --format csv``.
 ``docs/reference/schema.md`` says what each of them means.
 """
 
@@ -12,6 +13,9 @@ LIST_DELIMITER = "\x1f"
 """Joins lists; no name holds it."""
 
 START, END = "_start", "_end"
+
+FORMAT = (f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true")
+"""The arguments by which the import reads files that are written so."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +36,11 @@ class Nodes:
         """What its table and file are called."""
         return self.label
 
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The header of the column by which its nodes are named."""
+        return (f":ID({self.label})",)
+
 
 @dataclass(frozen=True)
 class Edges:
@@ -47,6 +56,11 @@ class Edges:
     def name(self) -> str:
         """What its table and file are called."""
         return f"{self.start}_{self.type}_{self.end}"
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The headers of the columns that name the two ends."""
+        return (f":START_ID({self.start})", f":END_ID({self.end})")
 
 
 _SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
