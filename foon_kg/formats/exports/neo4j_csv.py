@@ -16,7 +16,7 @@ from foon_kg.formats.exports.files import ExportFile
 from foon_kg.formats.exports.neo4j_tables import Cell, Row, edge_tables, node_tables
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.schema import kitchen_key
-from foon_kg.store.offline.tables import EDGES, FORMAT, LIST_DELIMITER, NODES
+from foon_kg.store.offline.tables import FOON_EDGES, FORMAT, LIST_DELIMITER, NODES, RECIPES
 from foon_kg.store.snapshot import Snapshot
 
 ARGUMENTS = "import.txt"
@@ -25,9 +25,13 @@ AFTER = "after.cypher"
 _EXPORTED = ("Video", "Label", "Object", "Motion", "DishType", "Ingredient", "State", "Verb")
 """What an export has. Operators, frames and what is known of foods besides are learnt by the next load."""
 
-_NODES = {table.label: table.columns for table in NODES if table.label in _EXPORTED}
+_NODES = {
+    table.label: tuple(column for column in table.columns if column != RECIPES)
+    for table in NODES
+    if table.label in _EXPORTED
+}
 _NODES["Motion"] += ("cost:double",)
-_EDGES = {edges.type: edges for edges in EDGES if {edges.start, edges.end} <= set(_EXPORTED)}
+_EDGES = {edges.type: edges for edges in FOON_EDGES if {edges.start, edges.end} <= set(_EXPORTED)}
 
 _AFTER = """\
 // Makes of the imported nodes a FOON that foon-kg can read: with the lists that an import leaves out where they are

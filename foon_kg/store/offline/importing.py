@@ -73,11 +73,13 @@ def load_offline(
     replace: bool = False,
     say: Say = silent,
     told: Callable[[int], None] = lambda _count: None,
+    beside: Callable[[Staged], None] | None = None,
 ) -> ImportReport:
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
-    ``told`` hears how many videos were read. Raises UsageError where ``NEO4J_URI`` names another Neo4j, and where the
-    server holds anything, unless that shall be replaced (``replace``).
+    ``told`` hears how many videos were read. ``beside`` stages what comes with them once all are staged
+    (:func:`~foon_kg.store.offline.recipes.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
+    and where the server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()
     place, kitchen, report = home(), Kitchen.default(), ImportReport()
@@ -89,6 +91,9 @@ def load_offline(
             stager = Stager(staged, kitchen, told)
             with report.timed("reading"):
                 stager.stage(subgraphs)
+            if beside is not None:
+                with report.timed("recipes"):
+                    beside(staged)
             with report.timed("files"):
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)

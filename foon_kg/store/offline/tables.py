@@ -12,7 +12,10 @@ from dataclasses import dataclass
 LIST_DELIMITER = "\x1f"
 """Joins lists; no name holds it."""
 
-START, END = "_start", "_end"
+NUMBER, START, END = "_id", "_start", "_end"
+
+RECIPES = "recipes:long"
+"""The column of how many recipes there are of a dish type, or with a food."""
 
 FORMAT = (f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true")
 """The arguments by which the import reads files that are written so."""
@@ -75,8 +78,8 @@ NODES = (
          "container:string", "start:boolean", "utensil:boolean"),
     ),
     Nodes("Motion", ("key:string", "verb:string", "accepts_any:boolean")),
-    Nodes("DishType", ("name:string",)),
-    Nodes("Ingredient", ("name:string", "canonical:string", "singular:string", "vector:double[]")),
+    Nodes("DishType", ("name:string", RECIPES)),
+    Nodes("Ingredient", ("name:string", "canonical:string", "singular:string", "vector:double[]", RECIPES)),
     Nodes("State", ("name:string",)),
     Nodes("Verb", ("name:string", "units:long", "several:long")),
     Nodes("Operator", ("key:string", "motion:string", "tools:string[]", "count:long", "most_done:string",
@@ -102,9 +105,11 @@ NODES = (
          "source:string"),
         unique=False,
     ),
+    Nodes("Recipe", ("id:string", "title:string", "content:string", "source:string", "partition:string", "url:string",
+                     "left_over:string[]")),
 )  # fmt: skip
 
-EDGES = (
+FOON_EDGES = (
     Edges("CALLED", "Object", "Label"),
     Edges("INPUT_OF", "Object", "Motion", ("moving:long",), unique=(END, START)),
     Edges("OUTPUTS", "Motion", "Object", ("moving:long",)),
@@ -144,6 +149,17 @@ EDGES = (
     Edges("TAKES", "Slot", "Matter", unique=()),
 )  # fmt: skip
 """Without ``LABEL_OF``, which leads from every label to the record of the FOON."""
+
+RECIPE_EDGES = (
+    Edges("CALLS_FOR", "Recipe", "Ingredient", ("position:long", "state:string", "text:string", "quantity:string",
+                                                "unit:string"), unique=()),
+    Edges("KIND_OF", "Recipe", "DishType", ("sure:boolean",), unique=()),
+    Edges("USED_IN", "Ingredient", "DishType", ("count:long",)),
+    Edges("ASKED_AS", "Ingredient", "State", ("count:long",)),
+)  # fmt: skip
+"""Recipes, and what is counted of them (``foon_kg.store.graph.recipe_counts``)."""
+
+EDGES = (*FOON_EDGES, *RECIPE_EDGES)
 
 
 def named(column: str) -> str:
