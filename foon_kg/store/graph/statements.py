@@ -32,6 +32,7 @@ WRITING_TURN = Statement("writing_turn", rows.SchemaState)
 COMPLETE_LISTS = Statement("complete_lists", rows.Nothing)
 HOLDS_SOMETHING = Statement("holds_something", rows.SomethingRow)
 
+UNITS_COUNT = Statement("units_count", rows.UnitsCountRow)
 VIDEO_NAMES = Statement("video_names", rows.NameRow)
 VIDEO_CONTENTS = Statement("video_contents", rows.ContentRow)
 SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
