@@ -101,13 +101,11 @@ def _is_too_large(connection: Connection, settings: PlanSettings, run: Collectio
 
     The workers of a cluster may not reach the graph, and what drafts teach is read with the whole.
     """
-    from foon_kg.store.graph.statements import UNITS_COUNT, ask
+    from foon_kg.store.graph.counting import unit_count
 
     if run.files or run.dask is not None or settings.with_drafts:
         return False
-    with connection.session() as session:
-        (row,) = session.execute_read(ask, UNITS_COUNT)
-    return row.units > WHOLE
+    return unit_count(connection) > WHOLE
 
 
 def _whole(door: Foon, settings: PlanSettings) -> Snapshot | WithDrafts:
