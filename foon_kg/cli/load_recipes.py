@@ -196,7 +196,7 @@ def beside(
         def stage(staged: Staged) -> None:
             from foon_kg.language.collection import CollectionReader, labels_by_name
             from foon_kg.language.recipe_lines import LineReader
-            from foon_kg.store.offline.recipes import stage_recipes
+            from foon_kg.store.offline.staging import stage_recipes
 
             with (
                 LineReader(os.cpu_count() or 1) as lines,

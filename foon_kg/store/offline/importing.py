@@ -78,7 +78,7 @@ def load_offline(
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
     ``told`` hears how many videos were read. ``beside`` stages what comes with them once all are staged
-    (:func:`~foon_kg.store.offline.recipes.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
+    (:func:`~foon_kg.store.offline.staging.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
     and where the server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()

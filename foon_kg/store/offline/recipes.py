@@ -1,18 +1,12 @@
-"""Collections of recipes into what is staged for an import: by the writer of the graph, one part after another."""
+"""The part of what is staged for an import that recipes are written to."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
 from foon_kg.store.graph.recipe_rows import RecipeHeldRow, RecipesTurnRow
-from foon_kg.store.graph.recipes import RecipesStored, Understand, batches, write_recipes
 from foon_kg.store.offline.database import Database, Rows, cell
-
-if TYPE_CHECKING:
-    from foon_kg.store.offline.staged import Staged
 
 
 class StagedRecipes(Database):
@@ -64,34 +58,3 @@ class StagedRecipes(Database):
             )
         self.count("Ingredient_USED_IN_DishType", uses, "food", "dish_type")
         self.count("Ingredient_ASKED_AS_State", states, "food", "state")
-
-
-def stage_recipes(
-    staged: Staged,
-    recipes: Iterable[CollectedRecipe],
-    understand: Understand,
-    *,
-    version: str = "",
-    stored: Callable[[RecipesStored], None] = lambda _: None,
-    left_over: Callable[[UnderstoodRecipe], None] = lambda _: None,
-) -> RecipesStored:
-    """Write ``recipes``, of which only a part is in memory at a time; each id comes once.
-
-    ``stored``, ``left_over`` and ``version``: see :func:`~foon_kg.store.graph.recipes.load_recipes`.
-    """
-    total = RecipesStored()
-    for batch in batches(recipes):
-        understood = understand(batch)
-        write_recipes(staged.ask, understood, version)
-        staged.commit()
-        for recipe in understood:
-            if recipe.left_over:
-                left_over(recipe)
-        done = RecipesStored(
-            inserted=len(understood),
-            foods=sum(len(recipe.ingredients) for recipe in understood),
-            left_over=sum(len(recipe.left_over) for recipe in understood),
-        )
-        stored(done)
-        total += done
-    return total
