@@ -191,13 +191,13 @@ class IngredientWords:
 
 def _counting(words: Sequence[str]) -> int:
     """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
-    lower = [word.lower() for word in words]
+    lower = [word.lower().rstrip(".") or word for word in words]
     begin = int(lower[:1] == ["a"])
     if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
         return 0
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
 
-    measures = word_list("measures what is canned") | {"of", "to", "-"}
+    measures = word_list("measures what is canned") | word_list("measures a food") | {"of", "to", "-"}
     counts = [word[0].isnumeric() or word in measures or is_measure(word) for word in lower[begin:]]
     many = counts.index(False) if False in counts else len(counts)
     return many and begin + many

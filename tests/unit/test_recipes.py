@@ -38,6 +38,8 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
         ("½ cup chopped onion", "½ cup", "onion", "chopped"),
         ("1 1/2 cups chopped onion", "1 1/2 cups", "onion", "chopped"),
         ("2 to 3 cups chopped onion", "2 to 3 cups", "onion", "chopped"),
+        ("1 lb. chopped onion", "1 lb.", "onion", "chopped"),
+        ("handful of chopped onion", "handful", "onion", "chopped"),
         ("a pinch of chopped onion", "a pinch", "onion", "chopped"),
         ("slices of onion", "slices", "onion", "whole"),
         ("2 cups of dragon fruit", "2 cups", "dragon fruit", "whole"),

@@ -256,6 +256,14 @@ def test_a_huge_body_is_refused_whether_or_not_it_says_its_length(client):
         assert error_of(answer)["code"] == "size"
 
 
+def test_a_whole_draft_may_be_sent_where_it_is_reviewed_and_no_more(client):
+    rows = "0:01,0:04,chop,onion; knife,onion (chopped),,0.90,,,\n" * 4_000
+    table = f"start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n{rows}"
+    answer = client.post("/api/teach/review", json={"name": "long", "table": table})
+    assert (answer.status_code, answer.json()["units"]) == (200, 4_000)
+    assert client.post("/api/teach/review", json={"name": "long", "table": table * 6}).status_code == 413
+
+
 @pytest.mark.parametrize("method", ["PUT", "PATCH", "DELETE", "POST"])
 def test_there_is_nothing_to_write_to(client, method):
     headers = {"content-type": "application/json"}
