@@ -239,14 +239,10 @@ def _write_report(read: FilesRead, report: Path, played: Sequence[Notice]) -> No
 
 def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
     """Return the counts where all that was read is in the graph; nothing that writes is imported for it."""
-    with driver_without_arrays():
-        from foon_kg.store.graph.connection import Connection
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.graph.unchanged import all_there
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
-        there = all_there(connection, read.contents, Kitchen.default())
+    with Foon.connect(say=sayer(quiet=quiet)) as foon, driver_without_arrays():
+        there = foon.holds(read.contents)
     return Counts(unchanged=len(read.contents)) if there else None
 
 
@@ -282,8 +278,8 @@ def _import(
     """Import ``files`` offline; what is odd about them is told when all are read, before anything is imported."""
     from foon_kg.cli.files_read import FilesRead, Gathered
     from foon_kg.cli.runs import counting
+    from foon_kg.foon import Foon
     from foon_kg.loaders import read_paths
-    from foon_kg.store.offline.importing import load_offline
 
     say, gathered, read = sayer(quiet=quiet), Gathered(), list[FilesRead]()
 
@@ -296,7 +292,7 @@ def _import(
         _tell(read[0], report, bad_tolerance, say)
 
     with counting("Reading videos", len(files), quiet=quiet) as advance:
-        done = load_offline(subgraphs(), replace=replace, say=say, told=advance)
+        done = Foon.import_offline(subgraphs(), replace=replace, say=say, told=advance)
     say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
     return _counts(read[0], Counts(inserted=done.videos))
 

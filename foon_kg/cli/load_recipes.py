@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
-    from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
+    from foon_kg.model.collected import UnderstoodRecipe
     from foon_kg.store.graph.recipes import RecipesStored
 
 EXAMPLES = examples(
@@ -204,35 +203,15 @@ def _load(
     quiet: bool,
 ) -> RecipesStored:
     from foon_kg.cli.runs import counting
-    from foon_kg.language.collection import CollectionReader, labels_of
-    from foon_kg.language.recipe_lines import LineReader
-    from foon_kg.store.graph import Connection, Neo4jGraph
-    from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    settings = connection_settings(say)
-    with (
-        LineReader(os.cpu_count() or 1) as lines,
-        Connection(settings) as connection,
-        counting("Loading recipes", total, quiet=quiet) as advance,
-    ):
-        prepare_for_recipes(connection)
-        with Neo4jGraph(settings) as graph, graph.reading() as view:
-            reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
-
-        def understand(recipes: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
-            understood = reader.understand(recipes)
-            for recipe in understood:
-                journal.note_words(recipe)
-            return understood
-
-        return load_recipes(
-            connection,
+    with Foon.connect(say=say) as foon, counting("Loading recipes", total, quiet=quiet) as advance:
+        return foon.store_recipes(
             collections,
-            understand,
+            full=full,
             stored=lambda report: advance(len(report)),
+            understood=journal.note_words,
             left_over=journal.note_left_over,
-            version=reader.version,
         )
 
 
