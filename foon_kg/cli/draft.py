@@ -140,7 +140,7 @@ def accept(
         typer.Option(
             "--sure", metavar="SURE", min=0, max=1, help="Doubts of units less sure than this must be resolved."
         ),
-    ] = 0.5,
+    ] = 0.1,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Accept doubts, leave out rows that are no units, replace videos.")
     ] = False,

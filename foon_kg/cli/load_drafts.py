@@ -10,6 +10,7 @@ import typer
 
 from foon_kg.cli.console import Json, Quiet, examples, sayer
 from foon_kg.cli.loading import DryRun, show_counts
+from foon_kg.model.errors import UsageError
 
 EXAMPLES = examples("foon load drafts drafts.jsonl.zst", "foon load drafts drafts.jsonl --dry-run")
 
@@ -40,6 +41,9 @@ def drafts(
             counts["drafts"] += 1
             counts["left_out"] += lesson_of(drafted) is None
             advance(1)
+    if not counts["drafts"]:
+        named = ", ".join(map(str, paths))
+        raise UsageError(f"there is no draft in {named}", hint="foon draft recipes PATH --output FILE writes them.")
     if not dry_run:
         with (
             Foon.connect(say=sayer(quiet=quiet)) as foon,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from foon_kg.loaders.recipe_collections import RecipeCollections
     from foon_kg.model.collected import UnderstoodRecipe
     from foon_kg.store.graph.recipes import RecipesStored
+    from foon_kg.store.offline.staged import Staged
 
 EXAMPLES = examples(
     "foon load recipes recipe1m/",
@@ -81,11 +82,8 @@ def recipes(
     data_frames.allow()  # CSV and Parquet are read by them
     say = sayer(quiet=quiet)
     with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
-        usable = _check(collections, quiet=quiet)
-        journal.tell(say)
-        _refuse_nothing(paths, usable + journal.rejected)
-        refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
-        counts = {"recipes": usable, "rejected_recipes": journal.rejected}
+        counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
+        usable = counts["recipes"]
         if not dry_run:
             stored = _load(collections, usable, journal, say, full=parse is Parse.FULL, quiet=quiet)
             counts = _counts(stored) | counts
@@ -175,6 +173,57 @@ def _journal(report: Path | None) -> Iterator[Journal]:
     finally:
         with writing(report, UNWRITTEN):
             stream.close()
+
+
+@contextmanager
+def beside(
+    paths: Sequence[Path], bad_tolerance: int | None, say: Say, *, quiet: bool
+) -> Iterator[tuple[Callable[[Staged], None] | None, dict[str, int]]]:
+    """Yield what stages the recipes of ``paths`` for an import (``None`` without paths), and counts that it fills."""
+    if not paths:
+        yield None, {}
+        return
+    from foon_kg.cli import data_frames
+    from foon_kg.cli.runs import counting
+    from foon_kg.loaders.recipe_collections import RecipeCollections
+
+    data_frames.allow()  # as above
+    with _journal(None) as journal, RecipeCollections(paths, journal.note) as collections:
+        counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
+
+        def stage(staged: Staged) -> None:
+            from foon_kg.foon import Foon
+
+            with counting("Reading recipes", counts["recipes"], quiet=quiet) as advance:
+                stored = Foon.stage_recipes(
+                    staged,
+                    collections,
+                    stored=lambda done: advance(len(done)),
+                    understood=journal.note_words,
+                    left_over=journal.note_left_over,
+                )
+            counts["inserted_recipes"] = stored.inserted
+
+        yield stage, counts
+        journal.tell_left_over(say)
+        journal.tell_unknown(say)
+
+
+def _usable(
+    collections: RecipeCollections,
+    paths: Sequence[Path],
+    journal: Journal,
+    bad_tolerance: int | None,
+    say: Say,
+    *,
+    quiet: bool,
+) -> dict[str, int]:
+    """Read collections to their end, tell what is odd, and return how many recipes can be used."""
+    usable = _check(collections, quiet=quiet)
+    journal.tell(say)
+    _refuse_nothing(paths, usable + journal.rejected)
+    refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
+    return {"recipes": usable, "rejected_recipes": journal.rejected}
 
 
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:

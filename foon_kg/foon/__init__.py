@@ -12,14 +12,14 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from foon_kg.foon.changing import Changing
+from foon_kg.foon.answering import Answering
 from foon_kg.foon.opened import Paths
 from foon_kg.model.errors import UsageError
 
@@ -39,14 +39,12 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.plans.stock import StockedKitchen
     from foon_kg.search.classic import RetrievalResult
     from foon_kg.store.graph import GraphView
+    from foon_kg.store.settings import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
     from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
-
-_MOST_KEPT = 8
-"""For so many different settings what plans is kept ready."""
 
 
 def __getattr__(name: str) -> object:
@@ -56,38 +54,11 @@ def __getattr__(name: str) -> object:
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
-class Foon(Changing):
+class Foon(Answering):
     """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
 
     It is a context manager; :meth:`close` gives connections back.
     """
-
-    @cached_property
-    def _cooks(self) -> dict[PlanSettings, Cook]:
-        """What plans from files, kept ready by settings."""
-        return {}
-
-    def close(self) -> None:
-        """Forget what is kept ready, and give connections back. Another question opens them again.
-
-        >>> foon.close()
-        """
-        self._cooks.clear()
-        super().close()
-
-    def known_with(self, settings: PlanSettings) -> KnownFoon:
-        """Return what the judge compares a tree's evidence with that was planned with such ``settings``.
-
-        >>> from foon_kg.planning.settings import PlanSettings
-        >>> foon.known_with(PlanSettings()) is foon.known
-        True
-        """
-        if not settings.with_drafts:
-            return self.known
-        from foon_kg.validation import KnownFoon
-
-        with self._cook(settings) as cook:
-            return KnownFoon.of(cook.units or (), cook.view.goals())
 
     def plan(
         self,
@@ -144,92 +115,6 @@ class Foon(Changing):
         if answer.error is not None or not isinstance(answer.outcome, PlanResult):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return Plan(answer.outcome, self, settings, answer.notes)
-
-    def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
-        """Return the answer to a ``question`` asked with such ``settings``; its ``error`` is what stands in the way.
-
-        :meth:`plan` raises that error instead, and takes plain words. With ``explain`` it has ``explanations`` too.
-
-        >>> from foon_kg.planning.batch import Question
-        >>> from foon_kg.planning.settings import PlanSettings
-        >>> asked = Question(dish_type="salad", texts=("chopped onion", "olive oil"))
-        >>> len(foon.answer(asked, PlanSettings()).outcome.units)
-        6
-        """
-        with self._cook(settings) as cook:
-            return cook.answer(question, explain=explain)
-
-    def get_ready(self, settings: PlanSettings) -> None:
-        """Make ready what answers questions with such ``settings``, so that the first waits no longer than others.
-
-        >>> from foon_kg.planning.settings import PlanSettings
-        >>> foon.get_ready(PlanSettings())
-        """
-        with self._cook(settings):
-            pass
-
-    @contextmanager
-    def answers(
-        self, questions: Iterable[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
-    ) -> Iterator[Iterable[Answer]]:
-        """Open what answers ``questions`` with such ``settings``, in their order, each as :meth:`answer` does.
-
-        Many are answered from the whole FOON as it stands now, in ``jobs`` processes (as a rule all cores), or on the
-        cluster of the Dask scheduler at ``dask``; neither changes an answer. Questions that are not a sequence are
-        taken one by one, and count as many. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended
-        from outside.
-
-        >>> from foon_kg.planning.batch import Question
-        >>> from foon_kg.planning.settings import PlanSettings
-        >>> asked = [Question(dish_type="salad", texts=("chopped onion", oil)) for oil in ("olive oil", "walnut oil")]
-        >>> with foon.answers(asked, PlanSettings()) as answers:
-        ...     [len(answer.outcome.units) for answer in answers]
-        [6, 6]
-        """
-        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
-
-        count = len(questions) if isinstance(questions, Sequence) else MANY
-        if not count:
-            yield ()
-            return
-        whole = dask is not None or count >= MANY
-        with self._viewed(settings, whole=whole) as view:
-            units = getattr(view, "units", None) if whole or count > 1 else None  # a graph is asked for parts
-            if dask is not None and units is not None:
-                with answering_on(dask, questions, view, settings, units) as answers:
-                    yield answers
-            elif units is not None and count >= MANY and (jobs or cores()) > 1:
-                with answering(questions, view, settings, units, jobs or cores()) as answers:
-                    yield answers
-            else:
-                yield map(Cook(view, settings, units).answer, questions)
-
-    @contextmanager
-    def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
-        """Open what answers questions with such settings; of files it is kept."""
-        from foon_kg.planning.batch import Cook
-
-        if self._snapshot is None:
-            with self._viewed(settings) as view:
-                yield Cook(view, settings, view.units if settings.with_drafts else None)
-            return
-        if settings not in self._cooks:
-            if len(self._cooks) >= _MOST_KEPT:
-                self._cooks.clear()
-            known = self.with_drafts() if settings.with_drafts else self._snapshot
-            self._cooks[settings] = Cook(known, settings, known.units)
-        yield self._cooks[settings]
-
-    @contextmanager
-    def _viewed(self, settings: PlanSettings, *, whole: bool = False) -> Iterator[Any]:
-        """Open what plans with such settings are made from: the ``whole`` in memory, or what answers in parts."""
-        if settings.with_drafts:
-            yield self.with_drafts()
-        elif whole:
-            yield self.snapshot()
-        else:
-            with self.reading() as view:
-                yield view
 
     def similar(self, food: str, limit: int = 5, *, role: str | None = None) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.

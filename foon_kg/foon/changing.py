@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
     from foon_kg.store.graph.loading import LoadReport
     from foon_kg.store.offline.importing import ImportReport
+    from foon_kg.store.offline.staged import Staged
 
 
 class Changing(Collected):
@@ -107,16 +108,18 @@ class Changing(Collected):
         replace: bool = False,
         say: Say = silent,
         told: Callable[[int], None] = silent,
+        beside: Callable[[Staged], None] | None = None,
     ) -> ImportReport:
         """Make ``subgraphs`` the FOON of foon-kg's own Neo4j by neo4j-admin's import: for very many of them.
 
-        A part of them is in memory at a time; ``told`` hears how many were read, ``say`` what is done. Raises
+        A part of them is in memory at a time; ``told`` hears how many were read, ``say`` what is done. What comes in
+        ``beside`` them (:meth:`stage_recipes`) is staged when they are. Raises
         ``UsageError`` where NEO4J_URI names another Neo4j, and where the server holds anything that is not to be
         replaced (``replace``).
         """
         from foon_kg.store.offline.importing import load_offline
 
-        return load_offline(subgraphs, replace=replace, say=say, told=told)
+        return load_offline(subgraphs, replace=replace, say=say, told=told, beside=beside)
 
     def differences(self, subgraphs: Sequence[Subgraph]) -> Sequence[VideoDifference]:
         """Return what loading ``subgraphs`` would change, one by one: units that are new, known, as before or gone.

@@ -13,12 +13,14 @@ from foon_kg.foon.opened import Opened, silent
 
 if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.language.collection import CollectionReader
     from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
     from foon_kg.model.drafted import DraftedRecipe
     from foon_kg.store.graph.drafts import DraftsStored
     from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
-    from foon_kg.store.graph.recipes import RecipesStored, StoredRecipe
+    from foon_kg.store.graph.recipes import RecipesStored, StoredRecipe, Understand
     from foon_kg.store.graph.weights import WeightsReport
+    from foon_kg.store.offline.staged import Staged
 
 
 class Collected(Opened):
@@ -119,15 +121,37 @@ class Collected(Opened):
             prepare_for_recipes(connection)
             with self.reading() as view:
                 reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
-
-            def understand(asked: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
-                found = reader.understand(asked)
-                for recipe in found:
-                    understood(recipe)
-                return found
-
             return load_recipes(
-                connection, recipes, understand, stored=stored, left_over=left_over, version=reader.version
+                connection,
+                recipes,
+                _telling(reader, understood),
+                stored=stored,
+                left_over=left_over,
+                version=reader.version,
+            )
+
+    @staticmethod
+    def stage_recipes(
+        staged: Staged,
+        recipes: Iterable[CollectedRecipe],
+        *,
+        stored: Callable[[RecipesStored], None] = silent,
+        understood: Callable[[UnderstoodRecipe], None] = silent,
+        left_over: Callable[[UnderstoodRecipe], None] = silent,
+    ) -> RecipesStored:
+        """Bring recipes to what is ``staged`` for an offline import, which calls this ``beside`` its videos.
+
+        ``stored``, ``understood`` and ``left_over`` are told what :meth:`store_recipes` tells them.
+        """
+        from foon_kg.language.collection import CollectionReader, labels_by_name
+        from foon_kg.language.recipe_lines import LineReader
+        from foon_kg.store.offline.staging import stage_recipes
+
+        with LineReader(os.cpu_count() or 1) as lines:
+            reader = CollectionReader(labels_by_name(staged.seen_foods()), lines)
+            understand = _telling(reader, understood)
+            return stage_recipes(
+                staged, recipes, understand, version=reader.version, stored=stored, left_over=left_over
             )
 
     def store_drafts(
@@ -169,3 +193,15 @@ class Collected(Opened):
         from foon_kg.store.graph import load_weights
 
         return load_weights(self._connected("for weights"), costs)
+
+
+def _telling(reader: CollectionReader, understood: Callable[[UnderstoodRecipe], None]) -> Understand:
+    """Return what understands recipes as ``reader`` does, and tells each of them to ``understood``."""
+
+    def understand(asked: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
+        found = reader.understand(asked)
+        for recipe in found:
+            understood(recipe)
+        return found
+
+    return understand

@@ -98,7 +98,7 @@ def public(owner):
     ]
 
 
-NO_EXAMPLE = {"on_this_machine", "import_offline"}
+NO_EXAMPLE = {"on_this_machine", "import_offline", "stage_recipes"}
 """They start, or replace, what whoever runs the examples has."""
 
 
