@@ -12,12 +12,10 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from functools import cached_property, partial
+from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 from foon_kg.foon.answering import Answering
 from foon_kg.foon.opened import Paths
@@ -28,7 +26,7 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.foon.plan import Plan, Step
     from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
-    from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.batch import Question
     from foon_kg.planning.candidates import Candidates
     from foon_kg.planning.kitchen_file import ReadKitchen
     from foon_kg.planning.recipes import IngredientWords
@@ -39,10 +37,8 @@ if TYPE_CHECKING:  # every question imports what it needs: a command asks one, a
     from foon_kg.plans.stock import StockedKitchen
     from foon_kg.search.classic import RetrievalResult
     from foon_kg.store.graph import GraphView
-    from foon_kg.store.settings import ConnectionSettings
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
-    from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
 
