@@ -245,14 +245,10 @@ def _write_report(read: FilesRead, report: Path, played: Sequence[Notice]) -> No
 
 def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
     """Return the counts where all that was read is in the graph; nothing that writes is imported for it."""
-    with driver_without_arrays():
-        from foon_kg.store.graph.connection import Connection
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.graph.unchanged import all_there
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
-        there = all_there(connection, read.contents, Kitchen.default())
+    with Foon.connect(say=sayer(quiet=quiet)) as foon, driver_without_arrays():
+        there = foon.holds(read.contents)
     return Counts(unchanged=len(read.contents)) if there else None
 
 
@@ -297,8 +293,8 @@ def _import(
     """Import ``files`` and ``recipes`` offline; what is odd is told when all are read, before anything is imported."""
     from foon_kg.cli.files_read import FilesRead, Gathered
     from foon_kg.cli.runs import counting
+    from foon_kg.foon import Foon
     from foon_kg.loaders import read_paths
-    from foon_kg.store.offline.importing import load_offline
 
     say, gathered, read = sayer(quiet=quiet), Gathered(), list[FilesRead]()
 
@@ -312,7 +308,7 @@ def _import(
 
     with load_recipes.beside(recipes, bad_tolerance, say, quiet=quiet) as (stage, counts):
         with counting("Reading videos", len(files), quiet=quiet) as advance:
-            done = load_offline(subgraphs(), replace=replace, say=say, told=advance, beside=stage)
+            done = Foon.import_offline(subgraphs(), replace=replace, say=say, told=advance, beside=stage)
         say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
         return _counts(read[0], Counts(inserted=done.videos)) | counts
 

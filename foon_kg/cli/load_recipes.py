@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -31,11 +30,10 @@ from foon_kg.model.written_files import writing
 if TYPE_CHECKING:
     from foon_kg.cli.files_read import Where
     from foon_kg.food.unknown import UnknownWord
-    from foon_kg.language.collection import CollectionReader
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
-    from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
-    from foon_kg.store.graph.recipes import RecipesStored, Understand
+    from foon_kg.model.collected import UnderstoodRecipe
+    from foon_kg.store.graph.recipes import RecipesStored
     from foon_kg.store.offline.staged import Staged
 
 EXAMPLES = examples(
@@ -194,21 +192,14 @@ def beside(
         counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
 
         def stage(staged: Staged) -> None:
-            from foon_kg.language.collection import CollectionReader, labels_by_name
-            from foon_kg.language.recipe_lines import LineReader
-            from foon_kg.store.offline.staging import stage_recipes
+            from foon_kg.foon import Foon
 
-            with (
-                LineReader(os.cpu_count() or 1) as lines,
-                counting("Reading recipes", counts["recipes"], quiet=quiet) as advance,
-            ):
-                reader = CollectionReader(labels_by_name(staged.seen_foods()), lines)
-                stored = stage_recipes(
+            with counting("Reading recipes", counts["recipes"], quiet=quiet) as advance:
+                stored = Foon.stage_recipes(
                     staged,
                     collections,
-                    _noting(reader, journal),
-                    version=reader.version,
                     stored=lambda done: advance(len(done)),
+                    understood=journal.note_words,
                     left_over=journal.note_left_over,
                 )
             counts["inserted_recipes"] = stored.inserted
@@ -233,18 +224,6 @@ def _usable(
     _refuse_nothing(paths, usable + journal.rejected)
     refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
     return {"recipes": usable, "rejected_recipes": journal.rejected}
-
-
-def _noting(reader: CollectionReader, journal: Journal) -> Understand:
-    """Return what understands recipes and takes down which words they ask for."""
-
-    def understand(recipes: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
-        understood = reader.understand(recipes)
-        for recipe in understood:
-            journal.note_words(recipe)
-        return understood
-
-    return understand
 
 
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:
@@ -273,28 +252,15 @@ def _load(
     quiet: bool,
 ) -> RecipesStored:
     from foon_kg.cli.runs import counting
-    from foon_kg.language.collection import CollectionReader, labels_of
-    from foon_kg.language.recipe_lines import LineReader
-    from foon_kg.store.graph import Connection, Neo4jGraph
-    from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    settings = connection_settings(say)
-    with (
-        LineReader(os.cpu_count() or 1) as lines,
-        Connection(settings) as connection,
-        counting("Loading recipes", total, quiet=quiet) as advance,
-    ):
-        prepare_for_recipes(connection)
-        with Neo4jGraph(settings) as graph, graph.reading() as view:
-            reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
-        return load_recipes(
-            connection,
+    with Foon.connect(say=say) as foon, counting("Loading recipes", total, quiet=quiet) as advance:
+        return foon.store_recipes(
             collections,
-            _noting(reader, journal),
+            full=full,
             stored=lambda report: advance(len(report)),
+            understood=journal.note_words,
             left_over=journal.note_left_over,
-            version=reader.version,
         )
 
 

@@ -27,8 +27,9 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.parts import parts_of
-from foon_kg.integration.places import Join, Joiners, Matcher
+from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
+from foon_kg.integration.spots import Join
 from foon_kg.integration.techniques import technique_for
 from foon_kg.integration.warmed import can_be_warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
