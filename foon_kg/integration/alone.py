@@ -291,7 +291,8 @@ class Alone:
         oven, tray = bench.device("oven"), bench.vessel("baking tray")
         bench.switch(None, oven, on=True)
         self.carry.bring(ready, tray, None)
-        self.carry.add_fat(tray, self.plan)
+        if word_list("is done dry").isdisjoint(method):
+            self.carry.add_fat(tray, self.plan)
         device = bench.place(tray, oven.label, "in")
         stuff, states = ready.stuff, self._cooked_states(ready.stuff, want, attested.way)
 
@@ -299,7 +300,7 @@ class Alone:
             stuff.states = states
             tray.hot = True
 
-        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, stuff])
+        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, *tray.contents])
         bench.heat_off(tray)
         self.preparer.cut_now(ready)
         return True

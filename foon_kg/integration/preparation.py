@@ -25,6 +25,7 @@ _BY_HAND = ("husk", "shell", "peel", "core", "stone", "choke")
 _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 """What also does for a treatment."""
 
+_MILLS = frozenset({"grind", "blend", "mash"})
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
 _SOFT = word_list("can be mashed")
@@ -210,6 +211,11 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
         return replace(want, make=one.state, squeezed=True)
     ends = one.state in word_list("is cut off at the ends") and facts.is_a("vegetable") and form == "whole"
     can = ends or _can_be_made(want, form, row, operators)
+    hard = _wants_a_mill(one.state, facts, known)
+    if hard and not any(_MILLS & known.motion(way[0]).does for way in operators.making(one.state)):
+        can = False
+        if facts.is_a(*word_list("is sold ground")) or not facts.traits:
+            return replace(want, leaf=(one.state,), bought_so=True)
     alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
 
@@ -252,6 +258,9 @@ def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operato
 def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> bool:
     """Whether the asked state, that of ``row``, can be given to a food of such a form."""
     facts = want.facts
+    small = not word_list("is too small for a grater").isdisjoint(want.leaf)
+    if small and row.earns == {"cut"} and (row.fine or 0) < _POWDER:
+        return False  # flakes are as good as shreds, and nothing holds them to be cut
     ways = [way for way in operators.giving.get(want.asked, ()) if not operators.known.motion(way[0]).does <= _BRINGS]
     if row.earns == _RINSED:
         return form in {"whole", "pieces"} or _CANNED in want.leaf
@@ -264,6 +273,13 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
     if facts.is_a("stock", "ready") and (row.fine or 0) in {0, _POWDER}:
         return False
     return bool(row.fine) or bool(row.earns & facts.owes.keys())
+
+
+def _wants_a_mill(state: str, facts: Food, known: Tables) -> bool:
+    """Whether a food is asked so fine that only a mill makes it, or a mortar: a knife does it where it is soft."""
+    row = known.state(state)
+    fine = (row.fine or 0) >= _POWDER and row.earns == {"cut"}
+    return fine and not facts.is_a(*word_list("is soft enough for a knife"))
 
 
 def _is_grated_off(label: str, facts: Food, known: Tables) -> bool:
@@ -667,6 +683,8 @@ class Preparer:
     def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        if _wants_a_mill(state, want.facts, self.known):
+            ways = [way for way in ways if _MILLS & self.known.motion(way[0]).does]
         if state in word_list("is pulled apart by hand"):
             pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
             pulls = [way for way in pulls if not way[1]]
