@@ -86,10 +86,11 @@ class Carrier:
         self.bench.bring(stuffs, target, attested, leaves=bool(left))
 
     def _stays_in_the_pan(self, stuff: Stuff, beside: Sequence[Stuff]) -> bool:
-        """Whether oil in which something was fried is left where it is: what clings to the food is part of it."""
+        """Whether liquid fat in which something was fried is left where it is: what clings to that is part of it."""
         facts = self.known.foods.food(stuff.label)
-        oil = not stuff.mixed and facts.is_a("fat") and facts.is_a("liquid")
-        return oil and any(other is not stuff and bool(stuff.wants) and stuff.wants <= other.wants for other in beside)
+        if stuff.mixed or not stuff.wants or not (facts.is_a("fat") and facts.is_a("liquid")):
+            return False
+        return any(other is not stuff and stuff.wants <= other.wants for other in beside)
 
     def _is_in_tin(self, vessel: Vessel) -> bool:
         """Whether something was baked in a tin with a rim."""
@@ -320,7 +321,9 @@ class Carrier:
         if source is not None and source.label == _TAP and vessel.device is not None:
             jug = self.bench.vessel(_JUG)
             self.bench.bring([stuff], jug, self._way_of(ready, slot, jug))
-        self.bench.bring([stuff], vessel, self._way_of(ready, slot, vessel))
+        attested = self._way_of(ready, slot, vessel)
+        smears = attested.way[0] in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
+        self.bench.bring([stuff], vessel, attested, onto=list(vessel.contents) if smears else ())
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food that is in pieces into or onto a vessel."""

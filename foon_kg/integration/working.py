@@ -106,12 +106,12 @@ class Worker:
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
 
     def _fat_that_clings(self, stuffs: Sequence[Stuff]) -> list[Stuff]:
-        """Return the oil of which some clings to the one thing that is fried in it, where that is made of several."""
-        fats = [stuff for stuff in stuffs if not stuff.mixed and self._is_oil(stuff)]
+        """Return the liquid fat of which some clings to the one thing fried in it, where that is made of several."""
+        fats = [stuff for stuff in stuffs if not stuff.mixed and self._is_liquid_fat(stuff)]
         others = [stuff for stuff in stuffs if stuff not in fats]
         return fats if len(others) == 1 and others[0].mixed else []
 
-    def _is_oil(self, stuff: Stuff) -> bool:
+    def _is_liquid_fat(self, stuff: Stuff) -> bool:
         facts = self.known.foods.food(stuff.label)
         return facts.is_a("fat") and facts.is_a("liquid")
 
@@ -188,7 +188,9 @@ class Worker:
             return self._strain(vessel, wants)
         for want in wants:
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
-            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
+            states = [state for state in (want.make, want.then, *want.leaf) if state]
+            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in states)
+            in_pieces = in_pieces or not word_list("is plucked off its stem").isdisjoint(states)
             if in_pieces or len(whole.wants) < _LEAST:
                 continue
             ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]
