@@ -2,7 +2,8 @@
 
 The import is made in a home of its own inside the server's home, with its indexes and all that a load would write,
 while the server goes on with what it has. Only when that is done is the one folder of data put in the place of the
-other. A program that is killed before leaves the old graph as it was, and a folder that the next import sweeps away.
+other (:mod:`foon_kg.store.server.exchange`). A program that is killed leaves the old graph as it was, or the new one,
+and a folder that the next import sweeps away.
 """
 
 from __future__ import annotations
@@ -30,11 +31,13 @@ from foon_kg.store.offline.csv_files import write_csv_files
 from foon_kg.store.offline.staged import Staged
 from foon_kg.store.offline.staging import Stager
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.configuration import write_configuration
+from foon_kg.store.server.configuration import new_password, write_configuration
+from foon_kg.store.server.exchange import exchange, restore
 from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
 from foon_kg.store.server.lifecycle import ensure_running, stop_locked
+from foon_kg.store.server.reach import password_of
 from foon_kg.store.server.starting import fetched
 from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
@@ -70,11 +73,13 @@ def load_offline(
     replace: bool = False,
     say: Say = silent,
     told: Callable[[int], None] = lambda _count: None,
+    beside: Callable[[Staged], None] | None = None,
 ) -> ImportReport:
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
-    ``told`` hears how many videos were read. Raises UsageError where ``NEO4J_URI`` names another Neo4j, and where the
-    server holds anything, unless that shall be replaced (``replace``).
+    ``told`` hears how many videos were read. ``beside`` stages what comes with them once all are staged
+    (:func:`~foon_kg.store.offline.staging.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
+    and where the server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()
     place, kitchen, report = home(), Kitchen.default(), ImportReport()
@@ -86,6 +91,9 @@ def load_offline(
             stager = Stager(staged, kitchen, told)
             with report.timed("reading"):
                 stager.stage(subgraphs)
+            if beside is not None:
+                with report.timed("recipes"):
+                    beside(staged)
             with report.timed("files"):
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)
@@ -98,6 +106,7 @@ def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportR
     """Import the files that ``arguments`` name in ``folder``, and put the result in the place of the server's data."""
     cache, made = fetched(say), Home(folder / "home")
     made.create()
+    _share_password(place, made)
     class_path = cache.jar_set.class_path(cache.folder)
     with waiting(say, "importing"), report.timed("import"):
         write_configuration(made, processes.free_port())
@@ -108,7 +117,7 @@ def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportR
         _complete(settings)
     with place.locked(say):
         stop_locked(place, say)
-        _exchange(place, made)
+        exchange(place, made)
     ensure_running(say)
 
 
@@ -130,14 +139,12 @@ def _started(made: Home, cache: StartupCache) -> Iterator[ConnectionSettings]:
         child.wait()
 
 
-def _exchange(place: Home, made: Home) -> None:
-    """Put the data of ``made``, with its password, in the place of those of the server."""
-    data, before = place.databases.parent, made.root / "data-before"
-    with explain_os_error(f"cannot put the import in the place of {data}"):
-        if data.exists():
-            data.rename(before)
-        (made.root / "data").rename(data)
-        write_private(place.password_file, made.password_file.read_text(encoding="utf-8"))
+def _share_password(place: Home, made: Home) -> None:
+    """Let ``made`` have the password of the server: so its data are all that takes the place of another."""
+    with place.locked(), explain_os_error(f"cannot write {made.password_file}"):
+        if not (place.password_file.exists() or place.databases.exists()):
+            write_private(place.password_file, new_password())
+        write_private(made.password_file, password_of(place))
 
 
 @contextmanager
@@ -153,6 +160,8 @@ def _alone(place: Home) -> Iterator[Path]:
     folder = place.root / "import"
     try:
         _sweep(folder)
+        with place.locked():
+            restore(place)
         with explain_os_error(f"cannot write to {folder}"):
             folder.mkdir()
         yield folder
