@@ -20,7 +20,6 @@ from filelock import FileLock, Timeout
 from foon_kg.cypher import named_query
 from foon_kg.model import Subgraph
 from foon_kg.model.errors import ServerError, UsageError
-from foon_kg.model.kept import write_private
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.disk import explain_os_error
 from foon_kg.store.graph.connection import Connection
@@ -31,10 +30,12 @@ from foon_kg.store.offline.staged import Staged
 from foon_kg.store.offline.staging import Stager
 from foon_kg.store.server import process as processes
 from foon_kg.store.server.configuration import write_configuration
+from foon_kg.store.server.exchange import exchange, settle, share_password
 from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
 from foon_kg.store.server.lifecycle import ensure_running, stop_locked
+from foon_kg.store.server.reach import settings_of
 from foon_kg.store.server.starting import fetched
 from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
@@ -80,6 +81,8 @@ def load_offline(
     place, kitchen, report = home(), Kitchen.default(), ImportReport()
     place.create()
     with _alone(place) as folder:
+        with place.locked(say):
+            settle(place)
         if not replace:
             _refuse_what_is_not_empty(place, say)
         with Staged(folder / "staged.sqlite", kitchen) as staged:
@@ -90,14 +93,17 @@ def load_offline(
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)
             report.videos = stager.videos
-        _import(place, folder, arguments, report, say)
+        _import(place, folder, arguments, report, say, replace=replace)
     return report
 
 
-def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say) -> None:
+def _import(
+    place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say, *, replace: bool
+) -> None:
     """Import the files that ``arguments`` name in ``folder``, and put the result in the place of the server's data."""
     cache, made = fetched(say), Home(folder / "home")
     made.create()
+    share_password(place, made)
     class_path = cache.jar_set.class_path(cache.folder)
     with waiting(say, "importing"), report.timed("import"):
         write_configuration(made, processes.free_port())
@@ -107,8 +113,10 @@ def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportR
     with waiting(say, "making indexes"), report.timed("indexes"), _started(made, cache) as settings:
         _complete(settings)
     with place.locked(say):
+        if not replace:
+            _refuse_what_was_stored_meanwhile(place)
         stop_locked(place, say)
-        _exchange(place, made)
+        exchange(place, made)
     ensure_running(say)
 
 
@@ -128,16 +136,6 @@ def _started(made: Home, cache: StartupCache) -> Iterator[ConnectionSettings]:
         yield settings
         processes.end(process)
         child.wait()
-
-
-def _exchange(place: Home, made: Home) -> None:
-    """Put the data of ``made``, with its password, in the place of those of the server."""
-    data, before = place.databases.parent, made.root / "data-before"
-    with explain_os_error(f"cannot put the import in the place of {data}"):
-        if data.exists():
-            data.rename(before)
-        (made.root / "data").rename(data)
-        write_private(place.password_file, made.password_file.read_text(encoding="utf-8"))
 
 
 @contextmanager
@@ -180,10 +178,24 @@ def _refuse_another_server() -> None:
 def _refuse_what_is_not_empty(place: Home, say: Say) -> None:
     if not place.databases.exists():
         return
-    with Connection(ensure_running(say)) as connection, connection.session() as session:
-        (row,) = session.execute_read(ask, HOLDS_SOMETHING)
-    if row.something:
+    if _holds_something(ensure_running(say)):
         raise UsageError(
             "the local Neo4j holds a graph, and an import takes the place of all of it, recipes and drafts too",
             hint="Add --replace where that is meant; without --offline, videos are added to what is there.",
         )
+
+
+def _refuse_what_was_stored_meanwhile(place: Home) -> None:
+    """Look once more, on the home that is locked: an import takes minutes, in which others load."""
+    known = place.recall()
+    if known and known.port and processes.find(place, known) and _holds_something(settings_of(place, known.port)):
+        raise UsageError(
+            "while the import was made another program stored a graph in the local Neo4j; it is left as it is",
+            hint="Import again with --replace where that is meant; without --offline, videos are added to it.",
+        )
+
+
+def _holds_something(settings: ConnectionSettings) -> bool:
+    with Connection(settings) as connection, connection.session() as session:
+        (row,) = session.execute_read(ask, HOLDS_SOMETHING)
+    return row.something

@@ -64,6 +64,11 @@ class Home:
         return self.root / "data" / "databases"
 
     @property
+    def set_aside(self) -> Path:
+        """The data that was there before, while an import takes its place (:mod:`foon_kg.store.server.exchange`)."""
+        return self.root / "data-before"
+
+    @property
     def password_file(self) -> Path:
         """The random password of the user ``neo4j``, readable by its owner only."""
         return self.root / "password"
@@ -133,10 +138,11 @@ class Home:
 
     def recall(self) -> Memory | None:
         """Return what is remembered: nothing (None) where the file is missing or is not one that foon-kg wrote."""
-        try:
-            return Memory(**json.loads(self.memory_file.read_text(encoding="utf-8")))
-        except (FileNotFoundError, ValueError, TypeError):
-            return None
+        with explain_os_error(f"cannot read {self.memory_file}"):
+            try:
+                return Memory(**json.loads(self.memory_file.read_text(encoding="utf-8")))
+            except (FileNotFoundError, ValueError, TypeError):
+                return None
 
     def remember(self, memory: Memory) -> None:
         """Write down what the next command has to know."""
