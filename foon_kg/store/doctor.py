@@ -240,11 +240,7 @@ def _answers(session: Any, settings: ConnectionSettings) -> Iterator[Finding]:  
     row = session.run("CALL dbms.components() YIELD versions, edition RETURN versions[0], edition LIMIT 1").single()
     yield _neo4j(row[0], row[1], settings)
     yield _rights(session, settings)
-    late = session.run("SHOW INDEXES YIELD name, state WHERE state <> 'ONLINE' RETURN collect(name)").single()[0]
-    if late:
-        yield Finding(
-            "indexes", Level.FAULT, f"not ready: {', '.join(late)}", "Wait; where it stays so, load any FOON again."
-        )
+    yield from _late_indexes(session)
     try:
         state = read_state(session)
         check_readable(state, Kitchen.default())
@@ -278,6 +274,18 @@ def _rights(session: Any, settings: ConnectionSettings) -> Finding:  # noqa: ANN
             "For plans and questions that is enough; to load, use a user with the role publisher.",
         )
     return Finding("rights", Level.FINE, f"{settings.user} may read and write")
+
+
+def _late_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
+    """Yield the indexes that answer nothing yet, or never will."""
+    late = session.run("SHOW INDEXES YIELD name, state, populationPercent AS part WHERE state <> 'ONLINE'")
+    for name, state, part in late.values("name", "state", "part"):
+        if state == "FAILED":
+            remedy = f"Take it away: foon cypher --write 'DROP INDEX {name}'; then foon doctor says how to make it."
+            yield Finding("indexes", Level.FAULT, f"{name} could not be made", remedy)
+        else:
+            told = f"{name} is being made ({part:.0f} %)"
+            yield Finding("indexes", Level.NOTE, told, "Wait; until then some questions are slow.")
 
 
 def _lacking_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder
 from foon_kg.loaders import read_paths
-from foon_kg.model.errors import ServerError
+from foon_kg.model.errors import GraphError, ServerError
 from foon_kg.store import doctor
 from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection, load
@@ -172,6 +172,27 @@ def test_an_index_that_somebody_dropped_is_a_fault_and_the_remedy_brings_it_back
     with named.session() as session:
         session.run("CALL db.awaitIndexes()").consume()
     assert of("indexes", examine()) == []
+
+
+@pytest.mark.neo4j
+def test_an_index_that_could_not_be_made_is_a_fault(named):
+    with named.session(writing=True) as session:
+        session.run("DROP INDEX object_label").consume()
+        session.run("CREATE (:Object {key: 'long', label: $label})", label="x" * 40_000).consume()  # for any index
+        session.run("CREATE INDEX object_label FOR (o:Object) ON (o.label)").consume()
+    with named.session() as session, pytest.raises(GraphError):
+        session.run("CALL db.awaitIndexes()").consume()
+    (finding,) = of("indexes", examine())
+    assert finding.level is Level.FAULT
+    assert "DROP INDEX object_label" in finding.remedy
+    with named.session(writing=True) as session:
+        session.run("MATCH (o {key: 'long'}) DELETE o").consume()
+    statement = finding.remedy.partition("--write '")[2].partition("'")[0]
+    assert CliRunner().invoke(app, ["cypher", "--write", statement]).exit_code == 0
+    (finding,) = of("indexes", examine())
+    assert "object_label is not there" in finding.what
+    statement = finding.remedy.partition("--write '")[2].removesuffix("'")
+    assert CliRunner().invoke(app, ["cypher", "--write", statement]).exit_code == 0
 
 
 @pytest.mark.neo4j

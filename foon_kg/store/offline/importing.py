@@ -7,6 +7,7 @@ other. A program that is killed before leaves the old graph as it was, and a fol
 
 from __future__ import annotations
 
+import os
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -160,10 +161,21 @@ def _alone(place: Home) -> Iterator[Path]:
 
 
 def _sweep(folder: Path) -> None:
-    """Take away what an import has left behind that was killed, its server too."""
-    if left := processes.find(Home(folder / "home"), None) if folder.exists() else None:
-        processes.end(left)
+    """Take away what an import has left behind that was killed: files, and what still imports or serves them."""
+    if folder.exists():
+        while left := list(_at_work_in(folder)):  # one that ends may have started another
+            for process in left:
+                processes.end_at_once(process)
     shutil.rmtree(folder, ignore_errors=True)
+
+
+def _at_work_in(folder: Path) -> Iterator[psutil.Process]:
+    """Yield every Java that was started on something in ``folder``."""
+    for process in psutil.process_iter(["cmdline", "status"]):
+        command = process.info["cmdline"] or [""]
+        ended = process.info["status"] == psutil.STATUS_ZOMBIE
+        if not ended and Path(command[0]).stem == "java" and any(f"{folder}{os.sep}" in word for word in command):
+            yield process
 
 
 def _refuse_another_server() -> None:
