@@ -109,8 +109,7 @@ def test_what_nobody_hardened_is_told_with_what_to_set(bare, monkeypatch):
     for name in ("uri", "user", "password", "database"):
         monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(bare, name))
     told = {one.what.partition(" ")[0]: one for one in examine() if one.subject == "settings"}
-    assert set(told) == {"dbms.security.allow_csv_import_from_file_urls", "dbms.memory.transaction.total.max",
-                         "db.transaction.timeout"}  # fmt: skip
+    assert set(told) == {"dbms.security.allow_csv_import_from_file_urls", "db.transaction.timeout"}
     for name, one in told.items():
         assert one.level is Level.NOTE
         assert f"Set {name} in neo4j.conf" in one.remedy
