@@ -33,6 +33,8 @@ SHARED = Path(__file__).parents[1].parent / "shared" / "data" / "foon-111" / "TX
 KITCHEN = Kitchen.default()
 SAMPLE = 200
 """How many goals' closures are measured."""
+KEY_DIGITS = 15
+"""So much of a key tells units apart, and is a small number."""
 
 
 def real_subgraphs(folder: Path = SHARED) -> list[Subgraph]:
@@ -41,18 +43,22 @@ def real_subgraphs(folder: Path = SHARED) -> list[Subgraph]:
 
 def big_foon(real: Sequence[Subgraph], units: int) -> list[Subgraph]:
     """Return subgraphs with about ``units`` distinct units, the same for the same arguments."""
+    return list(cuisines(real, units))
+
+
+def cuisines(real: Sequence[Subgraph], units: int) -> Iterator[Subgraph]:
+    """Yield what :func:`big_foon` returns, one after another: a million units need not be in memory."""
     foods, shared = foods_of(real), shared_foods(real)
     own = [food for food in foods if food not in shared]
-    keys: set[str] = set()
-    made: list[Subgraph] = []
+    keys: set[int] = set()
     for number in range(math.ceil(units * 2 / sum(len(s.annotations) for s in real)) + 1):
         renamed = {food: made_up(number * len(own) + place) for place, food in enumerate(own)}
         for subgraph in real:
-            made.append(other_cuisine(subgraph, number, renamed))
-            keys.update(annotation.unit.key for annotation in made[-1].annotations)
+            made = other_cuisine(subgraph, number, renamed)
+            yield made
+            keys.update(int(annotation.unit.key[:KEY_DIGITS], 16) for annotation in made.annotations)
             if len(keys) >= units:
-                return made
-    return made
+                return
 
 
 def shared_foods(real: Sequence[Subgraph]) -> set[str]:

@@ -1,14 +1,16 @@
 """What foon-kg asks of Neo4j in db hits, for FOONs of growing size with one shape (see big_foon.py).
 
-    python benchmarks/db_hits.py [--units N ...] [--recipes N] [--loaded]
+    python benchmarks/db_hits.py [--units N ...] [--recipes N] [--loaded] [--keep FILE] [--only NAME ...]
 
 Needs the public subgraphs and recipes beside the checkout. The Neo4j is the one that NEO4J_URI names, else the local
 server; it gets the FOONs, each on top of the smaller one (``--loaded``: it has the only size already). Each statement
 of an operation runs under PROFILE, and what that counts is added up: db hits depend neither on the machine nor on what
 else it does. For each operation, in the mean of what it was asked: db hits for the smallest FOON, for each larger one,
 and the ratio; below it those of its statements that grew most. Programs have read nothing before ("cold") or what the
-same program asked before ("warm"). At the end the most memory that this process had: where ``--loaded`` is not given,
-of making the FOON as well.
+same program asked before ("warm"). Each operation is told when it is done, with the seconds that it took, PROFILE
+included. ``--keep`` adds what was counted to a JSON file, and compares with all that it has: so sizes are measured on
+different days. ``--only`` does the operations whose names begin so. At the end the most memory that this process had:
+where ``--loaded`` is not given, of making the FOON as well.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ import json
 import os
 import resource
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -93,15 +96,19 @@ def _name_of(query: str) -> str:
     return query.splitlines()[0].removeprefix("// ")[:70]
 
 
-def costs(paths: Sequence[Path], video: Subgraph) -> Costs:
+def costs(paths: Sequence[Path], video: Subgraph, only: Sequence[str] = ("",)) -> Costs:
     """Return the mean db hits of every operation on the FOON that is there; ``video`` goes and comes back."""
     profiler, found = Profiler(), {}
 
     def count(name: str, asked: Sequence[Callable[[Foon], object]], *, times: int = 1) -> None:
+        if not name.startswith(tuple(only)):
+            return
+        started = time.perf_counter()
         try:
             found[name] = _counted(profiler, asked, times)
         except FoonError as error:
             found[name] = _not_answered(name, error)
+        _told(name, found[name], started)
 
     planned = [_planned(path) for path in paths]
     count("plan, cold", planned)
@@ -111,17 +118,24 @@ def costs(paths: Sequence[Path], video: Subgraph) -> Costs:
     count("retrieve", [lambda foon, dish=dish: foon.retrieve(dish) for dish in DISHES])
     count("suggest", [lambda foon: foon.suggest(AT_HAND)])
     count("statistics", [lambda foon: foon.statistics()])
-    found |= _named(profiler)
+    found |= _named(profiler, only)
     with Connection(connection_settings()) as connection:
         for name, change in (
             ("remove one video", lambda: remove(connection, [video.name])),
             ("load one video", lambda: load(connection, [video])),
             ("load it again", lambda: load(connection, [video])),
         ):
-            with profiler.on() as hits:
-                change()
-            found[name] = hits
+            if name.startswith(tuple(only)):
+                started = time.perf_counter()
+                with profiler.on() as hits:
+                    change()
+                found[name] = hits
+                _told(name, hits, started)
     return found
+
+
+def _told(name: str, hits: Counter[str], started: float) -> None:
+    print(f"{name}: {sum(hits.values()):,} db hits, {time.perf_counter() - started:.1f} s", flush=True)
 
 
 def _counted(profiler: Profiler, asked: Sequence[Callable[[Foon], object]], times: int) -> Counter[str]:
@@ -154,11 +168,14 @@ def _planned(path: Path) -> Callable[[Foon], object]:
     return lambda foon: foon.answer(Question(path), PlanSettings())
 
 
-def _named(profiler: Profiler) -> Costs:
+def _named(profiler: Profiler, only: Sequence[str]) -> Costs:
     """Return what the named questions cost, each asked as its example says."""
     found: Costs = {}
     with Connection(connection_settings()) as connection:
         for query in explore_queries():
+            if not f"named: {query.name}".startswith(tuple(only)):
+                continue
+            started = time.perf_counter()
             given = (query.defaults | query.examples).items()
             values = {name: _value(text, query.parameters[name]) for name, text in given}
             try:
@@ -168,6 +185,7 @@ def _named(profiler: Profiler) -> Costs:
                 found[f"named: {query.name}"] = _not_answered(query.name, error)
                 continue
             found[f"named: {query.name}"] = Counter({query.name: sum(hits.values())})
+            _told(f"named: {query.name}", found[f"named: {query.name}"], started)
     return found
 
 
@@ -180,7 +198,7 @@ def _value(text: str, kind: str) -> object:
 def table(sizes: Sequence[int], measured: Sequence[Costs]) -> Iterator[str]:
     """Yield the lines that compare every size with the smallest."""
     yield f"{'db hits':44}" + "".join(f"{size:>13,}" for size in sizes) + f"{'ratio':>8}"
-    for name in measured[0]:
+    for name in (name for name in measured[0] if all(name in costs for costs in measured)):
         every = [sum(costs[name].values()) for costs in measured]
         yield _line(name, every)
         if len(every) == 1:
@@ -197,24 +215,36 @@ def _line(name: str, every: Sequence[int]) -> str:
     return f"{name[:43]:44}" + "".join(f"{hits:>13,}" for hits in every) + f"{every[-1] / max(every[0], 1):>8.1f}"
 
 
+def _read(file: Path) -> dict[int, Costs]:
+    """Return what was counted before, by the size of the FOON."""
+    if not file.exists():
+        return {}
+    held = json.loads(file.read_text(encoding="utf-8"))
+    return {int(units): {name: Counter(hits) for name, hits in costs.items()} for units, costs in held.items()}
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--units", type=int, nargs="*", default=[2_400, 20_000])
     parser.add_argument("--recipes", type=int, default=6)
     parser.add_argument("--loaded", action="store_true")
+    parser.add_argument("--keep", type=Path)
+    parser.add_argument("--only", nargs="*", default=[""])
     options = parser.parse_args()
     real = real_subgraphs()
     paths = list(recipe_files([QUERIES]))
     paths = paths[:: len(paths) // options.recipes]
-    measured = []
+    kept: dict[int, Costs] = _read(options.keep) if options.keep else {}
     for units in options.units:
         if not options.loaded:
             with Connection(connection_settings()) as connection:
                 load(connection, big_foon(real, units))
             print(f"{units:,} units are loaded", flush=True)
-        measured.append(costs(paths, real[len(real) // 2]))
-        print("\n".join(table([units], measured[-1:])), flush=True)
-    print("\n".join(table(options.units, measured)))
+        kept[units] = kept.get(units, {}) | costs(paths, real[len(real) // 2], options.only)
+        print("\n".join(table([units], [kept[units]])), flush=True)
+        if options.keep:
+            options.keep.write_text(json.dumps(kept, indent=1), encoding="utf-8")
+    print("\n".join(table(sorted(kept), [kept[units] for units in sorted(kept)])))
     print(f"this process had {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:,.0f} MB at most")
 
 

@@ -55,10 +55,10 @@ DEMO = demo_folder()
 HEAVY = frozenset({"pandas", "pyarrow", "requests", "spacy", "jgo"})
 COMMANDS = (
     Command(("--help",), 47, 40, HEAVY),
-    Command(("cypher", "RETURN 1"), 34, 260, HEAVY | {"numpy"}),
-    Command(("stats",), 31, 260, HEAVY | {"numpy"}),
-    Command(("load", "foon", str(DEMO)), 55, 260, HEAVY | {"numpy"}, again=True),
-    Command(("similar", "caper"), 55, 355, HEAVY),
+    Command(("cypher", "RETURN 1"), 36, 260, HEAVY | {"numpy"}),
+    Command(("stats",), 33, 260, HEAVY | {"numpy"}),
+    Command(("load", "foon", str(DEMO)), 58, 260, HEAVY | {"numpy"}, again=True),
+    Command(("similar", "caper"), 59, 355, HEAVY),
     Command(("plan", "--dish", "salad", "chopped onion"), 193, 355, HEAVY),
     Command(("plan", "--files", str(DEMO), "--dish", "salad", "chopped onion"), 201, 230, HEAVY | {"neo4j", "psutil"}),
 )

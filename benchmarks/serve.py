@@ -1,13 +1,16 @@
 """How many plans a second foon serve answers, and how long each takes: new questions, and questions asked before.
 
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
+                               [--writing SECONDS]
 
 Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
 N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
 ``--again`` times in all once more; then as often with what an earlier answer was marked by (``If-None-Match``).
 Printed for each: questions, plans a second, median and 95 % time in ms, CPU ms a question of the processes that plan
 and of the one that serves, statuses. The first line is what planning costs; the others what equal questions cost, which
-are kept. CPU says on a busy machine what the seconds do not.
+are kept. CPU says on a busy machine what the seconds do not. With ``--writing`` the FOON is that of Neo4j (NEO4J_URI,
+else the local server, whose FOON is replaced by that of ``--files``), and a process of its own takes a video out and
+brings it back, a change every so many seconds; how many changes there were while each line was measured is told.
 """
 
 import argparse
@@ -20,7 +23,8 @@ from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
+from multiprocessing.sharedctypes import Synchronized
 from pathlib import Path
 from urllib.parse import urlencode
 
@@ -31,9 +35,11 @@ from foon_kg.loaders import read_paths
 from foon_kg.planning.batch import cores
 from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.plans.kitchen import Kitchen
+from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.server import connection_settings
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.api import web_app
-from foon_kg.web.foon import FixedFoon
+from foon_kg.web.foon import FixedFoon, LiveFoon
 from foon_kg.web.limits import Limits
 from foon_kg.web.service import FoonService
 
@@ -52,11 +58,20 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=cores())
     parser.add_argument("--clients", type=int, default=32)
     parser.add_argument("--again", type=int, default=5000)
+    parser.add_argument("--writing", type=float)
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
+    changes = get_context("spawn").Value("i", 0)
+    writer = get_context("spawn").Process(target=write_on, args=(options.files, options.writing, changes), daemon=True)
+    foon: FixedFoon | LiveFoon = FixedFoon(snapshot)
+    if options.writing is not None:
+        settings = connection_settings()
+        with Connection(settings) as connection:
+            load(connection, snapshot.subgraphs)
+        foon = LiveFoon(lambda: Neo4jGraph(settings))
     questions = questions_of(snapshot, list(recipe_files(options.recipes))[:: options.every])
-    service = FoonService(FixedFoon(snapshot), processes=options.jobs, most=LIMITS.waiting)
+    service = FoonService(foon, processes=options.jobs, most=LIMITS.waiting)
     server = uvicorn.Server(
         uvicorn.Config(web_app(service, names={"127.0.0.1"}, limits=LIMITS), port=0, log_level="error")
     )
@@ -69,19 +84,35 @@ def main() -> None:
         port = server.servers[0].sockets[0].getsockname()[1]
 
         def measure(asked: list[Asked], *, marked: bool = False) -> Measured:
-            before = cpu_seconds()
+            before, changed = cpu_seconds(), changes.value
             started = time.perf_counter()
             answers = asking.submit(ask_all, port, asked, options.clients, marked=marked).result()
             spent = [after - then for after, then in zip(cpu_seconds(), before, strict=True)]
-            return Measured(time.perf_counter() - started, *spent, answers)
+            return Measured(time.perf_counter() - started, *spent, answers, changes.value - changed)
 
         measure([("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)])  # each process has begun
+        if options.writing is not None:
+            writer.start()
         show("new questions", measure(questions))
         repeated = [questions[n % len(questions)] for n in range(options.again)]
         show("asked before", measure(repeated))
         show("with its mark", measure(repeated, marked=True))
+        if options.writing is not None:
+            writer.kill()
         server.should_exit = True
         thread.join()
+
+
+def write_on(folder: Path, seconds: float, changes: Synchronized) -> None:  # type: ignore[type-arg]
+    """Take a video out of the FOON and bring it back, a change every so many ``seconds``, and count."""
+    subgraphs = [result.subgraph for result in read_paths([folder]) if result.subgraph is not None]
+    video = subgraphs[len(subgraphs) // 2]
+    with Connection(connection_settings()) as connection:
+        while True:
+            for change in (lambda: remove(connection, [video.name]), lambda: load(connection, [video])):
+                change()
+                changes.value += 1
+                time.sleep(seconds)
 
 
 def questions_of(snapshot: Snapshot, paths: list[Path]) -> list[Asked]:
@@ -98,14 +129,17 @@ class Measured:
     planning: float
     serving: float
     answers: list[tuple[int, float]]
+    changes: int = 0
+    """How often the FOON was written to meanwhile."""
 
 
 def cpu_seconds() -> tuple[float, float]:
     """Return the CPU seconds of the processes that plan, and of this one; the one that asks is in neither."""
     own = psutil.Process()
-    plan = [child for child in own.children() if any("spawn_main" in word for word in child.cmdline())]
-    asking = min(plan, key=lambda child: child.create_time())
-    return sum(sum(child.cpu_times()[:2]) for child in plan if child != asking), sum(own.cpu_times()[:2])
+    plan = [child.pid for child in active_children() if child.name == "foon-planning"]
+    living = sum(sum(psutil.Process(pid).cpu_times()[:2]) for pid in plan if pid and psutil.pid_exists(pid))
+    ended = sum(own.cpu_times()[2:4])
+    return living + ended, sum(own.cpu_times()[:2])
 
 
 def ask_all(port: int, questions: list[Asked], clients: int, *, marked: bool) -> list[tuple[int, float]]:
@@ -147,10 +181,12 @@ def show(name: str, measured: Measured) -> None:
     times = sorted(1000 * taken for _, taken in measured.answers)
     counts = Counter(status for status, _ in measured.answers)
     statuses = ", ".join(f"{status}: {count}" for status, count in sorted(counts.items()))
+    changed = f", {measured.changes} changes" if measured.changes else ""
     print(
         f"{name:<14}{len(times):>6} questions{len(times) / measured.seconds:>8.1f} a second  median "
         f"{statistics.median(times):.0f} ms  95 % {times[int(len(times) * 0.95)]:.0f} ms  CPU "
-        f"{1000 * measured.planning / len(times):.1f} + {1000 * measured.serving / len(times):.2f} ms  ({statuses})"
+        f"{1000 * measured.planning / len(times):.1f} + {1000 * measured.serving / len(times):.2f} ms  "
+        f"({statuses}{changed})"
     )
 
 

@@ -1,3 +1,3 @@
-// Waits until every index can be asked; they are made in the background.
+// Waits until every index can be asked; they are made in the background, of a million units for minutes.
 // mode: read
-CALL db.awaitIndexes(300)
+CALL db.awaitIndexes(86400)

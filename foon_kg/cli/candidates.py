@@ -20,29 +20,21 @@ def show_candidates(
     """Print the reference trees of the goal after which a recipe is made, best first, of ``most`` combinations."""
     from foon_kg.formats.views.candidates import candidates_view
     from foon_kg.model.node_json import node_to_json, recipe_to_json
-    from foon_kg.planning.batch import Cook
-    from foon_kg.planning.candidates import reference_question
-    from foon_kg.search import enumerate_paths, retrieve, with_gaps_of
 
-    with foon.reading() as view:
-        cook = Cook(view, settings)
-        read = question.read(cook.words_for(question), settings.avoided)
-        for note in read.notes:
-            say(note)
-        goal, problem = reference_question(cook.planner, read.recipe)
-        exact = retrieve(problem, time_limit=settings.time_limit)
-        found = enumerate_paths(with_gaps_of(problem, exact), limit=most)
+    chosen = foon.candidates(question, settings, most)
+    for note in chosen.read.notes:
+        say(note)
     if not as_json:
-        print_view(candidates_view(goal, found, exact))
+        print_view(candidates_view(chosen.goal, chosen.found, chosen.exact))
         return
     print_json(
         {
-            "recipe": recipe_to_json(read.recipe),
-            "goal": node_to_json(goal.node),
-            "exact": _tree(exact),
-            "candidates": [_tree(tree) for tree in found.trees],
-            "complete": found.complete,
-            "looked_at": found.looked_at,
+            "recipe": recipe_to_json(chosen.read.recipe),
+            "goal": node_to_json(chosen.goal.node),
+            "exact": _tree(chosen.exact),
+            "candidates": [_tree(tree) for tree in chosen.found.trees],
+            "complete": chosen.found.complete,
+            "looked_at": chosen.found.looked_at,
         }
     )
 

@@ -150,9 +150,7 @@ def _as_json_or_text(value: str) -> object:
 
 
 def _show(answer: Answer, form: Form) -> None:
-    from foon_kg.store.graph.plain import as_plain
-
-    rows = [[as_plain(value) for value in row] for row in answer.rows]
+    rows = answer.plain_rows()
     if form == "json":
         print_json([dict(zip(answer.columns, row, strict=True)) for row in rows])
     elif form == "csv":

@@ -40,10 +40,9 @@ def demo(as_json: Json = False, quiet: Quiet = False) -> None:
     goes into the Neo4j that NEO4J_URI names, and loading it again changes nothing.
     """
     from foon_kg.foon import Foon
-    from foon_kg.store.server import ensure_running
 
     say = sayer(quiet=quiet)
-    with Foon(server=ensure_running(say)) as foon:
+    with Foon.on_this_machine(say=say) as foon:
         _load(foon, say)
         result = _planned(foon, say)
     if as_json:

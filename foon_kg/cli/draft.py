@@ -140,7 +140,7 @@ def accept(
         typer.Option(
             "--sure", metavar="SURE", min=0, max=1, help="Doubts of units less sure than this must be resolved."
         ),
-    ] = 0.5,
+    ] = 0.1,
     anyway: Annotated[
         bool, typer.Option("--anyway", help="Accept doubts, leave out rows that are no units, replace videos.")
     ] = False,
@@ -188,18 +188,15 @@ def _refuse_doubts(drafts: Sequence[DraftFile], sure: float, say: Say) -> None:
 
 def _accept(subgraphs: Sequence[Subgraph], say: Say, *, replacing: bool) -> tuple[str, ...]:
     """Load everything in one transaction."""
+    from foon_kg.foon import Foon
     from foon_kg.plans.difference import Status
-    from foon_kg.store.graph import Connection, load
-    from foon_kg.store.graph.differences import differences
-    from foon_kg.store.server import connection_settings
 
-    with Connection(connection_settings(say)) as connection:
-        there = [one.name for one in differences(connection, subgraphs) if one.status is Status.CHANGED]
+    with Foon.connect(say=say) as foon:
+        there = [one.name for one in foon.differences(subgraphs) if one.status is Status.CHANGED]
         if there and not replacing:
             hint = "foon diff shows what would change; rename the draft, or replace the video with --anyway."
             raise UsageError(f"the FOON has other units of {', '.join(there)}; nothing was loaded", hint=hint)
-        units = sum(len(subgraph.annotations) for subgraph in subgraphs)
-        report = load(connection, subgraphs, units_per_transaction=units + 1)
+        report = foon.store(subgraphs, at_once=True)
     return tuple(sorted((*report.inserted, *report.replaced, *report.unchanged)))
 
 

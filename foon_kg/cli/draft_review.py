@@ -46,8 +46,8 @@ def review(
 ) -> None:
     """Decide what is doubtful about drafts, or show it.
 
-    At a terminal it asks about the rows that matter, and only those: doubts of units that are likelier wrong than
-    right, what gave no unit, inputs that nobody makes and no kitchen has, words that no table knows. Each stands beside
+    At a terminal it asks about the rows that matter, and only those: doubts of the least sure units, what was not
+    understood, inputs that nobody makes and no kitchen has, words that no table knows. Each stands beside
     what was said and when. Enter accepts, e edits, d leaves the row out; the draft keeps every decision, so q leaves
     and the same command goes on. When all is decided, FOON text is written that foon load foon takes. A plain table of
     a video (foon load videos) can be reviewed so, too.

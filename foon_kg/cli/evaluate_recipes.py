@@ -142,17 +142,15 @@ def _read(paths: Sequence[Path], words: IngredientWords, say: Say) -> list[Recip
 def _stored(dishes: Sequence[str], sample: int | None, seed: int, words: IngredientWords, say: Say) -> list[Recipe]:
     """Return recipes of the graph that surely are of these dish types."""
     from foon_kg.evaluation.sampling import drawn
+    from foon_kg.foon import Foon
     from foon_kg.planning.recipes import with_states
-    from foon_kg.store.graph import Connection
-    from foon_kg.store.graph.recipes import recipe_ids, stored_recipe
-    from foon_kg.store.server import connection_settings
 
     found = []
-    with Connection(connection_settings(say)) as connection:
+    with Foon.connect(say=say) as foon:
         for dish_type in sorted(set(dishes)):
-            ids = recipe_ids(connection, dish_type)
+            ids = foon.recipe_ids(dish_type)
             for name in ids if sample is None else drawn(ids, sample, seed, dish_type):
-                stored = stored_recipe(connection, name)
+                stored = foon.recipe(name)
                 wants = tuple(RequiredIngredient(called.object, called.state) for called in stored.ingredients)
                 found.append(with_states(Recipe(dish_type, wants, name, stored.title or None), words).recipe)
     return found

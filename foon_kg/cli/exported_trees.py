@@ -15,6 +15,7 @@ from foon_kg.model.errors import NoTreeError, ReadError
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.json_text import json_value
 from foon_kg.model.names import canonical
+from foon_kg.planning.recipes import amount_said
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 
@@ -86,8 +87,6 @@ def _amounts(recipe: Path) -> Iterator[tuple[str, str, str]]:
         fields = Fields(json_value(text), str(recipe))
     except json.JSONDecodeError as error:
         raise ReadError(f"{recipe}:{error.lineno}: not JSON: {error.msg}", hint="Correct this line.") from error
-    for one, value in zip(fields.nested_list("ingredients"), fields.items("ingredients"), strict=True):
-        said = [value.get(name) for name in ("quantity", "unit")] if isinstance(value, dict) else []
-        amount = " ".join(str(part) for part in said if isinstance(part, str | int | float)).strip()
-        if amount:
+    for one in fields.nested_list("ingredients"):
+        if amount := amount_said(one):
             yield one.text("object"), (one.optional_text("state") or "").strip(), amount

@@ -5,15 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import astuple, dataclass, field
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from foon_kg.food.unknown import UnknownWord, WordKind, unknown_words
+from foon_kg.food.unknown import UnknownWord, WordKind, by_one_another, unknown_words
 from foon_kg.loaders.notices import Notice, NoticeKind, Severity
-from foon_kg.model import kept
+from foon_kg.model import ObjectNode, kept
 from foon_kg.model.regular_files import read_bytes
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ Where = tuple[str, int | None]
 """A file, and a line of it where that is known."""
 
 _FOLDER = "files"
-_FORM = "2"
+_FORM = "3"
 """Of what is kept; another one is none."""
 
 _READ_BY = ("food", "model")
@@ -70,6 +71,10 @@ class Gathered:
     contents: dict[str, str] = field(default_factory=dict)
     notices: list[Notice] = field(default_factory=list)
     words: dict[UnknownWord, Where] = field(default_factory=dict)
+    having: Counter[UnknownWord] = field(default_factory=Counter)
+    """How many files have each word."""
+    own: Collection[UnknownWord] = ()
+    """Words that no table has, and that the FOON has already."""
 
     def add(self, result: ReadResult) -> None:
         """Add one file."""
@@ -80,12 +85,14 @@ class Gathered:
             return
         self.units += len(result.subgraph.annotations)
         self.contents[result.subgraph.name] = result.subgraph.content_key
-        for word, place in odd_words([result]).items():
+        for word, place in _odd_words(result).items():
             self.words.setdefault(word, place)
+            self.having[word] += 1
 
     def read(self) -> FilesRead:
         """Return all that was gathered."""
-        words = dict(sorted(self.words.items(), key=lambda one: one[0]))
+        told = by_one_another(self.having | dict.fromkeys(self.own, self.files + 1))
+        words = dict(sorted(((told[word], place) for word, place in self.words.items()), key=lambda one: one[0]))
         return FilesRead(self.files, self.bad, self.units, self.contents, tuple(self.notices), words)
 
 
@@ -134,22 +141,28 @@ def _asked(files: Sequence[Path]) -> str | None:
     return digest.hexdigest()
 
 
-def odd_words(results: Iterable[ReadResult]) -> dict[UnknownWord, Where]:
-    """Return the words that no table has, or only as a typing error, each with the place that has it first."""
-    found: dict[UnknownWord, Where] = {}
+def odd_words(results: Iterable[ReadResult], labels: Iterable[str] = ()) -> Mapping[UnknownWord, Where]:
+    """Return the words that no table has, or only as a typing error, each with the place that has it first.
+
+    What one of them may mean is sought in the tables, among ``labels``, which the FOON has, and in what more files say.
+    """
+    gathered = Gathered(own=unknown_words(map(ObjectNode, labels)))
     for result in results:
-        if result.subgraph is None:
-            continue
-        units = [one.unit for one in result.subgraph.annotations]
-        new = [word for word in _words_of(units) if word not in found]
-        if not new:
-            continue
-        lines = dict[UnknownWord, int]()
-        for unit, line in zip(units, result.lines, strict=False):  # some formats have no lines
-            for word in _words_of([unit]):
-                lines.setdefault(word, line)
-        found.update((word, (result.path, lines.get(word))) for word in new)
-    return dict(sorted(found.items(), key=lambda one: one[0]))
+        gathered.add(result)
+    return gathered.read().words
+
+
+def _odd_words(result: ReadResult) -> dict[UnknownWord, Where]:
+    """Return the odd words of one file, each with its place."""
+    if result.subgraph is None:
+        return {}
+    units = [one.unit for one in result.subgraph.annotations]
+    found = _words_of(units)
+    lines = dict[UnknownWord, int]()
+    for unit, line in zip(units, result.lines, strict=False) if found else ():  # some formats have no lines
+        for word in _words_of([unit]):
+            lines.setdefault(word, line)
+    return {word: (result.path, lines.get(word)) for word in found}
 
 
 def _words_of(units: Sequence[FunctionalUnit]) -> tuple[UnknownWord, ...]:

@@ -12,6 +12,7 @@ from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
     from foon_kg.foon import Foon
+    from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
@@ -21,7 +22,7 @@ def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
     """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
     from foon_kg.foon import Foon
 
-    return Foon(snapshot_of(files, say), lessons=lessons_in(files)) if files else Foon.connect(say=say)
+    return Foon.of_subgraphs(subgraphs_of(files, say), lessons_in(files)) if files else Foon.connect(say=say)
 
 
 def lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
@@ -45,8 +46,8 @@ def whole_foon(files: Sequence[Path] | None, say: Say) -> Snapshot:
         return foon.snapshot()
 
 
-def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
-    """Read subgraph files and folders into memory.
+def subgraphs_of(paths: Sequence[Path], say: Say) -> list[Subgraph]:
+    """Read subgraph files and folders.
 
     What their files have wrong is counted for ``say``, and so are words of which no table knows anything.
     """
@@ -55,8 +56,6 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     from foon_kg.food.unknown import unknown_words
     from foon_kg.loaders.lessons import is_drafts_file
     from foon_kg.loaders.video_tables import read_videos
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.snapshot import Snapshot
 
     for path in paths:
         if not path.exists():
@@ -79,4 +78,4 @@ def snapshot_of(paths: Sequence[Path], say: Say) -> Snapshot:
     odd = in_short(skipped, len(notices) - skipped, sum(not word.nearly for word in words))
     if odd:
         say(f"{odd} in these files (foon load foon --report FILE lists them)")
-    return Snapshot.of(subgraphs, Kitchen.default())
+    return subgraphs

@@ -55,7 +55,7 @@ def load() -> None:
         "foon load foon subgraphs/",
         "foon load foon subgraphs/ --bad-tolerance 3 --report notices.jsonl",
         "foon load foon 0001.txt 0002.json --dry-run",
-        "foon load foon subgraphs/ --offline",
+        "foon load foon subgraphs/ --offline --recipes recipe1m/",
     )
 )
 def foon(
@@ -71,6 +71,10 @@ def foon(
     replace: Annotated[
         bool, typer.Option("--replace", help="With --offline: in place of all that the local server holds.")
     ] = False,
+    recipes: Annotated[
+        list[Path] | None,
+        typer.Option("--recipes", metavar="PATH", help="With --offline: collections that come with it; repeatable."),
+    ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
@@ -82,15 +86,17 @@ def foon(
     no table of foon-kg has are told with their line, with what they are taken for and what may be meant.
 
     With --offline the local server gets them through neo4j-admin's import, with the very graph that a load writes. It
-    goes on with what it holds until all is ready. No more than a part of the files is in memory.
+    goes on with what it holds until all is ready. No more than a part of the files is in memory. Collections of recipes
+    come with it by --recipes, as foon load recipes brings them.
     """
     from foon_kg.cli.files_read import FilesRead, remember, remembered
     from foon_kg.loaders.found import foon_files
 
-    _refuse_together(offline=offline, replace=replace, check=check)
+    _refuse_together(offline=offline, replace=replace, check=check, recipes=bool(recipes))
     files, results = foon_files(paths), None
     if offline and not dry_run:
-        show_counts(_import(files, report, bad_tolerance, replace=replace, quiet=quiet), as_json=as_json)
+        counts = _import(files, report, bad_tolerance, recipes or [], replace=replace, quiet=quiet)
+        show_counts(counts, as_json=as_json)
         return
     read = None if check else remembered(files)
     known = read is not None
@@ -239,14 +245,10 @@ def _write_report(read: FilesRead, report: Path, played: Sequence[Notice]) -> No
 
 def _unchanged(read: FilesRead, *, quiet: bool) -> Counts | None:
     """Return the counts where all that was read is in the graph; nothing that writes is imported for it."""
-    with driver_without_arrays():
-        from foon_kg.store.graph.connection import Connection
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.graph.unchanged import all_there
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
-        there = all_there(connection, read.contents, Kitchen.default())
+    with Foon.connect(say=sayer(quiet=quiet)) as foon, driver_without_arrays():
+        there = foon.holds(read.contents)
     return Counts(unchanged=len(read.contents)) if there else None
 
 
@@ -264,10 +266,13 @@ def _load(results: Sequence[ReadResult], *, quiet: bool) -> Counts:
     return Counts(len(loaded.inserted), len(loaded.unchanged), len(loaded.replaced))
 
 
-def _refuse_together(*, offline: bool, replace: bool, check: bool) -> None:
+def _refuse_together(*, offline: bool, replace: bool, check: bool, recipes: bool) -> None:
     """Refuse options that do not go together."""
     from foon_kg.model.errors import UsageError
 
+    if recipes and not offline:
+        hint = "Load the FOON, then the recipes: foon load recipes PATH."
+        raise UsageError("--recipes is for --offline: other loads take one after the other", hint=hint)
     if replace and not offline:
         raise UsageError("--replace is for --offline: other loads add to what is there", hint="Leave one of them out.")
     if check and offline:
@@ -277,13 +282,19 @@ def _refuse_together(*, offline: bool, replace: bool, check: bool) -> None:
 
 
 def _import(
-    files: Sequence[Path], report: Path | None, bad_tolerance: int | None, *, replace: bool, quiet: bool
+    files: Sequence[Path],
+    report: Path | None,
+    bad_tolerance: int | None,
+    recipes: Sequence[Path],
+    *,
+    replace: bool,
+    quiet: bool,
 ) -> dict[str, int]:
-    """Import ``files`` offline; what is odd about them is told when all are read, before anything is imported."""
+    """Import ``files`` and ``recipes`` offline; what is odd is told when all are read, before anything is imported."""
     from foon_kg.cli.files_read import FilesRead, Gathered
     from foon_kg.cli.runs import counting
+    from foon_kg.foon import Foon
     from foon_kg.loaders import read_paths
-    from foon_kg.store.offline.importing import load_offline
 
     say, gathered, read = sayer(quiet=quiet), Gathered(), list[FilesRead]()
 
@@ -295,10 +306,11 @@ def _import(
         read.append(gathered.read())
         _tell(read[0], report, bad_tolerance, say)
 
-    with counting("Reading videos", len(files), quiet=quiet) as advance:
-        done = load_offline(subgraphs(), replace=replace, say=say, told=advance)
-    say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
-    return _counts(read[0], Counts(inserted=done.videos))
+    with load_recipes.beside(recipes, bad_tolerance, say, quiet=quiet) as (stage, counts):
+        with counting("Reading videos", len(files), quiet=quiet) as advance:
+            done = Foon.import_offline(subgraphs(), replace=replace, say=say, told=advance, beside=stage)
+        say("seconds: " + ", ".join(f"{part} {seconds}" for part, seconds in done.seconds.items()))
+        return _counts(read[0], Counts(inserted=done.videos)) | counts
 
 
 def _counts(read: FilesRead, loaded: Counts | None) -> dict[str, int]:

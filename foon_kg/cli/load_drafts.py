@@ -10,6 +10,7 @@ import typer
 
 from foon_kg.cli.console import Json, Quiet, examples, sayer
 from foon_kg.cli.loading import DryRun, show_counts
+from foon_kg.model.errors import UsageError
 
 EXAMPLES = examples("foon load drafts drafts.jsonl.zst", "foon load drafts drafts.jsonl --dry-run")
 
@@ -31,10 +32,8 @@ def drafts(
     replaces what was there. foon remove draft:ID takes one out.
     """
     from foon_kg.cli.runs import counting
+    from foon_kg.foon import Foon
     from foon_kg.loaders.lessons import lesson_of, read_drafted
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.graph.drafts import load_drafts
-    from foon_kg.store.server import connection_settings
 
     counts = {"drafts": 0, "left_out": 0}
     with counting("Reading drafts", quiet=quiet) as advance:
@@ -42,11 +41,14 @@ def drafts(
             counts["drafts"] += 1
             counts["left_out"] += lesson_of(drafted) is None
             advance(1)
+    if not counts["drafts"]:
+        named = ", ".join(map(str, paths))
+        raise UsageError(f"there is no draft in {named}", hint="foon draft recipes PATH --output FILE writes them.")
     if not dry_run:
         with (
-            Connection(connection_settings(sayer(quiet=quiet))) as connection,
+            Foon.connect(say=sayer(quiet=quiet)) as foon,
             counting("Loading drafts", counts["drafts"], quiet=quiet) as advance,
         ):
-            stored = load_drafts(connection, read_drafted(paths), stored=lambda report: advance(len(report)))
+            stored = foon.store_drafts(read_drafted(paths), stored=lambda report: advance(len(report)))
         counts = asdict(stored)
     show_counts(counts, as_json=as_json)

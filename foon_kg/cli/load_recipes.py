@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
 from io import TextIOWrapper
@@ -34,8 +33,9 @@ if TYPE_CHECKING:
     from foon_kg.food.unknown import UnknownWord
     from foon_kg.loaders.notices import Notice, NoticeKind
     from foon_kg.loaders.recipe_collections import RecipeCollections
-    from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
+    from foon_kg.model.collected import UnderstoodRecipe
     from foon_kg.store.graph.recipes import RecipesStored
+    from foon_kg.store.offline.staged import Staged
 
 EXAMPLES = examples(
     "foon load recipes recipe1m/",
@@ -83,11 +83,8 @@ def recipes(
     data_frames.allow()  # CSV and Parquet are read by them
     say = sayer(quiet=quiet)
     with _journal(report) as journal, RecipeCollections(paths, journal.note) as collections:
-        usable = _check(collections, quiet=quiet)
-        journal.tell(say)
-        _refuse_nothing(paths, usable + journal.rejected)
-        refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
-        counts = {"recipes": usable, "rejected_recipes": journal.rejected}
+        counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
+        usable = counts["recipes"]
         if not dry_run:
             stored = _load(collections, usable, journal, say, full=parse is Parse.FULL, quiet=quiet)
             counts = _counts(stored) | counts
@@ -179,6 +176,57 @@ def _journal(report: Path | None) -> Iterator[Journal]:
             stream.close()
 
 
+@contextmanager
+def beside(
+    paths: Sequence[Path], bad_tolerance: int | None, say: Say, *, quiet: bool
+) -> Iterator[tuple[Callable[[Staged], None] | None, dict[str, int]]]:
+    """Yield what stages the recipes of ``paths`` for an import (``None`` without paths), and counts that it fills."""
+    if not paths:
+        yield None, {}
+        return
+    from foon_kg.cli import data_frames
+    from foon_kg.cli.runs import counting
+    from foon_kg.loaders.recipe_collections import RecipeCollections
+
+    data_frames.allow()  # as above
+    with _journal(None) as journal, RecipeCollections(paths, journal.note) as collections:
+        counts = _usable(collections, paths, journal, bad_tolerance, say, quiet=quiet)
+
+        def stage(staged: Staged) -> None:
+            from foon_kg.foon import Foon
+
+            with counting("Reading recipes", counts["recipes"], quiet=quiet) as advance:
+                stored = Foon.stage_recipes(
+                    staged,
+                    collections,
+                    stored=lambda done: advance(len(done)),
+                    understood=journal.note_words,
+                    left_over=journal.note_left_over,
+                )
+            counts["inserted_recipes"] = stored.inserted
+
+        yield stage, counts
+        journal.tell_left_over(say)
+        journal.tell_unknown(say)
+
+
+def _usable(
+    collections: RecipeCollections,
+    paths: Sequence[Path],
+    journal: Journal,
+    bad_tolerance: int | None,
+    say: Say,
+    *,
+    quiet: bool,
+) -> dict[str, int]:
+    """Read collections to their end, tell what is odd, and return how many recipes can be used."""
+    usable = _check(collections, quiet=quiet)
+    journal.tell(say)
+    _refuse_nothing(paths, usable + journal.rejected)
+    refuse_too_many(journal.rejected, usable, bad_tolerance, "recipe")
+    return {"recipes": usable, "rejected_recipes": journal.rejected}
+
+
 def _check(collections: RecipeCollections, *, quiet: bool) -> int:
     """Read all files to their end; how many recipes there are is not known before."""
     from foon_kg.cli.runs import counting
@@ -205,35 +253,15 @@ def _load(
     quiet: bool,
 ) -> RecipesStored:
     from foon_kg.cli.runs import counting
-    from foon_kg.language.collection import CollectionReader, labels_of
-    from foon_kg.language.recipe_lines import LineReader
-    from foon_kg.store.graph import Connection, Neo4jGraph
-    from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    settings = connection_settings(say)
-    with (
-        LineReader(os.cpu_count() or 1) as lines,
-        Connection(settings) as connection,
-        counting("Loading recipes", total, quiet=quiet) as advance,
-    ):
-        prepare_for_recipes(connection)
-        with Neo4jGraph(settings) as graph, graph.reading() as view:
-            reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
-
-        def understand(recipes: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
-            understood = reader.understand(recipes)
-            for recipe in understood:
-                journal.note_words(recipe)
-            return understood
-
-        return load_recipes(
-            connection,
+    with Foon.connect(say=say) as foon, counting("Loading recipes", total, quiet=quiet) as advance:
+        return foon.store_recipes(
             collections,
-            understand,
+            full=full,
             stored=lambda report: advance(len(report)),
+            understood=journal.note_words,
             left_over=journal.note_left_over,
-            version=reader.version,
         )
 
 

@@ -30,14 +30,13 @@ def weights(
     The file takes the place of all weights from before, or nothing is changed. Units that are loaded later get theirs
     from it too. foon retrieve --by success asks for them.
     """
+    from foon_kg.foon import Foon
     from foon_kg.loaders import read_weights
-    from foon_kg.store.graph import Connection, load_weights
-    from foon_kg.store.server import connection_settings
 
     say = sayer(quiet=quiet)
     costs = read_weights(file)
-    with Connection(connection_settings(say)) as connection:
-        report = load_weights(connection, costs)
+    with Foon.connect(say=say) as foon:
+        report = foon.store_weights(costs)
     if report.not_in_graph:
         say(f"no unit of the graph has {_first(report.not_in_graph)}")
     if report.without_weight:

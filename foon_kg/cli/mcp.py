@@ -40,11 +40,13 @@ def mcp(files: Files = None, quiet: Quiet = False) -> None:
 
 
 def _cypher(foon: Foon) -> Cypher:
-    from foon_kg.store.graph.plain import as_plain
-
     def ask(text: str, parameters: dict[str, Any], limit: int) -> JsonObject:
         answer = foon.cypher(text, parameters, limit=limit)
-        rows = [[as_plain(value) for value in row] for row in answer.rows]
-        return {"columns": list(answer.columns), "rows": rows, "cut": answer.cut, "warnings": list(answer.warnings)}
+        return {
+            "columns": list(answer.columns),
+            "rows": answer.plain_rows(),
+            "cut": answer.cut,
+            "warnings": list(answer.warnings),
+        }
 
     return ask

@@ -264,12 +264,10 @@ def _called(questions: list[Question], title: str | None) -> list[Question]:
 
 def _stored_recipes(ids: Sequence[str], dish_type: str | None, say: Say) -> list[Recipe]:
     """Return recipes of the graph: as the asked dish type, else as their sure one, else as any."""
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.graph.recipes import stored_recipe
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
 
-    with Connection(connection_settings(say)) as connection:
-        return [stored_recipe(connection, recipe_id).asked(dish_type or "") for recipe_id in ids]
+    with Foon.connect(say=say) as foon:
+        return [foon.recipe(recipe_id).asked(dish_type or "") for recipe_id in ids]
 
 
 def _looks_like_a_file(name: str) -> bool:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,11 +15,8 @@ from foon_kg.model import DISH_TYPES
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.planning.batch import Answer, Question
+    from foon_kg.foon import Foon
     from foon_kg.planning.settings import PlanSettings
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.snapshot import Snapshot
-    from foon_kg.store.with_drafts import WithDrafts
 
 ALL = "all"
 
@@ -55,8 +51,8 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
     """
     from foon_kg.cli.kitchen import kitchen_of
     from foon_kg.cli.knowledge import front_door
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.server import connection_settings
+    from foon_kg.foon import Foon
+    from foon_kg.planning.batch import Question
 
     if run.output is None:
         raise UsageError("a collection is planned into a file", hint="Name it: --output plans.jsonl.zst")
@@ -64,52 +60,32 @@ def plan_collection(which: str, kitchen: Path | None, settings: PlanSettings, ru
         raise UsageError(f"“{which}” is no dish type", hint=f"Say --recipes {ALL}, or one of {', '.join(DISH_TYPES)}.")
     form_of(run.output)  # what it needs is missing now, and not when all is planned
     dish_type = "" if which == ALL else which
-    with Connection(connection_settings(run.say)) as connection:
-        done, count = _still_ours(connection, dish_type, run)
+    with Foon.connect(say=run.say) as collection:
+        done, count = _still_ours(collection, dish_type, run)
         if done.count:
             run.say(f"{run.output} has {done.count} of {count} answers already")
         if done.count == count:
             return done.code
         with front_door(run.files, run.say) as door:
-            foon = door.with_drafts() if settings.with_drafts else door.snapshot()
             if kitchen is not None:
                 settings = replace(settings, kitchen=kitchen_of(kitchen, door, run.say))
-        code = done.code
-        questions = _questions(connection, done.last, dish_type)
-        with _answering(questions, foon, settings, run) as answers, adding(run.output, done.size) as add:
-            for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):
-                add(json_line(answer.outcome.to_json()))
-                code = max(code, 0 if answer.error is None else answer.error.exit_code)
+            code = done.code
+            questions = (Question(given=one.asked(dish_type)) for one in collection.recipes(dish_type, after=done.last))
+            with (
+                door.answers(questions, settings, jobs=run.jobs, dask=run.dask) as answers,
+                adding(run.output, done.size) as add,
+            ):
+                for answer in progress_bar(answers, "Planning recipes", count, done.count, quiet=run.quiet):
+                    add(json_line(answer.outcome.to_json()))
+                    code = max(code, 0 if answer.error is None else answer.error.exit_code)
         return code
 
 
-def _questions(connection: Connection, last: str, dish_type: str) -> Iterator[Question]:
-    from foon_kg.planning.batch import Question
-    from foon_kg.store.graph.recipes import recipes_after
-
-    return (Question(given=one.asked(dish_type)) for one in recipes_after(connection, last, dish_type))
-
-
-def _answering(
-    questions: Iterable[Question], foon: Snapshot | WithDrafts, settings: PlanSettings, run: CollectionRun
-) -> AbstractContextManager[Iterable[Answer]]:
-    from foon_kg.planning.batch import Cook, answering, answering_on, cores
-
-    if run.dask is not None:
-        return answering_on(run.dask, questions, foon, settings, foon.units)
-    processes = cores() if run.jobs is None else run.jobs
-    if processes > 1:
-        return answering(questions, foon, settings, foon.units, processes)
-    return nullcontext(map(Cook(foon, settings, foon.units).answer, questions))
-
-
-def _still_ours(connection: Connection, dish_type: str, run: CollectionRun) -> tuple[Done, int]:
+def _still_ours(collection: Foon, dish_type: str, run: CollectionRun) -> tuple[Done, int]:
     """Return what the file holds and how many recipes there are; raises UsageError where it is of other recipes."""
-    from foon_kg.store.graph.recipes import recipes_until
-
     output = run.output or Path()
     found = [Done(), *_read(output)]
-    count, until = recipes_until(connection, found[-1].last, dish_type)
+    count, until = collection.recipes_until(found[-1].last, dish_type)
     if not count:
         raise UsageError("the graph has no such recipe", hint="Load some: foon load recipes PATH", code="empty")
     if until != found[-1].count:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -11,7 +12,7 @@ from foon_kg.cli.console import Json, Quiet, examples, print_json, sayer
 from foon_kg.cli.streams import data
 
 if TYPE_CHECKING:
-    from foon_kg.store.graph import Connection
+    from foon_kg.foon import Foon
     from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
     from foon_kg.store.graph.recipes import StoredRecipe
 
@@ -44,35 +45,32 @@ def recipes(
     unseen. With --unseen N: what to annotate next. An ingredient is unseen where no unit of the FOON has that food.
     Only the sure dish type of a recipe counts.
     """
+    from foon_kg.foon import Foon
     from foon_kg.model.errors import UsageError
-    from foon_kg.store.graph import Connection
-    from foon_kg.store.graph.recipes import class_counts, recipe_count, stored_recipe, wanted_foods
-    from foon_kg.store.server import connection_settings
 
     if [bool(sample), bool(unseen), recipe_id is not None].count(True) > 1:
         raise UsageError("--sample, --unseen and --id exclude each other", hint="Ask for one of them.")
     if (dish is not None or partition) and not sample:
         raise UsageError("--dish and --partition say from what to draw", hint="Add --sample N.")
-    with Connection(connection_settings(sayer(quiet=quiet))) as connection:
+    with Foon.connect(say=sayer(quiet=quiet)) as foon:
         if sample:
-            ids = _drawn(connection, dish, partition, sample, seed)
-            _show_recipes([stored_recipe(connection, one) for one in ids], as_json=as_json)
+            ids = _drawn(foon, dish, partition, sample, seed)
+            _show_recipes(list(map(foon.recipe, ids)), as_json=as_json)
         elif recipe_id is not None:
-            _show_recipes([stored_recipe(connection, recipe_id)], as_json=as_json)
+            _show_recipes([foon.recipe(recipe_id)], as_json=as_json)
         elif unseen:
-            _show_wanted(wanted_foods(connection, unseen), as_json=as_json)
+            _show_wanted(foon.wanted_foods(unseen), as_json=as_json)
         else:
-            _show_counts(recipe_count(connection), class_counts(connection), as_json=as_json)
+            _show_counts(*foon.recipe_counts(), as_json=as_json)
 
 
-def _drawn(connection: Connection, dish: str | None, partition: str, count: int, seed: int) -> list[str]:
+def _drawn(foon: Foon, dish: str | None, partition: str, count: int, seed: int) -> list[str]:
     from foon_kg.model import DISH_TYPES
     from foon_kg.model.errors import UsageError
-    from foon_kg.store.graph.recipes import recipe_ids
 
     if dish is not None and dish not in DISH_TYPES:
         raise UsageError(f"there is no dish type {dish}", hint=f"One of: {', '.join(DISH_TYPES)}.")
-    ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in recipe_ids(connection, name, partition)})
+    ids = sorted({one for name in ([dish] if dish else DISH_TYPES) for one in foon.recipe_ids(name, partition)})
     if not ids:
         part = f" in the part “{partition}”" if partition else ""
         hint = "foon recipes counts what there is; foon load recipes PATH loads more."
@@ -105,7 +103,7 @@ def _recipe_json(recipe: StoredRecipe) -> dict[str, object]:
     }
 
 
-def _show_wanted(rows: list[WantedFoodRow], *, as_json: bool) -> None:
+def _show_wanted(rows: Sequence[WantedFoodRow], *, as_json: bool) -> None:
     if as_json:
         return print_json([{"food": row.food, "recipes": row.recipes, "states": row.states} for row in rows])
     return _print_table(
@@ -115,7 +113,7 @@ def _show_wanted(rows: list[WantedFoodRow], *, as_json: bool) -> None:
     )
 
 
-def _show_counts(count: RecipeCountRow, rows: list[RecipeClassRow], *, as_json: bool) -> None:
+def _show_counts(count: RecipeCountRow, rows: Sequence[RecipeClassRow], *, as_json: bool) -> None:
     if as_json:
         classes = [
             {"dish_type": r.dish_type, "recipes": r.recipes, "ingredients": r.ingredients, "unseen": r.unseen}

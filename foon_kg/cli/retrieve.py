@@ -72,23 +72,22 @@ def retrieve(
     """
     from foon_kg.cli.knowledge import front_door
     from foon_kg.loaders import read_weights
-    from foon_kg.model.levels import Level
-    from foon_kg.search.classic import Criterion, GoalSought
 
     if as_json and foon:
         raise UsageError("--json and --foon ask for two forms of one answer", hint="Choose one of them.")
     say = sayer(quiet=quiet)
-    sought = GoalSought(
-        _folded(goal),
-        tuple(map(_folded, states or ())),
-        tuple(map(_folded, ingredients or ())),
-        None if container is None else _folded(container),
-        Level(level),
-        Criterion(by),
-    )
     costs = None if weights is None else read_weights(weights)
     with front_door(files, say) as door:
-        tree = door.retrieve_goal(sought, kitchen_of(kitchen, door, say), costs)
+        tree = door.retrieve(
+            _folded(goal),
+            map(_folded, states or ()),
+            map(_folded, ingredients or ()),
+            container=None if container is None else _folded(container),
+            level=level,
+            by=by,
+            kitchen=kitchen_of(kitchen, door, say),
+            costs=costs,
+        )
     _show(tree, say, as_json=as_json, foon=foon)
 
 

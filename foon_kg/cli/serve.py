@@ -14,7 +14,7 @@ from foon_kg.model.errors import UsageError
 if TYPE_CHECKING:
     import socket
 
-    from foon_kg.web.service import Foon
+    from foon_kg.web.service import FoonSource
 
 EXAMPLES = examples(
     "foon serve",
@@ -67,10 +67,9 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     and has to bring TLS. All who come through it share one rate, unless --proxy says that what it writes into
     X-Forwarded-For is to be believed.
     """
+    from foon_kg.foon import Foon
     from foon_kg.planning.batch import cores
     from foon_kg.planning.processes import collect_often
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.server import connection_settings
     from foon_kg.web.api import web_app
     from foon_kg.web.callers import Callers, proxy_network
     from foon_kg.web.connections import server_of
@@ -98,23 +97,22 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
     limits = Limits()
     service = FoonService(foon, processes=jobs or cores(), most=limits.waiting, seconds=limits.seconds)
     service.summary()  # the processes begin now
-    desk = CypherDesk(lambda: Connection(connection_settings(say))) if cypher else None
+    desk = CypherDesk(lambda: Foon.connect(say=say)) if cypher else None
     app = web_app(
         service, names=own_names(host), public=public, token=token, limits=limits, callers=callers, cypher=desk
     )
     server_of(app, limits, callers).run(sockets=[listener])
 
 
-def served_foon(files: Sequence[Path] | None, say: Say) -> Foon:
+def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:
     """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
-    from foon_kg.cli.knowledge import lessons_in, snapshot_of
-    from foon_kg.store.graph import Neo4jGraph
-    from foon_kg.store.server import connection_settings
+    from foon_kg.cli.knowledge import lessons_in, whole_foon
+    from foon_kg.foon import Foon
     from foon_kg.web.foon import EMPTY, FixedFoon, LiveFoon
 
     if files:
-        return FixedFoon(snapshot_of(files, say), lessons_in(files))
-    foon = LiveFoon(lambda: Neo4jGraph(connection_settings(say)))
+        return FixedFoon(whole_foon(files, say), lessons_in(files))
+    foon = LiveFoon(lambda: Foon.connect(say=say))
     if foon.edition() == EMPTY:  # what is wrong is said now, and not to the first who asks
         say("The database holds no FOON yet. Load one: foon load foon PATH…; what is loaded is served at once.")
     return foon

@@ -113,16 +113,14 @@ class Shown:
 
     def difference(self) -> tuple[StepChange, ...]:
         """Return what became of the steps of the reference tree."""
-        from foon_kg.cli.knowledge import open_knowledge
-        from foon_kg.planning.planner import Planner
-        from foon_kg.planning.settings import PlanSettings
+        from foon_kg.cli.knowledge import front_door
         from foon_kg.plans.step_changes import step_changes
 
         plan = self.tree.result
         if plan is None:
             raise UsageError("FOON text does not say what its reference was", hint="Give a plan result (JSON).")
-        with open_knowledge(self.files, sayer(quiet=self.quiet)) as view:
-            reference = Planner(view, PlanSettings()).reference_tree(plan.recipe, plan.reference.goal)
+        with front_door(self.files, sayer(quiet=self.quiet)) as foon:
+            reference = foon.reference_of(plan)
         if len(reference) != plan.reference.units:
             told = f"this FOON's reference tree has {len(reference)} steps, and the plan's had {plan.reference.units}"
             raise UsageError(told, hint="Give the FOON from which it was planned, or plan it anew.")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -13,9 +12,7 @@ from foon_kg.cli.streams import data
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.similarity import Neighbour, Similarity
-
-    Nearest = tuple[tuple[Neighbour, ...], ...]
+    from foon_kg.model.knowledge import Neighbour
 
 EXAMPLES = examples(
     "foon similar caper",
@@ -57,25 +54,22 @@ def similar(
     """
     if not all(name.strip() for name in names):
         raise UsageError("an empty name is no food", hint="Write: foon similar caper")
-    similarity = _similarity(vectors)
+    from foon_kg.cli.knowledge import front_door
+
     say = sayer(quiet=quiet)
-    nearest = None
-    if role is not None:
-        nearest = _in_role(names, role, limit, files, say)
-    elif vectors is None and not files:
-        nearest = _by_points(names, limit, say)
-    if nearest is None:
-        nearest = _in_view(similarity if vectors else None, names, limit, files, say)
-    if not any(nearest) and not _knows_foods(files, say):
-        raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
-    for name, neighbours in zip(names, nearest, strict=True):
-        if not neighbours or neighbours[0].confidence < _UNSURE:
-            _tell_spelling(name, say)
-        if as_json:
-            known = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
-            print_json({"name": name, "nearest": known})
-        else:
-            _print_neighbours(similarity, name, neighbours)
+    with front_door(files, say) as foon:
+        nearest = foon.similar_to_each(names, limit, role=role, vectors=vectors)
+        if not any(nearest) and not foon.foods():
+            raise UsageError("the FOON knows no foods", hint="Load some first: foon load foon PATH", code="empty")
+        for name, neighbours in zip(names, nearest, strict=True):
+            if not neighbours or neighbours[0].confidence < _UNSURE:
+                _tell_spelling(name, say)
+            if as_json:
+                known = [{"name": other.name, "confidence": other.confidence} for other in neighbours]
+                print_json({"name": name, "nearest": known})
+            else:
+                why = ["; ".join(foon.why_similar(name, other.name, vectors=vectors)) for other in neighbours]
+                _print_neighbours(name, neighbours, why)
 
 
 def _tell_spelling(name: str, say: Say) -> None:
@@ -91,55 +85,7 @@ def _tell_spelling(name: str, say: Say) -> None:
         say(f"warning: {NO_FOOD} “{name}”: did you mean “{meant}”?")
 
 
-def _by_points(names: Sequence[str], limit: int, say: Say) -> Nearest | None:
-    """Return what the vector index of the graph answers; nothing of planning is imported for it."""
-    from foon_kg.plans.kitchen import Kitchen
-    from foon_kg.store.graph.connection import Connection
-    from foon_kg.store.graph.equivalents import equivalents
-    from foon_kg.store.server import connection_settings
-
-    with Connection(connection_settings(say)) as connection:
-        return equivalents(connection, Kitchen.default(), names, limit)
-
-
-def _in_view(
-    raw: Similarity | None, names: Sequence[str], limit: int, files: Sequence[Path] | None, say: Say
-) -> Nearest:
-    """Return the nearest of all foods that are known; by a ``raw`` similarity where one was asked."""
-    from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.similarity.answers import nearest_of_each
-
-    with open_knowledge(files, say) as view:
-        if raw is None:
-            return view.equivalents(names, limit=limit)
-        return nearest_of_each(raw, names, view.vocabulary().labels, limit)
-
-
-def _in_role(names: Sequence[str], role: str, limit: int, files: Sequence[Path] | None, say: Say) -> Nearest:
-    from foon_kg.cli.knowledge import open_knowledge
-    from foon_kg.similarity.in_role import in_role
-
-    with open_knowledge(files, say) as view:
-        labels = view.vocabulary().labels
-        return tuple(in_role(name, labels, role, limit) for name in names)
-
-
-def _knows_foods(files: Sequence[Path] | None, say: Say) -> bool:
-    from foon_kg.cli.knowledge import open_knowledge
-
-    with open_knowledge(files, say) as view:
-        return bool(view.vocabulary().labels)
-
-
-def _similarity(vectors: str | None) -> Similarity:
-    from foon_kg.similarity import food_similarity, plugged_similarity, spacy_similarity
-
-    if vectors is None:
-        return food_similarity()
-    return plugged_similarity(vectors) or spacy_similarity(vectors)
-
-
-def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Neighbour]) -> None:
+def _print_neighbours(name: str, neighbours: Sequence[Neighbour], why: Sequence[str]) -> None:
     from rich.table import Table
 
     if not neighbours:
@@ -149,6 +95,6 @@ def _print_neighbours(similarity: Similarity, name: str, neighbours: Sequence[Ne
     table.add_column(no_wrap=True)
     table.add_column(justify="right")
     table.add_column(style="dim")
-    for other in neighbours:
-        table.add_row(other.name, f"{other.confidence:.2f}", "; ".join(similarity.why(name, other.name)))
+    for other, reasons in zip(neighbours, why, strict=True):
+        table.add_row(other.name, f"{other.confidence:.2f}", reasons)
     data().print(table)

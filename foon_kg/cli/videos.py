@@ -40,6 +40,7 @@ def diff(
     has, and what looks misspelled, are told by line, with what may be meant. Changes nothing.
     """
     from foon_kg.cli.files_read import odd_words
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.cli.loading import tell_unknown
     from foon_kg.loaders import Severity
     from foon_kg.loaders.video_tables import read_videos
@@ -52,8 +53,9 @@ def diff(
     subgraphs = [result.subgraph for result in results if result.subgraph is not None]
     if not subgraphs:
         raise ReadError(f"no video in {', '.join(map(str, paths))}", hint="The lines above say what is wrong with it.")
-    tell_unknown(odd_words(results), None, say)
-    found = found_differences(subgraphs, files, say)
+    with front_door(files, say) as foon:
+        tell_unknown(odd_words(results, foon.words().vocabulary.rows_of), None, say)
+        found = foon.differences(subgraphs)
     _show(found, units=units, as_json=as_json)
 
 

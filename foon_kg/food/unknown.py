@@ -7,8 +7,8 @@ which nothing is known is never owed any cooking: people have to be told, and ca
 from __future__ import annotations
 
 import difflib
-from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
 
@@ -76,6 +76,23 @@ def unknown_words(nodes: Iterable[ObjectNode], motions: Iterable[str] = ()) -> t
         *_slips(there, known),
     ]
     return tuple(sorted(set(found)))
+
+
+def by_one_another(words: Mapping[UnknownWord, int]) -> dict[UnknownWord, UnknownWord]:
+    """Return ``words``, each as told where it may be a slip of another one that more files have.
+
+    Args:
+        words: words that no table has, and how many files have each.
+    """
+    alike: dict[tuple[WordKind, str], list[tuple[str, int]]] = {}
+    for word, files in words.items():
+        alike.setdefault((word.kind, word.word[:1].lower()), []).append((word.word.lower(), files))
+    told = {}
+    for word, files in words.items():
+        there = alike[word.kind, word.word[:1].lower()]
+        others = () if word.meant or word.slip else [other for other, count in there if count > files]
+        told[word] = replace(word, meant=_meant([word.word.lower()], others)) if others else word
+    return told
 
 
 def _names(nodes: Iterable[ObjectNode], known: Tables) -> Iterator[UnknownWord]:

@@ -12,39 +12,35 @@ True
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from functools import cached_property
+from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
-from foon_kg.foon.changing import Changing
+from foon_kg.foon.answering import Answering
 from foon_kg.foon.opened import Paths
 from foon_kg.model.errors import UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
     from foon_kg.food.motion_costs import MotionCosts
     from foon_kg.foon.plan import Plan, Step
+    from foon_kg.model import KnownUnit
     from foon_kg.model.knowledge import Neighbour
-    from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.batch import Question
+    from foon_kg.planning.candidates import Candidates
     from foon_kg.planning.kitchen_file import ReadKitchen
     from foon_kg.planning.recipes import IngredientWords
     from foon_kg.planning.settings import PlanSettings
     from foon_kg.planning.suggestion import Suggestion, Suggestions
     from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.plans.result import PlanResult
     from foon_kg.plans.stock import StockedKitchen
-    from foon_kg.search.classic import GoalSought, RetrievalResult
-    from foon_kg.similarity import Similarity
+    from foon_kg.search.classic import RetrievalResult
     from foon_kg.store.graph import GraphView
     from foon_kg.store.snapshot import Snapshot
     from foon_kg.store.statistics import Statistics
-    from foon_kg.validation import KnownFoon
 
 __all__ = ["Foon", "Plan", "Step"]
-
-_MOST_KEPT = 8
-"""For so many different settings what plans is kept ready."""
 
 
 def __getattr__(name: str) -> object:
@@ -54,30 +50,11 @@ def __getattr__(name: str) -> object:
     raise AttributeError(f"module foon_kg.foon has no attribute {name}")
 
 
-class Foon(Changing):
+class Foon(Answering):
     """A FOON to plan with: files in memory (:meth:`from_files`) or a Neo4j (:meth:`connect`).
 
     It is a context manager; :meth:`close` gives connections back.
     """
-
-    @cached_property
-    def _cooks(self) -> dict[PlanSettings, Cook]:
-        """What plans from files, kept ready by settings."""
-        return {}
-
-    def close(self) -> None:
-        """Forget what is kept ready, and give connections back. Another question opens them again."""
-        self._cooks.clear()
-        super().close()
-
-    def known_with(self, settings: PlanSettings) -> KnownFoon:
-        """Return what the judge compares a tree's evidence with that was planned with such settings."""
-        if not settings.with_drafts:
-            return self.known
-        from foon_kg.validation import KnownFoon
-
-        with self._cook(settings) as cook:
-            return KnownFoon.of(cook.units or (), cook.view.goals())
 
     def plan(
         self,
@@ -135,98 +112,51 @@ class Foon(Changing):
             raise answer.error or UsageError("there is no answer", hint="Ask something.")
         return Plan(answer.outcome, self, settings, answer.notes)
 
-    def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
-        """Return the answer to a question, with its notes; ``error`` is what stands in its way."""
-        with self._cook(settings) as cook:
-            return cook.answer(question, explain=explain)
-
-    def get_ready(self, settings: PlanSettings) -> None:
-        """Make ready what answers questions with such settings, so that the first waits no longer than others."""
-        with self._cook(settings):
-            pass
-
-    @contextmanager
-    def answers(
-        self, questions: Sequence[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
-    ) -> Iterator[Iterable[Answer]]:
-        """Open what answers ``questions``, one by one in their order, each as :meth:`answer` does.
-
-        Many are answered from the whole FOON as it stands now, in ``jobs`` processes (as a rule all cores), or on the
-        cluster of the Dask scheduler at ``dask``; neither changes an answer. Raises
-        :class:`~foon_kg.model.errors.FoonError` where a process is ended from outside.
-        """
-        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
-
-        if not questions:
-            yield ()
-            return
-        whole = dask is not None or len(questions) >= MANY
-        with self._viewed(settings, whole=whole) as view:
-            units = getattr(view, "units", None) if whole or len(questions) > 1 else None  # a graph is asked for parts
-            if dask is not None and units is not None:
-                with answering_on(dask, questions, view, settings, units) as answers:
-                    yield answers
-            elif units is not None and len(questions) >= MANY and (jobs or cores()) > 1:
-                with answering(questions, view, settings, units, jobs or cores()) as answers:
-                    yield answers
-            else:
-                yield map(Cook(view, settings, units).answer, questions)
-
-    @contextmanager
-    def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
-        """Open what answers questions with such settings; of files it is kept."""
-        from foon_kg.planning.batch import Cook
-
-        if self._snapshot is None:
-            with self._viewed(settings) as view:
-                yield Cook(view, settings, view.units if settings.with_drafts else None)
-            return
-        if settings not in self._cooks:
-            if len(self._cooks) >= _MOST_KEPT:
-                self._cooks.clear()
-            known = self.with_drafts() if settings.with_drafts else self._snapshot
-            self._cooks[settings] = Cook(known, settings, known.units)
-        yield self._cooks[settings]
-
-    @contextmanager
-    def _viewed(self, settings: PlanSettings, *, whole: bool = False) -> Iterator[Any]:
-        """Open what plans with such settings are made from: the ``whole`` in memory, or what answers in parts."""
-        if settings.with_drafts:
-            yield self.with_drafts()
-        elif whole:
-            yield self.snapshot()
-        else:
-            with self.reading() as view:
-                yield view
-
     def similar(self, food: str, limit: int = 5, *, role: str | None = None) -> tuple[Neighbour, ...]:
         """Return the known foods that can stand for ``food``, the best first, each with a confidence from 0 to 1.
 
         None where nothing is like it. With ``role``, what the food does in a dish ("liquid", "protein", …),
-        known foods are answered that do the same: broth is unlike water, and is taken for it as a liquid.
+        known foods are answered that do the same: broth is unlike water, and is taken for it as a liquid. Algorithm 2
+        of the paper, by more than its cosine.
 
         Raises ``UsageError`` for anything that no food does.
 
         >>> foon.similar("caper", limit=1)[0].name
         'black olive'
         """
-        if role is not None:
-            from foon_kg.similarity.in_role import in_role
-
-            with self.reading() as view:
-                return in_role(food, view.vocabulary().labels, role, limit)
-        return self.similar_to_each([food], limit)[0]
+        return self.similar_to_each([food], limit, role=role)[0]
 
     def similar_to_each(
-        self, foods: Sequence[str], limit: int = 5, similarity: Similarity | None = None
+        self, foods: Sequence[str], limit: int = 5, *, role: str | None = None, vectors: str | None = None
     ) -> Sequence[tuple[Neighbour, ...]]:
-        """Return what :meth:`similar` does for each of ``foods``, by another ``similarity`` where one is given."""
-        with self.reading() as view:
-            if similarity is None:
-                return view.equivalents(foods, limit=limit)
-            from foon_kg.similarity.answers import nearest_of_each
+        """Return what :meth:`similar` does for each of ``foods``; a graph is asked for all of them at once.
 
-            return nearest_of_each(similarity, foods, view.vocabulary().labels, limit)
+        ``role`` is as there. With ``vectors``, the name of a spaCy pipeline or of a plug-in, they are compared by the
+        cosine of its vectors (-1 to 1), as in the paper (section III-C). Raises ``UsageError`` where that is not there.
+
+        >>> [one[0].name for one in foon.similar_to_each(["caper", "milk"], limit=1)]
+        ['black olive', 'milk']
+        """
+        from foon_kg.foon.likeness import by_points, in_view
+
+        plain = role is None and vectors is None
+        found = by_points(self._connection, foods, limit) if plain and self._snapshot is None else None
+        if found is not None:
+            return found
+        with self.reading() as view:
+            return in_view(view, foods, limit, role, vectors)
+
+    def why_similar(self, food: str, other: str, *, vectors: str | None = None) -> tuple[str, ...]:
+        """Return what speaks for one food to stand for another, in words, the weightiest first; see :meth:`similar`.
+
+        With ``vectors``, the name of a spaCy pipeline or of a plug-in, that is their cosine.
+
+        >>> foon.why_similar("caper", "black olive")[0]
+        'named in like company (0.65)'
+        """
+        from foon_kg.foon.likeness import named_similarity
+
+        return tuple(named_similarity(vectors).why(food, other))
 
     def retrieve(
         self,
@@ -244,7 +174,8 @@ class Foon(Changing):
 
         ``states``, ``ingredients`` and ``container`` say more of the goal; ``level`` says what counts of an object (1:
         its label, 2: states and places too, 3: ingredients too). The best has the fewest ``units``, or the greatest
-        ``success``, by the ``costs`` of motions (0 to 1), which are those of the FOON unless given.
+        ``success``, by the ``costs`` of motions (0 to 1), which are those of the FOON unless given. ``kitchen`` is what
+        is at hand: everything, unless given.
 
         Raises :class:`~foon_kg.model.errors.NoTreeError` where there is none, and
         :class:`~foon_kg.model.errors.UsageError` for what the level does not look at.
@@ -253,23 +184,47 @@ class Foon(Changing):
         10
         """
         from foon_kg.model.levels import Level
-        from foon_kg.search.classic import Criterion, GoalSought
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
 
         sought = GoalSought(goal, tuple(states), tuple(ingredients), container, Level(level), Criterion(by))
-        return self.retrieve_goal(sought, kitchen, costs)
-
-    def retrieve_goal(
-        self, sought: GoalSought, kitchen: Kitchen | None = None, costs: MotionCosts | None = None
-    ) -> RetrievalResult:
-        """Return the best tree of a goal that is described already, as :meth:`retrieve` does."""
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.search.classic import retrieve_tree
 
         def retrieved(view: Snapshot | GraphView) -> RetrievalResult:
             known = view.motion_costs() if costs is None else costs
             return retrieve_tree(view, sought, kitchen or Kitchen.default(), known)
 
         return self.of_one_state(retrieved)
+
+    def candidates(self, question: Question, settings: PlanSettings, most: int = 1_000) -> Candidates:
+        """Return the reference trees of the goal after which a recipe is made, best first, and the exact one.
+
+        They are paths through the combinations of producers (algorithm 3 of the paper), of which at most ``most`` are
+        looked at. Raises what :meth:`plan` raises for such a ``question``.
+
+        >>> from foon_kg.planning.batch import Question
+        >>> from foon_kg.planning.settings import PlanSettings
+        >>> found = foon.candidates(Question(dish_type="salad", texts=("chopped onion", "olive oil")), PlanSettings())
+        >>> len(found.exact.units), found.found.complete
+        (28, False)
+        """
+        from foon_kg.planning.candidates import candidates
+
+        with self.reading() as view:
+            return candidates(view, settings, question, most)
+
+    def reference_of(self, result: PlanResult) -> Sequence[KnownUnit]:
+        """Return the reference tree after which a plan was made: the units of algorithm 3, in order.
+
+        Raises :class:`~foon_kg.model.errors.NoTreeError` where this FOON does not have its goal.
+
+        >>> len(foon.reference_of(plan.result)) == plan.result.reference.units
+        True
+        """
+        from foon_kg.planning.planner import Planner
+        from foon_kg.planning.settings import PlanSettings
+
+        with self.reading() as view:
+            return Planner(view, PlanSettings()).reference_tree(result.recipe, result.reference.goal)
 
     def kitchen(self, file: Paths | None = None, foods: Iterable[str] = ()) -> ReadKitchen:
         """Return the kitchen that ``file`` describes (without one, everything), with these ``foods`` at hand as well.
@@ -293,7 +248,11 @@ class Foon(Changing):
         return ReadKitchen(read.kitchen.with_things([thing for thing, _ in beside]), (*read.notes, *notes))
 
     def words(self) -> IngredientWords:
-        """Return the words in which ingredients and kitchens are read."""
+        """Return the words in which ingredients and kitchens are read.
+
+        >>> foon.words().vocabulary.dish_types[:2]
+        ('drinks', 'omelette')
+        """
         from foon_kg.planning.recipes import IngredientWords
         from foon_kg.plans.kitchen import Kitchen
 
@@ -313,6 +272,9 @@ class Foon(Changing):
 
         ``time_limit`` (seconds) is for each of them. Raises :class:`~foon_kg.model.errors.UsageError` where the kitchen
         names no food, and :class:`~foon_kg.model.errors.NoTreeError` where no dish takes any of them.
+
+        >>> foon.suggestions(foon.kitchen(foods=["egg", "butter", "salt"]).kitchen, most=1).considered
+        23
         """
         from foon_kg.planning.suggestion import suggest
 

@@ -1,12 +1,16 @@
-"""What a FOON in a Neo4j can do besides: be asked in Cypher, and be changed."""
+"""What a FOON in a Neo4j can do besides: be asked in Cypher, and be changed.
+
+The examples are of a Neo4j that holds the demo's FOON.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from foon_kg.foon.opened import Opened, Paths, silent
+from foon_kg.foon.collected import Collected
+from foon_kg.foon.opened import Paths, Say, silent
 from foon_kg.model.errors import ReadError
 
 if TYPE_CHECKING:  # every question imports what it needs
@@ -14,9 +18,11 @@ if TYPE_CHECKING:  # every question imports what it needs
     from foon_kg.plans.difference import VideoDifference
     from foon_kg.store.graph.free_cypher import Answer as CypherAnswer
     from foon_kg.store.graph.loading import LoadReport
+    from foon_kg.store.offline.importing import ImportReport
+    from foon_kg.store.offline.staged import Staged
 
 
-class Changing(Opened):
+class Changing(Collected):
     """A FOON that can be asked in Cypher, loaded and changed, where it is in a Neo4j."""
 
     def cypher(
@@ -28,11 +34,14 @@ class Changing(Opened):
         limit: int = 1_000,
         timeout: float = 30,
     ) -> CypherAnswer:
-        """Return the rows of a question in Cypher with its ``parameters``: at most ``limit``, in ``timeout`` seconds.
+        """Return the rows of a question in Cypher: at most ``limit``, in ``timeout`` seconds.
 
-        What is more than a look at the graph is refused (:class:`~foon_kg.model.errors.WriteRefused`) unless it shall
-        ``write``. Raises :class:`~foon_kg.model.errors.GraphError`, and :class:`~foon_kg.model.errors.UsageError` for a
-        FOON in files.
+        Its ``text`` may have ``parameters`` (``$name``). What is more than a look at the graph is refused
+        (:class:`~foon_kg.model.errors.WriteRefused`) unless it shall ``write``. Raises
+        :class:`~foon_kg.model.errors.GraphError`, and :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
+
+        >>> foon.cypher("MATCH (v:Video) WHERE v.name STARTS WITH $x RETURN v.name", {"x": "greek"}).rows
+        (('greek_salad',),)
         """
         self._needs_server("to be asked in Cypher")
         from foon_kg.store.graph.free_cypher import ask_freely
@@ -42,8 +51,13 @@ class Changing(Opened):
     def load(self, *paths: Paths) -> LoadReport:
         """Bring files and tables into the graph, all or none, and return which were new, replaced and unchanged.
 
+        ``paths`` are subgraphs (text or JSON), tables of steps (CSV) and folders of them.
+
         Raises :class:`~foon_kg.model.errors.ReadError` where one of them cannot be read whole, and
         :class:`~foon_kg.model.errors.UsageError` for a FOON in files.
+
+        >>> foon.load(demo_folder() / "greek_salad.txt").unchanged
+        ('greek_salad',)
         """
         self._needs_server("to load files")
         from foon_kg.loaders import Severity
@@ -55,17 +69,57 @@ class Changing(Opened):
             raise ReadError(str(bad[0]), hint="Mend it, or load with “foon load foon --bad-tolerance”.")
         return self.store([result.subgraph for result in results if result.subgraph is not None])
 
-    def store(self, subgraphs: Sequence[Subgraph], stored: Callable[[LoadReport], None] = silent) -> LoadReport:
+    def store(
+        self, subgraphs: Sequence[Subgraph], stored: Callable[[LoadReport], None] = silent, *, at_once: bool = False
+    ) -> LoadReport:
         """Bring subgraphs that were read already into the graph, as :meth:`load` does.
 
-        ``stored`` is told of each part of them that is in the graph.
+        ``stored`` is told of each part of them that is in the graph; ``at_once`` there is one part only, all or none.
+
+        >>> len(foon.store(foon.snapshot().subgraphs[:2]).unchanged)
+        2
         """
         self._needs_server("to load files")
         from foon_kg.store.graph import load
+        from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 
-        report = load(self._connection, subgraphs, stored=stored)
+        units = 1 + sum(len(subgraph.annotations) for subgraph in subgraphs) if at_once else UNITS_PER_TRANSACTION
+        report = load(self._connection, subgraphs, stored=stored, units_per_transaction=units)
         self.__dict__.pop("known", None)
         return report
+
+    def holds(self, contents: Mapping[str, str]) -> bool:
+        """Say whether the graph has videos by these names with these contents (hashes), written as this program would.
+
+        A graph of another schema, or none at all, does not: a load tells why.
+
+        >>> foon.holds({"greek_salad": "another content"})
+        False
+        """
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.store.graph.unchanged import all_there
+
+        return all_there(self._connected("to load files"), contents, Kitchen.default())
+
+    @staticmethod
+    def import_offline(
+        subgraphs: Iterable[Subgraph],
+        *,
+        replace: bool = False,
+        say: Say = silent,
+        told: Callable[[int], None] = silent,
+        beside: Callable[[Staged], None] | None = None,
+    ) -> ImportReport:
+        """Make ``subgraphs`` the FOON of foon-kg's own Neo4j by neo4j-admin's import: for very many of them.
+
+        A part of them is in memory at a time; ``told`` hears how many were read, ``say`` what is done. What comes in
+        ``beside`` them (:meth:`stage_recipes`) is staged when they are. Raises
+        ``UsageError`` where NEO4J_URI names another Neo4j, and where the server holds anything that is not to be
+        replaced (``replace``).
+        """
+        from foon_kg.store.offline.importing import load_offline
+
+        return load_offline(subgraphs, replace=replace, say=say, told=told, beside=beside)
 
     def differences(self, subgraphs: Sequence[Subgraph]) -> Sequence[VideoDifference]:
         """Return what loading ``subgraphs`` would change, one by one: units that are new, known, as before or gone.
@@ -88,6 +142,9 @@ class Changing(Opened):
 
         With ``dry_run`` nothing goes. Raises :class:`~foon_kg.model.errors.UsageError` for a FOON in files, and where
         the graph has no such video.
+
+        >>> [(one.name, one.status.value) for one in foon.remove(["greek_salad"], dry_run=True)]
+        [('greek_salad', 'removed')]
         """
         self._needs_server("to take videos out of")
         from foon_kg.store.graph import remove
@@ -98,16 +155,3 @@ class Changing(Opened):
             remove(self._connection, videos)
             self.__dict__.pop("known", None)
         return found
-
-    def remove_drafts(self, names: Sequence[str], *, dry_run: bool = False) -> None:
-        """Take drafts of recipes (``draft:ID``) out of the graph, all or none.
-
-        With ``dry_run`` nothing goes. Raises :class:`~foon_kg.model.errors.UsageError` for a FOON in files, and where
-        the graph has no such draft.
-        """
-        self._needs_server("to take drafts out of")
-        from foon_kg.store.graph.drafts import check_drafts, remove_drafts
-
-        check_drafts(self._connection, names)
-        if not dry_run:
-            remove_drafts(self._connection, names)

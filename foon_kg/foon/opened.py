@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Self, TypeVar
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:  # every question imports what it needs: a command asks one, and should begin at once
+    from foon_kg.model import Subgraph
     from foon_kg.model.drafted import Lesson
     from foon_kg.store.graph import Connection, GraphView, Neo4jGraph
     from foon_kg.store.server import ConnectionSettings
@@ -48,7 +49,8 @@ class Opened:
     def from_files(cls, *paths: Paths, drafts: Sequence[Paths] = ()) -> Self:
         """Read subgraph files and tables, and all in folders. What of them cannot be used is left out.
 
-        ``drafts`` are files that ``foon draft recipes`` wrote: kept apart, for whoever plans ``with_drafts``.
+        ``paths`` name them; ``drafts`` are files that ``foon draft recipes`` wrote: kept apart, for whoever plans
+        ``with_drafts``.
 
         Raises :class:`~foon_kg.model.errors.ReadError` where there is nothing to read.
 
@@ -58,18 +60,25 @@ class Opened:
         from foon_kg.loaders.lessons import lessons_of, read_drafted
         from foon_kg.loaders.video_tables import read_videos
         from foon_kg.model.drafted import surest
-        from foon_kg.plans.kitchen import Kitchen
-        from foon_kg.store.snapshot import Snapshot
 
         found = [result.subgraph for result in read_videos([Path(path) for path in paths])]
         subgraphs = [subgraph for subgraph in found if subgraph is not None]
         if not subgraphs:
             names = ", ".join(map(str, paths)) or "no path"
             raise ReadError(f"there is no FOON in {names}", hint="Name subgraph files or folders.")
-        return cls(
-            snapshot=Snapshot.of(subgraphs, Kitchen.default()),
-            lessons=surest(lessons_of(read_drafted(map(Path, drafts)))) if drafts else (),
-        )
+        return cls.of_subgraphs(subgraphs, surest(lessons_of(read_drafted(map(Path, drafts)))) if drafts else ())
+
+    @classmethod
+    def of_subgraphs(cls, subgraphs: Iterable[Subgraph], lessons: Sequence[Lesson] = ()) -> Self:
+        """Return the FOON of subgraphs that were read already, with the ``lessons`` of drafts for ``with_drafts``.
+
+        >>> Foon.of_subgraphs(foon.snapshot().subgraphs[:2])
+        <Foon of 2 videos in memory>
+        """
+        from foon_kg.plans.kitchen import Kitchen
+        from foon_kg.store.snapshot import Snapshot
+
+        return cls(snapshot=Snapshot.of(subgraphs, Kitchen.default()), lessons=lessons)
 
     @classmethod
     def connect(
@@ -83,15 +92,30 @@ class Opened:
     ) -> Self:
         """Connect to the Neo4j at ``uri``; without one to that of NEO4J_URI, else to foon-kg's own, which is started.
 
+        ``user`` and ``password`` open its ``database``; those of NEO4J_URI are in the environment, too.
         What is done to start it, line by line, goes to ``say`` (``print``, say). Raises
         :class:`~foon_kg.model.errors.ServerError` where it cannot be started; whether a Neo4j answers shows the first
         question (:class:`~foon_kg.model.errors.GraphError`).
+
+        >>> Foon.connect("bolt://localhost:7687", password="secret")
+        <Foon at bolt://localhost:7687>
         """
         from foon_kg.store.server import ConnectionSettings, connection_settings
 
         return cls(
             server=connection_settings(say) if uri is None else ConnectionSettings(uri, user, password, database)
         )
+
+    @classmethod
+    def on_this_machine(cls, *, say: Say = silent) -> Self:
+        """Connect to foon-kg's own Neo4j, which is started if it is down, whatever NEO4J_URI names.
+
+        What is done to start it, line by line, goes to ``say``. Raises :class:`~foon_kg.model.errors.ServerError` where
+        it cannot be started.
+        """
+        from foon_kg.store.server import ensure_running
+
+        return cls(server=ensure_running(say))
 
     def close(self) -> None:
         """Give connections back. Another question opens them again."""
@@ -125,7 +149,11 @@ class Opened:
             yield view
 
     def of_one_state(self, ask: Callable[[Snapshot | GraphView], Found]) -> Found:
-        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile."""
+        """Return what ``ask`` finds, asked anew where somebody wrote to the FOON meanwhile.
+
+        >>> foon.of_one_state(lambda view: len(view.goals()))
+        23
+        """
         with self.reading() as view:
             found = ask(view)
             while view.moved():
@@ -133,17 +161,69 @@ class Opened:
             return found
 
     def snapshot(self) -> Snapshot:
-        """Return the whole FOON in memory, as it stands now."""
+        """Return the whole FOON in memory, as it stands now.
+
+        >>> len(foon.snapshot().subgraphs)
+        23
+        """
         return self._snapshot or self._graph.snapshot()
 
     def with_drafts(self) -> WithDrafts:
-        """Return the whole FOON in memory with what its drafts of recipes teach; there may be none."""
+        """Return the whole FOON in memory with what its drafts of recipes teach; there may be none.
+
+        >>> len(foon.with_drafts().units) == len(foon.snapshot().units)
+        True
+        """
         from foon_kg.store.with_drafts import WithDrafts
 
         if self._snapshot is not None:
             return self._with_drafts
         with self._graph.reading() as view:
             return WithDrafts.of(self._graph.snapshot(), view.lessons())
+
+    @staticmethod
+    def kinds_of_food() -> Sequence[str]:
+        """Return the kinds of food that :meth:`plan` can ``avoid``.
+
+        >>> "nuts" in foon.kinds_of_food()
+        True
+        """
+        from foon_kg.similarity.groups import food_groups
+
+        return food_groups().groups
+
+    def foods(self) -> Sequence[str]:
+        """Return the names of the foods that the FOON knows, sorted.
+
+        >>> foon.foods()[:3]
+        ['apple', 'apple juice', 'bacon']
+        """
+        with self.reading() as view:
+            return view.vocabulary().labels
+
+    def lessons(self) -> tuple[Lesson, ...]:
+        """Return what the drafts of recipes teach that :meth:`plan` takes ``with_drafts``.
+
+        >>> foon.lessons()
+        ()
+        """
+        if self._snapshot is not None:
+            return tuple(self._lessons)
+        with self._graph.reading() as view:
+            return view.lessons()
+
+    def edition(self) -> str | None:
+        """Return the name of what the graph holds now: another one has other content. ``None`` where it tells none.
+
+        Files are always of one edition, and tell none. Raises :class:`~foon_kg.model.errors.GraphError` where no FOON
+        answers.
+
+        >>> foon.edition()
+        """
+        if self._snapshot is not None:
+            return None
+        with self._graph.reading() as view:
+            return view.edition
 
     @cached_property
     def _with_drafts(self) -> WithDrafts:
@@ -171,6 +251,11 @@ class Opened:
         from foon_kg.store.graph.connection import Connection
 
         return Connection(self._needs_server("to ask"))
+
+    def _connected(self, what: str) -> Connection:
+        """Return the connection to the Neo4j; raises UsageError for a FOON in files, which has none ``what`` for."""
+        self._needs_server(what)
+        return self._connection
 
     def _needs_server(self, what: str) -> ConnectionSettings:
         if self._server is None:

@@ -96,12 +96,20 @@ class Plan:
 
     @property
     def substitutions(self) -> tuple[Substitution, ...]:
-        """What is handled like another food or read as another state, with a confidence from 0 to 1 each."""
+        """What is handled like another food or read as another state, with a confidence from 0 to 1 each.
+
+        >>> plan.substitutions
+        ()
+        """
         return self.result.substitutions
 
     @property
     def assumptions(self) -> tuple[Assumption, ...]:
-        """What no step makes so and is taken to be so, and why."""
+        """What no step makes so and is taken to be so, and why.
+
+        >>> plan.assumptions
+        ()
+        """
         return self.result.assumptions
 
     def check(self) -> Report:

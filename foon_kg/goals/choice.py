@@ -17,8 +17,9 @@ from foon_kg.integration.frames import Frame
 from foon_kg.integration.layouts import Layout
 from foon_kg.integration.operators import Likes
 from foon_kg.integration.outlines import Outlines, Sought
-from foon_kg.integration.places import Join, Matcher
+from foon_kg.integration.places import Matcher
 from foon_kg.integration.preparation import Want
+from foon_kg.integration.spots import Join
 from foon_kg.world.becoming import meets
 
 _MOST = 0.6

@@ -10,7 +10,8 @@ from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import CARRIES, SEASONS
 from foon_kg.integration.batters import is_thin
 from foon_kg.integration.frames import Frame, Line
-from foon_kg.integration.layouts import Layout, Spot
+from foon_kg.integration.layouts import Layout
+from foon_kg.integration.spots import Spot
 
 _MOST_KEPT = 2048
 """For how many dishes this is kept."""

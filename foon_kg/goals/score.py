@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.names import BY_TITLE, named_alike
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.places import Join, Posts
+from foon_kg.integration.places import Posts
+from foon_kg.integration.spots import Join
 from foon_kg.model.drafted import is_draft
 
 _CHANGES = frozenset({"blend", "knead", "shape"})
@@ -27,9 +28,6 @@ _AWKWARD = 0.2
 
 _SAID, _MOST_SAID = 0.35, 0.6
 """What a word counts that the title and the recorded dish share beside their type (fried, tomato), and all of them."""
-
-_DRAFTED = 0.25
-"""What a frame is less worth that nobody has watched: it was drafted from the words of a recipe."""
 
 _DAMAGED = 0.5
 """What a frame is less worth in which something is never cooked that has to be, or most of its foods are lost."""
@@ -63,7 +61,6 @@ def score(dish: Recorded, joins: Sequence[Join], asked: Asked, posts: Posts) -> 
     if asked.title:
         found -= _not_so_called(dish, asked, named)
     found -= _DAMAGED if dish.damaged else 0.0
-    found -= _DRAFTED if is_draft(dish.frame.video) else 0.0
     found -= _stacked_otherwise(dish, joins, asked, named)
     found -= _MIXED if asked.laid and dish.layout.laid is None else 0.0
     found -= 0.15 if missing_core(dish, asked) else 0.0

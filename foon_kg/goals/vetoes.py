@@ -6,9 +6,8 @@ from collections.abc import Iterator, Sequence
 
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.recorded import Recorded
-from foon_kg.integration.layouts import Spot
-from foon_kg.integration.places import Join
 from foon_kg.integration.poured_over import is_poured_over
+from foon_kg.integration.spots import Join, Spot
 
 
 def vetoes(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterator[str]:

@@ -11,10 +11,9 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS, MIXES, Course
 from foon_kg.integration.frames import Phase, Stage
-from foon_kg.integration.layouts import Spot
 from foon_kg.integration.operators import Attested, Nearness, Way, form_of
-from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready, Want, owed
+from foon_kg.integration.spots import Join, Spot
 
 _MUCH_ALIKE = 0.8
 _POWDER = 5

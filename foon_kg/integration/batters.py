@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from foon_kg.food import Tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.operators import form_of
 from foon_kg.integration.preparation import Want
-
-if TYPE_CHECKING:
-    from foon_kg.integration.layouts import Spot
-    from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join, Spot
 
 _DRY = word_list("is dry in a batter")
 _PIECES = word_list("is folded into a batter")

@@ -10,8 +10,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.coated import coated_apart
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import COOK, MIX, SHAPE, STIR, TOP, TURN
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import as_mash, owed
+from foon_kg.integration.spots import Join
 
 _MIX = replace(MIX, tools=("spatula",))
 _SMALL = 3

@@ -18,10 +18,10 @@ from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
-from foon_kg.integration.places import Join
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
+from foon_kg.integration.spots import Join
 from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import garnished, is_heated, stirred

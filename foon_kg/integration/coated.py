@@ -10,8 +10,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.course import COATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SIMMER, STIR, TOP, TURN
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.integration.spots import Join
 
 _COATED = word_list("is coated")
 _DRY = word_list("coats dry")

@@ -20,12 +20,11 @@ from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Course, Plan
 from foon_kg.integration.crowned import crowned
 from foon_kg.integration.frames import BATH, Line, Phase, Stage
-from foon_kg.integration.layouts import only_carries
 from foon_kg.integration.operators import Attested, form_of
 from foon_kg.integration.phases import in_phases
-from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Preparer, Ready
 from foon_kg.integration.serving import Serving
+from foon_kg.integration.spots import Join, only_carries
 from foon_kg.integration.utensils import Utensils
 from foon_kg.integration.working import Worker
 

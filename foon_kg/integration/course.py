@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from foon_kg.integration.frames import Line, Phase, Stage
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 
 MIXES = frozenset({"mix", "whip", "knead", "mash", "blend"})
 HEATS = frozenset({"heat", "warm"})

@@ -9,8 +9,8 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Want
+from foon_kg.integration.spots import Join
 
 _MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")

@@ -71,7 +71,9 @@ def _objects(bench: Bench, others: Others) -> Iterator[Substitution]:
         if (singular(food), like) not in told:
             told.add((singular(food), like))
             rest = tuple(Alternative(name, round(sure, 4)) for name, sure in others(food, like)[:MOST_ALTERNATIVES])
-            yield Substitution("object", food, food, like, round(confidence, 4), rest)
+            labels = (mention.node.label for mention in (*done.step.inputs, *done.step.outputs))
+            name = next((label for label in labels if singular(label) == singular(food)), food)
+            yield Substitution("object", name, name, like, round(confidence, 4), rest)
 
 
 def _motions(bench: Bench) -> Iterator[Substitution]:

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Phase, Stage
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
+from foon_kg.integration.spots import Join
 
 _BEAT = Stage((), "whisk", frozenset({"mix", "whip"}), ("whisk",), "mixing bowl", "in", "", "", "", (), 0)
 _PAN = replace(_BEAT, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spatula",))

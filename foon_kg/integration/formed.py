@@ -11,8 +11,8 @@ from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
-from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import as_mash
+from foon_kg.integration.spots import Join
 
 _FINE = 3
 """As finely as this (chopped, grated) vegetables are cut that go into a mass."""

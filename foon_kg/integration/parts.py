@@ -9,9 +9,9 @@ from foon_kg.food import Tables, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import is_of_batter, is_of_dough
 from foon_kg.integration.frames import Line, Slot, Stage
-from foon_kg.integration.layouts import Spot, only_carries
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import Want
+from foon_kg.integration.spots import Join, Spot, only_carries
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.layouts import spots_of
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
+from foon_kg.integration.spots import Join, spots_of
 
 MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "mixing bowl", "in", "", "", "mixture", (), 0)
 SHAPE = replace(MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")

@@ -15,7 +15,7 @@ from foon_kg.food import Food, Tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Phase, Slot, Stage
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 
 _BATHS = tuple(word_list("is a bath"))
 _DONE_OVER_HEAT = HEATS | {"mix", "liquid", "move", "fat", "coat"}

@@ -9,14 +9,15 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from foon_kg.food import Level, Tables, singular, tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.batters import as_batter, is_of_batter, is_of_dough
 from foon_kg.integration.frames import Frame, Slot
-from foon_kg.integration.layouts import MAIN, Layout, Place, Post, Spot, is_need, only_carries, spots_of
+from foon_kg.integration.layouts import MAIN, Layout, Place, is_need
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.integration.spots import Join, Post, Spot, only_carries, spots_of
 from foon_kg.model.recent import Recent
 
 _LATE = word_list("joins late")
@@ -47,22 +48,6 @@ _SAME_ROLE = 0.55
 
 NATURAL = 0.5
 """A slot is natural for a food that its own can stand for with at least this confidence."""
-
-
-@dataclass(frozen=True)
-class Join:
-    """Where one asked food joins, how well that fits (0 to 1), and the slot that it takes, if one is natural.
-
-    ``layer`` is its place among others that are laid on dough: from below to above. ``on_top``: it only
-    lies on the dish.
-    """
-
-    want: Want
-    spot: Spot
-    fit: float
-    slot: Slot | None = None
-    layer: int = 0
-    on_top: bool = False
 
 
 _FACTORS = 3

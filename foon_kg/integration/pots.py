@@ -10,8 +10,9 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import owed
+from foon_kg.integration.spots import Join
 
 _MIXES = frozenset({"coat", "fetch", "mix", "move", "scatter", "whip"})
 

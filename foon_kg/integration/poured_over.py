@@ -9,8 +9,9 @@ from foon_kg.food import tables
 from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Slot, Stage
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import Want
+from foon_kg.integration.spots import Join
 
 _PARTS = word_list("is poured over")
 _BODY = word_list("is the body of what is poured over")

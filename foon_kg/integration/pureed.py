@@ -12,7 +12,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Slot, Stage
 from foon_kg.integration.phases import is_strewn
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 
 _JOINED = frozenset({"and", "con", "in", "on", "over", "with"})
 """After these words a title says no more what a dish is."""

@@ -11,8 +11,8 @@ from foon_kg.integration.carrying import Carrier
 from foon_kg.integration.course import WORKS, Plan
 from foon_kg.integration.frames import Stage
 from foon_kg.integration.operators import Way
-from foon_kg.integration.places import Join
 from foon_kg.integration.preparation import Ready
+from foon_kg.integration.spots import Join
 from foon_kg.integration.working import Worker
 
 _SLICES = word_list("carries what is stacked")

@@ -14,9 +14,9 @@ from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
-from foon_kg.integration.layouts import spots_of
-from foon_kg.integration.places import NATURAL, Join
+from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import Want, owed
+from foon_kg.integration.spots import Join, spots_of
 
 _MAIN = "dish"
 """The line of a technique that makes the dish."""

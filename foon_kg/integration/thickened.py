@@ -9,7 +9,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line
 from foon_kg.integration.patterns import STIR, with_line
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 
 
 def sauce_apart(line: Line, joins: Sequence[Join]) -> tuple[Line, tuple[Join, ...]]:

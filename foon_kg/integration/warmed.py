@@ -11,7 +11,7 @@ from foon_kg.integration.course import MIXES, WORKS
 from foon_kg.integration.frames import Line
 from foon_kg.integration.operators import Operators
 from foon_kg.integration.patterns import MIX, STIR
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 
 _GLASS = replace(MIX, motion="stir", vessel="drinking glass", label="")
 _SLICES = word_list("is a slice on a glass")

@@ -8,7 +8,7 @@ parser of recipe lines reads what that leaves, or everything.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
@@ -110,10 +110,15 @@ class CollectionReader:
 
 def labels_of(vocabulary: Vocabulary) -> dict[str, str]:
     """Return the label of each food of a FOON by its canonical name; of several the first in their order."""
-    labels: dict[str, str] = {}
-    for row in vocabulary.foods:
-        labels.setdefault(canonical(row.label), row.label)
-    return labels
+    return labels_by_name(row.label for row in vocabulary.foods)
+
+
+def labels_by_name(labels: Iterable[str]) -> dict[str, str]:
+    """Return each of ``labels`` by its canonical name; of several the first in their order."""
+    found: dict[str, str] = {}
+    for label in labels:
+        found.setdefault(canonical(label), label)
+    return found
 
 
 def classes_of(recipe: CollectedRecipe) -> tuple[DishClass, ...]:

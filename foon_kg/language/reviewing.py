@@ -221,6 +221,8 @@ def _sure(text: str) -> float:
 
 def _own(row: DraftRow, notices: Sequence[Notice]) -> Iterator[Reason]:
     """Yield why a row is doubtful by itself."""
+    if row.annotation is None and row.doubts and row.confidence >= SURE:
+        return  # it changes nothing, or a later unit has it
     if row.annotation is None:
         told = row.doubts or tuple(notice.message for notice in notices if notice.line == row.line)
         yield from (Reason("no unit", text) for text in told or ("it is no unit",))

@@ -11,10 +11,11 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 
 from foon_kg.model import DISH_TYPES
+from foon_kg.model.recent import MOST_WORDS
 
 _NO_CLASS = "!"
 _BESIDE = re.compile(
@@ -93,7 +94,7 @@ def _entry(line: str) -> tuple[str, str]:
     return name, listed
 
 
-@cache
+@lru_cache(maxsize=MOST_WORDS)
 def _singular(word: str) -> str:
     """Return one form for the singular and the plural of ``word``; it need not be English (brownies → browny)."""
     for ending, short, shortest in _ENDINGS:

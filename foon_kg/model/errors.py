@@ -43,6 +43,16 @@ class UsageError(FoonError):
     exit_code = 2
 
 
+class TooManyUnitsError(UsageError):
+    """More units may take part in making a goal than a program should hold."""
+
+    def __init__(self, most: int) -> None:
+        super().__init__(
+            f"more than {most:,} units may take part in making it",
+            hint="Ask at level 3, where vessels of other contents are other things, or say more of the goal.",
+        )
+
+
 class NoTreeError(FoonError):
     """The question is fine and the answer is that there is no tree; ``code`` says which kind of no."""
 

@@ -44,6 +44,13 @@ class Fields:
         """Return the text of a field, ``None`` where it is null or left out."""
         return None if self._values.get(name) is None else self.text(name)
 
+    def text_or_number(self, name: str) -> str:
+        """Return the text of a field, or its number as it is written; nothing where it is null or left out."""
+        value = self._values.get(name)
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            return f"{value:g}"
+        return (self.optional_text(name) or "").strip()
+
     def whole_number(self, name: str) -> int:
         """Return the whole number of a field."""
         value = self._value(name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from foon_kg.model import UNMEASURED, Measures, ObjectNode, Recipe, RequiredIngredient, Sighting
+from foon_kg.model import UNMEASURED, AskedAmount, Measures, ObjectNode, Recipe, RequiredIngredient, Sighting
 from foon_kg.model.json_fields import Fields, JsonObject
 
 
@@ -30,14 +30,20 @@ def node_from_json(fields: Fields) -> ObjectNode:
 
 def recipe_to_json(recipe: Recipe) -> JsonObject:
     """Return the ``recipe`` field of a plan result."""
-    ingredients = [{"object": wanted.object, "state": wanted.state} for wanted in recipe.ingredients]
+    ingredients = [_wanted_to_json(wanted) for wanted in recipe.ingredients]
     return {"id": recipe.id, "title": recipe.title, "dish_type": recipe.dish_type, "ingredients": ingredients}
+
+
+def _wanted_to_json(wanted: RequiredIngredient) -> JsonObject:
+    told: JsonObject = {"object": wanted.object, "state": wanted.state}
+    return told | ({"amount": wanted.amount} if wanted.amount else {})
 
 
 def recipe_from_json(fields: Fields) -> Recipe:
     """Read back what :func:`recipe_to_json` wrote."""
     ingredients = tuple(
-        RequiredIngredient(i.text("object"), i.text("state")) for i in fields.nested_list("ingredients")
+        RequiredIngredient(i.text("object"), i.text("state"), i.text("amount") if "amount" in i else "")
+        for i in fields.nested_list("ingredients")
     )
     return Recipe(fields.text("dish_type"), ingredients, fields.optional_text("id"), fields.optional_text("title"))
 
@@ -49,6 +55,8 @@ def measures_to_json(measures: Measures) -> JsonObject:
         told["seconds"] = measures.seconds
     if measures.celsius is not None:
         told["celsius"] = measures.celsius
+    if measures.asked:
+        told["asked"] = [{"amount": one.amount, "food": one.food} for one in measures.asked]
     return told
 
 
@@ -61,6 +69,9 @@ def measures_from_json(fields: Fields) -> Measures:
         tuple(told.texts("amounts")) if "amounts" in told else (),
         told.optional_number("seconds"),
         told.optional_number("celsius"),
+        tuple(AskedAmount(one.text("amount"), one.text("food")) for one in told.nested_list("asked"))
+        if "asked" in told
+        else (),
     )
 
 

@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 DISH_TYPES: tuple[str, ...] = (
     "bread", "soup", "roast", "pizza", "sandwich", "cake", "pie", "sauce", "pudding", "drinks",
@@ -161,20 +162,29 @@ class Timing:
         return max((end for _, end in self.spans), default=None)
 
 
+class AskedAmount(NamedTuple):
+    """How much of a food somebody asks for, in his words: ("1 1/2 cups", "flour")."""
+
+    amount: str
+    food: str
+
+
 @dataclass(frozen=True)
 class Measures:
     """How much, how long and how hot: what a recipe says of one action.
 
     ``amounts`` are texts of a number, a unit and a food ("200 g flour", "3 piece egg"), ``seconds`` is how long it
-    is done, ``celsius`` how hot. What nobody says is ``None``, and no amounts.
+    is done, ``celsius`` how hot. What nobody says is ``None``, and no amounts. ``asked`` are the amounts of who asked
+    for a plan, which no recorded action has.
     """
 
     amounts: tuple[str, ...] = ()
     seconds: float | None = None
     celsius: float | None = None
+    asked: tuple[AskedAmount, ...] = ()
 
     def __bool__(self) -> bool:
-        return bool(self.amounts) or self.seconds is not None or self.celsius is not None
+        return bool(self.amounts or self.asked) or self.seconds is not None or self.celsius is not None
 
 
 UNMEASURED = Measures()
@@ -248,10 +258,15 @@ class Goal:
 
 @dataclass(frozen=True, order=True)
 class RequiredIngredient:
-    """What a recipe asks for: a food in a state, as the recipe words them."""
+    """What a recipe asks for: a food in a state, as the recipe words them.
+
+    ``amount`` is how much of it, in the words of who asks ("1 1/2 cups"); it changes no tree and takes no part in
+    equality.
+    """
 
     object: str
     state: str
+    amount: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True)

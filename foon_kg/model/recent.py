@@ -1,4 +1,9 @@
-"""What was worked out of late, so that a planner that lives long does not grow with every recipe it is asked."""
+"""What was worked out of late, so that a planner that lives long does not grow with every recipe it is asked.
+
+Three things are kept in this program: what an object works out of itself (``functools.cached_property``, gone with the
+object), what is read of the program's own tables (``functools.cache``), and what is worked out of what is asked: that
+has a limit, here or as ``functools.lru_cache(maxsize=…)``. ``python benchmarks/house.py --list caches`` shows all.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +13,10 @@ from typing import TypeVar
 
 K = TypeVar("K")
 V = TypeVar("V")
+
+MOST_WORDS = 1 << 12
+"""Of so many different words a function of words keeps the answers: more than tables and the public FOON have motions
+and states, while files of strangers, and a service that runs for months, may have any number."""
 
 
 class Recent(MutableMapping[K, V]):

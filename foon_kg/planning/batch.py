@@ -68,7 +68,8 @@ class Question:
         if self.given is not None:
             return tuple(wanted.object for wanted in self.given.ingredients), ()
         if self.path is not None:
-            return foods_named(self.path), ()
+            named, lines = foods_named(self.path)
+            return named, names_in(lines)
         return (), names_in(self.texts)
 
     def as_planned(self, words: IngredientWords, avoided: Sequence[str] = ()) -> Recipe:

@@ -2,9 +2,37 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+from foon_kg.integration.methods import TeachingView
 from foon_kg.model import Goal, Recipe
+from foon_kg.planning.batch import Cook, Question
 from foon_kg.planning.planner import Planner, _Question
-from foon_kg.search import SearchProblem
+from foon_kg.planning.recipes import ReadRecipe
+from foon_kg.planning.settings import PlanSettings
+from foon_kg.search import Enumeration, ReferenceTree, SearchProblem, enumerate_paths, retrieve, with_gaps_of
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """The reference trees that were ``found`` for the goal of a recipe, and the ``exact`` one, which is proven."""
+
+    read: ReadRecipe
+    goal: Goal
+    exact: ReferenceTree
+    found: Enumeration
+
+
+def candidates(view: TeachingView, settings: PlanSettings, question: Question, most: int) -> Candidates:
+    """Return the reference trees for a question, best first, of at most ``most`` combinations of producers.
+
+    Raises as :meth:`~foon_kg.planning.planner.Planner.plan` does.
+    """
+    cook = Cook(view, settings)
+    read = question.read(cook.words_for(question), settings.avoided)
+    goal, problem = reference_question(cook.planner, read.recipe)
+    exact = retrieve(problem, time_limit=settings.time_limit)
+    return Candidates(read, goal, exact, enumerate_paths(with_gaps_of(problem, exact), limit=most))
 
 
 def reference_question(planner: Planner, recipe: Recipe) -> tuple[Goal, SearchProblem]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from foon_kg.food import singular
-from foon_kg.integration.places import Join
+from foon_kg.integration.spots import Join
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.tree import TreeUnit
 from foon_kg.planning.attempt import Attempt

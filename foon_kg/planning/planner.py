@@ -27,8 +27,9 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.parts import parts_of
-from foon_kg.integration.places import Join, Joiners, Matcher
+from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
+from foon_kg.integration.spots import Join
 from foon_kg.integration.techniques import technique_for
 from foon_kg.integration.warmed import can_be_warmed
 from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
@@ -41,7 +42,7 @@ from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.measures import with_measures
+from foon_kg.plans.measures import amounts_asked, with_asked, with_measures
 from foon_kg.plans.progress import lines_of_things
 from foon_kg.plans.result import PassedOver, PlanResult, ReferenceSummary
 from foon_kg.plans.shortage import nearest_first, shortage
@@ -146,13 +147,17 @@ class Planner:
     def _told(self, question: _Question) -> PlanResult:
         best = question.best
         ready = best.cooking.ready
-        foods = [(RequiredIngredient(w.label, w.asked), ready[w.number].stuff.number) for w in question.wants]
+        amounts = amounts_asked(question.recipe)
+        foods = [
+            (RequiredIngredient(want.label, want.asked, amounts[want.number - 1]), ready[want.number].stuff.number)
+            for want in question.wants
+        ]
         frame = best.fit.frame
         goal = question.methods.goal_of(frame)
         recorded = self.references.tree(goal, question.wanted(goal.ingredients)).units
         return replace(
             best.result,
-            units=with_measures(best.result.units, recorded, frame.video),
+            units=with_measures(with_asked(best.result.units, foods), recorded, frame.video),
             progress_lines=lines_of_things(best.result.units, best.result.goal, foods),
         )
 

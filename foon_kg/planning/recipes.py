@@ -92,7 +92,7 @@ class IngredientWords:
         state = self._usual_states.get(canonical(wanted.object), plain.sold_as or UNTOUCHED)
         if plain.sold_as and tables().foods.food(wanted.object, [state]).kind != plain.kind:
             state = plain.sold_as
-        usual = RequiredIngredient(wanted.object, state)
+        usual = replace(wanted, state=state)
         return usual, (_as_usual(usual),)
 
     def _chosen(
@@ -102,8 +102,9 @@ class IngredientWords:
         amount = _counting(rest)
         said = " ".join(rest[amount:]) or tables().foods.as_measured(food, (word.lower() for word in rest[:amount]))
         state = (processed or list(states) or [said])[-1]
-        wanted, notes = self.with_state(RequiredIngredient(food, state))
-        left_out = [other for other in (*states, *rest) if other not in wanted.state.split() and other != wanted.state]
+        wanted, notes = self.with_state(RequiredIngredient(food, state, _amount(rest[:amount])))
+        unsaid = (*states, *rest[amount:])
+        left_out = [other for other in unsaid if other not in wanted.state.split() and other != wanted.state]
         if left_out:
             notes = (*notes, f"“{text}” is read as {food}, {wanted.state}: “{' '.join(left_out)}” is left out")
         said = " ".join(text.replace(",", " ").lower().split())
@@ -189,14 +190,22 @@ class IngredientWords:
 
 
 def _counting(words: Sequence[str]) -> int:
-    """Return how many words in front say how much: two of “500 g potato”."""
-    if not words or not words[0][0].isnumeric():
+    """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
+    lower = [word.lower().rstrip(".") or word for word in words]
+    begin = int(lower[:1] == ["a"])
+    if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
         return 0
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything
 
-    measures = word_list("measures what is canned") | {"of"}
-    counts = (word[0].isnumeric() or word.lower() in measures or is_measure(word.lower()) for word in words)
-    return next((place for place, amount in enumerate(counts) if not amount), len(words))
+    measures = word_list("measures what is canned") | word_list("measures a food") | {"of", "to", "-"}
+    counts = [word[0].isnumeric() or word in measures or is_measure(word) for word in lower[begin:]]
+    many = counts.index(False) if False in counts else len(counts)
+    return many and begin + many
+
+
+def _amount(words: Sequence[str]) -> str:
+    """Return how much words say: “2 cups” of “2 cups of”."""
+    return " ".join(words[:-1] if words and words[-1].lower() == "of" else words)
 
 
 @cache
@@ -303,33 +312,54 @@ def recipe_files(paths: Iterable[Path]) -> Iterator[Path]:
 
 
 def read_recipe(path: Path, words: IngredientWords) -> ReadRecipe:
-    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state"}]}``.
+    """Read a recipe file: ``{"id", "title", "type", "ingredients": [{"object", "state", "amount"}]}``.
 
-    ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient without a
-    name is left out, one without a state gets the usual one; both are noted. Raises ReadError with the place.
+    ``id`` is the file's name where it is left out; ``dish_type`` is understood for ``type``. An ingredient may be a
+    line ("200 g flour"); ``quantity`` and ``unit`` are understood for ``amount``. One without a name is left out, one
+    without a state gets the usual one; both are noted. Raises ReadError with the place.
     """
     fields = Fields(_json(path), str(path))
     wanted, notes = [], []
-    for ingredient in fields.nested_list("ingredients"):
-        food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
-        if not food:
-            notes.append(f"{ingredient.where}: “object” is empty; the ingredient is left out")
+    for place, value in enumerate(fields.items("ingredients")):
+        where = f"{path}: ingredients[{place}]"
+        line = isinstance(value, str)
+        one = RequiredIngredient(value.strip(), "") if isinstance(value, str) else _asked(Fields(value, where))
+        if not one.object:
+            notes.append(f"{where}: {'the line' if line else '“object”'} is empty; the ingredient is left out")
             continue
-        stated, said = words.with_state(RequiredIngredient(food, state))
+        stated, said = words.read(one.object) if line else words.with_state(one)
         wanted.append(stated)
-        notes += [f"{ingredient.where}: {note}" for note in said]
+        notes += [f"{where}: {note}" for note in said]
     dish_type = fields.text("dish_type" if "dish_type" in fields and "type" not in fields else "type")
     recipe_id = fields.optional_text("id") or path.stem
     return ReadRecipe(Recipe(dish_type, tuple(wanted), recipe_id, fields.optional_text("title")), tuple(notes))
 
 
-def foods_named(path: Path) -> tuple[str, ...]:
-    """Return the foods that a recipe file names, none where it cannot be read: :func:`read_recipe` says why."""
+def _asked(ingredient: Fields) -> RequiredIngredient:
+    """Return what an object of a recipe file asks for."""
+    food, state = ingredient.text("object").strip(), (ingredient.optional_text("state") or "").strip()
+    return RequiredIngredient(food, state, amount_said(ingredient))
+
+
+def amount_said(ingredient: Fields) -> str:
+    """Return how much an ingredient of a recipe file is: its ``amount``, else its ``quantity`` and ``unit``."""
+    if "amount" in ingredient:
+        return (ingredient.optional_text("amount") or "").strip()
+    return " ".join(filter(None, map(ingredient.text_or_number, ("quantity", "unit"))))
+
+
+def foods_named(path: Path) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the foods that a recipe file names, and the lines in it, which are still to be read.
+
+    There are none where it cannot be read: :func:`read_recipe` says why.
+    """
     try:
-        ingredients = Fields(_json(path), str(path)).nested_list("ingredients")
-        return tuple(food for ingredient in ingredients if (food := ingredient.text("object").strip()))
+        values = Fields(_json(path), str(path)).items("ingredients")
+        lines = tuple(value for value in values if isinstance(value, str))
+        named = (Fields(value, str(path)).text("object").strip() for value in values if not isinstance(value, str))
+        return tuple(filter(None, named)), lines
     except ReadError:
-        return ()
+        return (), ()
 
 
 def _json(path: Path) -> object:

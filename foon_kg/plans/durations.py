@@ -10,13 +10,14 @@ from __future__ import annotations
 import statistics
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from itertools import chain
 from typing import Self
 
 from foon_kg.food import motions
 from foon_kg.food.lists import word_list
 from foon_kg.model import KnownUnit, Measures, Sighting
+from foon_kg.model.recent import MOST_WORDS
 
 _AT_LEAST = 1.0  # annotators write whole seconds: an action that begins and ends in one second takes about one
 
@@ -71,7 +72,7 @@ class Durations:
         return cls.of(chain(((known.unit.motion, seen) for known in units for seen in known.seen_in), beside))
 
 
-@cache
+@lru_cache(maxsize=MOST_WORDS)
 def is_cut_short(motion: str) -> bool:
     """Return whether videos show only the beginning and the end of a motion: what cooks, rises or cools."""
     return motions.heats(motion) or motion in word_list("without hands")

@@ -1,4 +1,8 @@
-"""How much, how long and how hot: what the recorded dish says of it, told of the steps that are made after it."""
+"""How much, how long and how hot, told of the steps of a plan.
+
+Who asks says how much of a food there is; what he leaves open the recorded dish says, of the steps made after it.
+Nothing is scaled: a recorded amount, a time or a heat stays what it was for the recorded dish.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,16 @@ from dataclasses import replace
 
 from foon_kg.food import singular
 from foon_kg.food.lists import word_list
-from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Measures, ObjectNode
+from foon_kg.model import (
+    UNMEASURED,
+    AskedAmount,
+    FunctionalUnit,
+    KnownUnit,
+    Measures,
+    ObjectNode,
+    Recipe,
+    RequiredIngredient,
+)
 from foon_kg.model.tree import TreeUnit
 
 _MINUTE, _HOUR = 60, 3600
@@ -23,16 +36,22 @@ def amount_of(text: str) -> tuple[str, str]:
 
 
 def measured_words(measures: Measures, motion: str) -> str:
-    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (recorded: 200 g)"; nothing for none.
+    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (200 g)"; nothing for none.
 
-    Amounts are told as recorded: who asks may have another one in mind.
+    Amounts that nobody asked for are told as recorded: who asks may have another one in mind.
     """
     by = "to" if motion in word_list("comes to a temperature") else "at"
     said = f" for {_long(measures.seconds)}" if measures.seconds is not None else ""
     said += f" {by} {measures.celsius:g} °C" if measures.celsius is not None else ""
-    amounts = [amount_of(text) for text in measures.amounts]
-    told = [amount if len(amounts) == 1 else f"{amount} {food}" for amount, food in amounts]
-    return f"{said} (recorded: {', '.join(told)})" if told else said
+    parts = [_listed(measures.asked)] if measures.asked else []
+    if measures.amounts:
+        parts.append(f"recorded: {_listed([amount_of(text) for text in measures.amounts])}")
+    return f"{said} ({'; '.join(parts)})" if parts else said
+
+
+def _listed(amounts: Sequence[tuple[str, str]]) -> str:
+    """Return amounts in words, with their foods where there are several."""
+    return ", ".join(amount if len(amounts) == 1 else f"{amount} {food}" for amount, food in amounts)
 
 
 def _long(seconds: float) -> str:
@@ -45,8 +64,8 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     """Return ``units`` with what ``recorded`` ones say in ``video``.
 
     A step is done as long and as hot as the first recorded step of its motion, not told yet, that takes one of its
-    things. How much of a food is taken is said where it first comes into the tree. Nothing is said of other foods than
-    the recorded ones.
+    things. How much of a food is taken is said where it first comes into the tree, unless somebody asked for an amount
+    of it. Nothing is said of other foods than the recorded ones.
     """
     said = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
     said = sorted((row for row in said if row[2]), key=lambda row: (row[0], row[1].key))
@@ -54,13 +73,15 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     amounts: defaultdict[str, list[str]] = defaultdict(list)
     for text in (text for _, _, measures in said for text in measures.amounts):
         amounts[singular(amount_of(text)[1])].append(text)
+    for food in {singular(one.food) for unit in units for one in unit.measures.asked}:
+        amounts.pop(food, None)
     there: set[ObjectNode] = set()
     told = []
     for unit in units:
         fresh = dict.fromkeys(singular(node.label) for node in unit.input_nodes if node not in there)
         taken = tuple(amounts[food].pop(0) for food in fresh if amounts.get(food))
         own = _first_of(unit, timed)
-        told.append(replace(unit, measures=replace(own, amounts=taken)) if own or taken else unit)
+        told.append(replace(unit, measures=replace(own, amounts=taken, asked=unit.measures.asked)))
         there.update(unit.output_nodes)
     return tuple(told)
 
@@ -73,3 +94,50 @@ def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> M
             del timed[place]
             return measures
     return UNMEASURED
+
+
+def amounts_asked(recipe: Recipe) -> list[str]:
+    """Return how much is asked of each distinct ingredient: "60 g and 5 g" where it is asked twice."""
+    amounts: defaultdict[RequiredIngredient, list[str]] = defaultdict(list)
+    for one in recipe.ingredients:
+        if one.object:
+            amounts[one].append(one.amount)
+    return [" and ".join(filter(None, said)) for said in amounts.values()]
+
+
+def with_asked(units: Sequence[TreeUnit], foods: Iterable[tuple[RequiredIngredient, int]]) -> tuple[TreeUnit, ...]:
+    """Return ``units``, whose things have numbers, with the amounts of ``foods``; each food comes with its number.
+
+    An amount is said of the step that first takes the food. Where the tree takes the food several times (oil for the
+    pan and for the salad), each of these steps takes a part of it: nobody knows which.
+    """
+    told: defaultdict[int, list[AskedAmount]] = defaultdict(list)
+    first = _first_takings(units)
+    numbered = list(foods)
+    others = defaultdict(list)
+    for number, (food, _) in first.items():
+        if number not in {own for _, own in numbered}:
+            others[food].append(number)
+    for wanted, number in numbered:
+        if not wanted.amount or number not in first:
+            continue
+        more = others[singular(wanted.object)]
+        amount = f"part of {wanted.amount}" if more else wanted.amount
+        for one in (number, *more):
+            told[first[one][1]].append(AskedAmount(amount, wanted.object))
+    return tuple(
+        replace(unit, measures=replace(unit.measures, asked=tuple(told[place]))) if place in told else unit
+        for place, unit in enumerate(units)
+    )
+
+
+def _first_takings(units: Sequence[TreeUnit]) -> dict[int, tuple[str, int]]:
+    """Return the name of each thing that is in the kitchen, and the place of the first step that takes it."""
+    first: dict[int, tuple[str, int]] = {}
+    made: set[int | None] = {None}
+    for place, unit in enumerate(units):
+        for mention in unit.taken:
+            if mention.thing is not None and mention.thing not in made:
+                first.setdefault(mention.thing, (singular(mention.node.label), place))
+        made.update(mention.thing for mention in unit.made)
+    return first

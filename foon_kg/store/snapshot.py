@@ -86,8 +86,11 @@ class Snapshot:
         del foods, count
         return LikelyGoals(self.goals(dish_type), self._known_foods)
 
-    def behind(self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = ()) -> tuple[KnownUnit, ...]:
+    def behind(
+        self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = (), *, most: int | None = None
+    ) -> tuple[KnownUnit, ...]:
         """Return every unit that may take part in making ``nodes`` or ``foods``; linear in the answer."""
+        del most  # all are here
         asked = {*nodes, *(node for food in foods for node in self._outputs_by_food.get(food, ()))}
         waiting, seen, found = list(asked), set(asked), dict[str, KnownUnit]()
         while waiting:

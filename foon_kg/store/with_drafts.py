@@ -91,9 +91,11 @@ class WithDrafts:
         """Return all goals of ``dish_type``."""
         return self.both.likely_goals(dish_type, foods, count)
 
-    def behind(self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = ()) -> tuple[KnownUnit, ...]:
+    def behind(
+        self, nodes: Collection[ObjectNode], foods: Collection[FoodState] = (), *, most: int | None = None
+    ) -> tuple[KnownUnit, ...]:
         """Return every unit that may take part in making ``nodes`` or ``foods``."""
-        return self.both.behind(nodes, foods)
+        return self.both.behind(nodes, foods, most=most)
 
     def methods(self) -> Methods:
         """Return the operators of the videos, and the frames of both."""

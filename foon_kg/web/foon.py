@@ -9,11 +9,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from foon_kg.foon import Foon
 from foon_kg.model import content_key
 from foon_kg.model.drafted import Lesson
 from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph import Neo4jGraph
 from foon_kg.store.snapshot import Snapshot
 
 EVERY = 2.0
@@ -69,11 +69,11 @@ class LiveFoon:
     ``opened`` connects; it is called again where the graph stopped answering, as the local server does when it idles.
     """
 
-    def __init__(self, opened: Callable[[], Neo4jGraph], every: float = EVERY) -> None:
+    def __init__(self, opened: Callable[[], Foon], every: float = EVERY) -> None:
         self._opened = opened
         self._every = every
         self._turn = threading.Lock()
-        self._graph: Neo4jGraph | None = None
+        self._graph: Foon | None = None
         self._name: str | None = None
         self._looked = 0.0
         self._unnamed = (f"look-{number}" for number in itertools.count())
@@ -103,9 +103,8 @@ class LiveFoon:
         name = self._read_name()
         if name == EMPTY:
             return Served(name, Snapshot((), (), Kitchen.default()))
-        snapshot = self._connected().snapshot()
-        with self._connected().reading() as view:
-            return Served(name, snapshot, view.lessons())
+        foon = self._connected()
+        return Served(name, foon.snapshot(), foon.lessons())
 
     def close(self) -> None:
         """Give the sockets back."""
@@ -125,14 +124,13 @@ class LiveFoon:
     def _read_name(self) -> str:
         """Return the edition's name; of a graph that does not tell editions apart each look is one of its own."""
         try:
-            with self._connected().reading() as view:
-                return view.edition or next(self._unnamed)
+            return self._connected().edition() or next(self._unnamed)
         except GraphError as error:
             if error.code != EMPTY:
                 raise
             return EMPTY
 
-    def _connected(self) -> Neo4jGraph:
+    def _connected(self) -> Foon:
         if self._graph is None:
             self._graph = self._opened()
         return self._graph

@@ -22,6 +22,9 @@ _NO_JSON = FoonError(
 _CROWD = FoonError("too much is asked at once", hint="Ask again in a second.", code="busy")
 _SLOW = FoonError("the body did not come in time", hint="Send it faster.", code="slow")
 
+TABLES = "/api/teach/"
+"""Below this path a question has a whole table with it."""
+
 MOST_CALLERS = 4096
 """Of so many callers it is remembered how often they asked."""
 
@@ -30,12 +33,14 @@ MOST_CALLERS = 4096
 class Limits:
     """What the service puts up with.
 
-    ``body`` in bytes; ``seconds`` for a question, and for sending it; of one caller ``per_second`` requests, and
-    ``burst`` at once; ``waiting`` plans that are under way or wait; ``requests`` under way at once; ``connections``
-    that are open, ``of_one`` caller; ``asking`` seconds from a connection's begin to its first whole request.
+    ``body`` in bytes, ``table`` where a whole draft is sent (below ``TABLES``); ``seconds`` for a question, and for
+    sending it; of one caller ``per_second`` requests, and ``burst`` at once; ``waiting`` plans that are under way or
+    wait; ``requests`` under way at once; ``connections`` that are open, ``of_one`` caller; ``asking`` seconds from a
+    connection's begin to its first whole request.
     """
 
     body: int = 64 * 1024
+    table: int = 1024 * 1024
     seconds: float = 20.0
     per_second: float = 50.0
     burst: int = 100
@@ -123,25 +128,25 @@ class BodyLimit:
         if scope["method"] == "POST" and headers.get("content-type", "").partition(";")[0] != "application/json":
             return await refuse(scope, send, 415, _NO_JSON)
         try:
-            body = await asyncio.wait_for(self._read(headers, receive), self.limits.seconds)
+            most = self.limits.table if scope["path"].startswith(TABLES) else self.limits.body
+            body = await asyncio.wait_for(self._read(headers, receive, most), self.limits.seconds)
         except TimeoutError:
             return await refuse(scope, send, 408, _SLOW, {"connection": "close"})
         if body is None:
-            large = FoonError(
-                f"the body has more than {self.limits.body} bytes", hint="Ask for less at once.", code="size"
-            )
+            large = FoonError(f"the body has more than {most} bytes", hint="Ask for less at once.", code="size")
             return await refuse(scope, send, 413, large, {"connection": "close"})
         return await self.app(scope, again(body, receive), send)
 
-    async def _read(self, headers: Headers, receive: Receive) -> bytes | None:
+    async def _read(self, headers: Headers, receive: Receive, most: int) -> bytes | None:
+        """Return the body; ``None`` where it has more than ``most`` bytes."""
         length = headers.get("content-length", "0")
-        if not length.isdecimal() or int(length) > self.limits.body:
+        if not length.isdecimal() or int(length) > most:
             return None
         body = bytearray()
         while True:
             message = await receive()
             body += message.get("body", b"")
-            if len(body) > self.limits.body:
+            if len(body) > most:
                 return None
             if not message.get("more_body", False):
                 return bytes(body)

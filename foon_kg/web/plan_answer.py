@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict
 
 from foon_kg.formats.exports.formats import export_tree
@@ -11,14 +11,13 @@ from foon_kg.formats.exports.tree import ExportedTree
 from foon_kg.formats.pictures.gantt import schedule_svg
 from foon_kg.formats.pictures.progress import progress_svg
 from foon_kg.formats.views.shown_tree import ShownTree
-from foon_kg.language.plain_lines import amount_in_front
 from foon_kg.model import KnownUnit
 from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.node_json import node_to_json, sighting_to_json
 from foon_kg.planning.batch import Answer
 from foon_kg.planning.explanation import Explanation
 from foon_kg.plans.durations import Durations
-from foon_kg.plans.kitchen import Kitchen, singular
+from foon_kg.plans.kitchen import Kitchen
 from foon_kg.plans.result import PlanResult
 from foon_kg.plans.schedule import Schedule, schedule
 from foon_kg.plans.shopping import shopping_list
@@ -51,7 +50,7 @@ def plan_to_json(
         "videos": [seen and seen_at([seen]) for seen in looked_at],
         "stands": [stands_in(unit, plan.substitutions, places) for unit in plan.units],
         "sentences": [sentence(unit, kitchen, unit.measures) for unit in plan.units],
-        "amounts": [_amount_of(wanted.object, question.ingredients) for wanted in plan.recipe.ingredients],
+        "amounts": [wanted.amount for wanted in plan.recipe.ingredients],
     }
     if question.export:
         told["files"] = [asdict(file) for file in export_tree(ExportedTree.of_plan(plan), question.export)]
@@ -65,13 +64,6 @@ def plan_to_json(
     if question.picture_width is not None:
         told["pictures"] = pictures_to_json(ShownTree.of_result(plan), schedules, question.picture_width)
     return told
-
-
-def _amount_of(food: str, texts: Sequence[str]) -> str:
-    """Return how much of a food the ``texts`` ask, or ``""``."""
-    named = f" {singular(food)}"
-    text = next((text for text in texts if f" {singular(text.partition(',')[0])}".endswith(named)), "")
-    return " ".join(filter(None, amount_in_front(text)))
 
 
 def pictures_to_json(shown: ShownTree, schedules: list[Schedule], width: int) -> JsonObject:

@@ -30,7 +30,7 @@ MOST_KEPT = 512
 """How many answers are kept for who asks the same again."""
 
 
-class Foon(Protocol):
+class FoonSource(Protocol):
     """Where the FOON comes from."""
 
     def edition(self) -> str:
@@ -73,7 +73,7 @@ class FoonService:
 
     def __init__(
         self,
-        foon: Foon,
+        foon: FoonSource,
         *,
         processes: int = 0,
         most: int = 16,

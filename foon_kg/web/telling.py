@@ -15,12 +15,23 @@ class Node(BaseModel):
     container: str | None
 
 
+class AmountTold(BaseModel):
+    """How much of a food was asked, in the words of who asked ("1 1/2 cups", "flour")."""
+
+    amount: str
+    food: str
+
+
 class MeasuresTold(BaseModel):
-    """How much ("200 g flour"), how long and how hot; what nobody says is left out."""
+    """How much, as it was recorded ("200 g flour") and as it was asked, how long and how hot.
+
+    What nobody says is left out.
+    """
 
     amounts: list[str] | None = None
     seconds: float | None = None
     celsius: float | None = None
+    asked: list[AmountTold] | None = None
 
 
 class SeenIn(BaseModel):
@@ -44,10 +55,11 @@ class Unit(BaseModel):
 
 
 class Wanted(BaseModel):
-    """A food in a state."""
+    """A food in a state, and how much of it, where that was asked."""
 
     object: str
     state: str
+    amount: str | None = None
 
 
 class RecipeTold(BaseModel):

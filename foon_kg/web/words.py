@@ -17,8 +17,6 @@ from foon_kg.model.json_fields import JsonObject
 from foon_kg.model.names import canonical
 from foon_kg.model.node_json import node_to_json, sighting_to_json
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.similarity import food_similarity
-from foon_kg.similarity.groups import food_groups
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.questions import UnknownError
 
@@ -60,7 +58,7 @@ class FoonWords:
         if kind == "ingredient":
             return self._ingredients(text, limit)
         names = {
-            "food": self.foods, "avoidable": (*food_groups().groups, *self.foods), "object": self._objects,
+            "food": self.foods, "avoidable": (*Foon.kinds_of_food(), *self.foods), "object": self._objects,
             "thing": self._objects, "state": self.states, "dish": self.dish_types,
             "goal": self._goals,
         }[kind]  # fmt: skip
@@ -75,14 +73,13 @@ class FoonWords:
         With ``role`` ("liquid", "protein"), those that a cook takes for it where it is there for that; UsageError for
         a role that nobody knows.
         """
-        similarity, foon = food_similarity(), Foon(self.snapshot)
-        in_role = [foon.similar(name, limit, role=role) for name in names] if role is not None else None
-        found = in_role if in_role is not None else foon.similar_to_each(names, limit)
+        foon = Foon(self.snapshot)
+        found = foon.similar_to_each(names, limit, role=role)
         return [
             {
                 "name": name,
                 "nearest": [
-                    {"name": n.name, "confidence": n.confidence, "why": list(similarity.why(name, n.name))}
+                    {"name": n.name, "confidence": n.confidence, "why": list(foon.why_similar(name, n.name))}
                     for n in neighbours
                 ],
             }

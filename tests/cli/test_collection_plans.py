@@ -99,6 +99,19 @@ def test_a_collection_is_planned_in_its_order_and_a_killed_run_goes_on_to_the_sa
     assert f"of {COUNT} answers already" in again.stderr
 
 
+@pytest.mark.neo4j
+def test_of_a_large_foon_each_process_asks_for_parts_and_plans_the_same(connection, tmp_path, monkeypatch):
+    whole, parts = tmp_path / "whole.jsonl", tmp_path / "parts.jsonl"
+    plan("--recipes", "soup", "--output", whole, "--jobs", 1)
+    monkeypatch.setattr("foon_kg.foon.answering.WHOLE", 0)
+    monkeypatch.setattr("foon_kg.store.graph.Neo4jGraph.snapshot", None)  # nobody reads the whole
+    answer = plan("--recipes", "soup", "--output", parts, "--jobs", 1)
+    assert parts.read_bytes() == whole.read_bytes(), answer.stderr
+    parts.unlink()
+    plan("--recipes", "soup", "--output", parts, "--jobs", 2)
+    assert parts.read_bytes() == whole.read_bytes()
+
+
 @contextmanager
 def cluster(folder):
     """A scheduler and two workers, each a process as on a machine of its own; its address and the workers."""

@@ -73,7 +73,7 @@ def test_a_command_line_that_cannot_be_read_says_where_help_is_in_two_lines():
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signal")
 def test_who_stops_a_command_gets_130():
     code = "import os, signal; from foon_kg.cli import main; import foon_kg.cli.similar as s; "
-    code += "s._similarity = lambda _: os.kill(os.getpid(), signal.SIGINT); main()"
+    code += "s._print_neighbours = lambda *_: os.kill(os.getpid(), signal.SIGINT); main()"
     call = [sys.executable, "-c", code, "similar", "caper", "--files", DEMO]
     ended = subprocess.run(call, capture_output=True, text=True, check=False)
     assert ended.returncode == 128 + signal.SIGINT

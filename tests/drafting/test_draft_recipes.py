@@ -142,3 +142,8 @@ def test_a_broken_draft_is_told_by_its_line_and_a_missing_file_as_missing(tmp_pa
         list(read_drafted([broken]))
     with pytest.raises(UsageError, match=r"there is no file .*nowhere\.jsonl"):
         list(read_drafted([tmp_path / "nowhere.jsonl"]))
+
+
+def test_a_file_without_drafts_is_told(tmp_path):
+    (tmp_path / "d.jsonl").touch()
+    assert "there is no draft in" in foon("load", "drafts", tmp_path / "d.jsonl", "--dry-run", code=2).output

@@ -17,6 +17,7 @@ from foon_kg.language.drafting.drafting import plain_name
 from foon_kg.language.drafting.tables import read_draft, write_draft
 from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.language.drafting.verbs import Verbs
+from foon_kg.language.reviewing import Review
 from foon_kg.model import ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
 
@@ -101,22 +102,23 @@ def test_a_guess_stays_as_unsure_in_later_units():
 
 
 @pytest.mark.parametrize(
-    ("told", "reason"),
+    ("told", "reason", "settled"),
     [
-        (action("do", "onion"), "“do” changes no object: left out"),
-        (action("zzqx", "onion"), "“zzqx” is no motion of the FOON: left out"),
-        (action("", "onion"), "there is no verb in it: left out"),
-        (action("peel"), "nobody says what “peel” is done to: left out"),
-        (action("open", "cupboard"), "“cupboard” belongs to the room"),
-        (action("take", "onion"), "onion is held until it is put somewhere: left out"),
-        (action("put", "knife"), "nobody says where knife comes from or goes to: left out"),
-        (action("peel", *(f"onion {number}" for number in range(10_000))), "10000 objects are no one action"),
+        (action("do", "onion"), "“do” changes no object: left out", True),
+        (action("zzqx", "onion"), "“zzqx” is no motion of the FOON: left out", False),
+        (action("", "onion"), "there is no verb in it: left out", False),
+        (action("peel"), "nobody says what “peel” is done to: left out", False),
+        (action("open", "cupboard"), "“cupboard” belongs to the room", True),
+        (action("take", "onion"), "onion is held until it is put somewhere: left out", True),
+        (action("put", "knife"), "nobody says where knife comes from or goes to: left out", True),
+        (action("peel", *(f"onion {number}" for number in range(10_000))), "10000 objects are no one action", False),
     ],
 )
-def test_what_gives_no_unit_is_left_out_with_its_reason(told, reason):
+def test_what_gives_no_unit_is_left_out_with_its_reason_and_asked_about_where_that_matters(told, reason, settled):
     made = drafted(told)
     assert made.units == ()
     assert made.left_out[0].reason.startswith(reason)
+    assert len(Review.of(write_draft(made), "video").decisions) == (not settled)
 
 
 def test_verbs_are_read_by_their_words_their_stems_and_the_table():

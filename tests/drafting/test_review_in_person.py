@@ -21,7 +21,7 @@ pytestmark = pytest.mark.slow
 
 DRAFT = """start,end,motion,inputs,outputs,dish,confidence,doubt,said,source
 0:01,0:04,peel,onion on cutting board; knife,onion (peeled) on cutting board,,0.90,,“peel the onion”,kitchen.mp4
-0:05,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.31,no unit chops onions,“chop it”,kitchen.mp4
+0:05,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.03,no unit chops onions,“chop it”,kitchen.mp4
 0:40,0:44,pick-and-place,onion (chopped) on cutting board; xyzzy (empty),onion (chopped) in xyzzy; xyzzy {onion},,0.80,,“into the xyzzy”,kitchen.mp4
 0:45,,,,,,0.00,“wow” is no motion of the FOON: left out,“wow”,kitchen.mp4
 """  # noqa: E501

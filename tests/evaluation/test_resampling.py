@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.stats import binomtest
+from scipy.stats import binomtest, bootstrap
 
 from foon_kg.evaluation.resampling import bootstrap_mean, paired_difference, share
 
@@ -27,6 +27,14 @@ def test_of_many_values_the_interval_is_the_normal_one():
     half = NormalDist().inv_cdf(0.975) * values.std() / math.sqrt(len(values))
     assert found.mean == pytest.approx(values.mean())
     assert (found.low, found.high) == pytest.approx((values.mean() - half, values.mean() + half), abs=0.02)
+
+
+@pytest.mark.parametrize("seed", [0, 7])
+def test_the_interval_is_that_of_scipy_with_the_same_draws(seed):
+    values = np.random.default_rng(seed).uniform(0, 1, size=30)
+    found = bootstrap_mean(values.tolist(), seed)
+    known = bootstrap((values,), np.mean, n_resamples=10_000, method="percentile", rng=seed).confidence_interval
+    assert (found.low, found.high) == pytest.approx((known.low, known.high), abs=1e-12)
 
 
 def test_of_zero_and_one_the_samples_are_known():

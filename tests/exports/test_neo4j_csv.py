@@ -13,10 +13,11 @@ from hypothesis import given, settings
 
 from foon_kg.demo import demo_folder
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.formats.exports.neo4j_csv import AFTER, ARGUMENTS, LIST_DELIMITER, write_neo4j_csv
+from foon_kg.formats.exports.neo4j_csv import AFTER, ARGUMENTS, write_neo4j_csv
 from foon_kg.loaders import read_paths
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.offline.tables import LIST_DELIMITER
 from foon_kg.store.snapshot import Snapshot
 
 KITCHEN = Kitchen.default()

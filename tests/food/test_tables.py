@@ -311,3 +311,9 @@ def test_what_a_table_uses_and_nobody_has():
 def test_a_word_in_two_kinds_is_told_and_two_spellings_are_not():
     text = '[kinds.x]\nwords = ["pea", "peas"]\n[kinds.y]\nwords = ["Pea"]\n'
     assert list(words_twice(tomllib.loads(text))) == ["kinds: “pea” stands in 2 of them"]
+
+
+def test_a_bar_of_chocolate_is_cut_and_what_is_sold_in_pieces_is_not():
+    bar, chip = TABLES.foods.food("dark chocolate"), TABLES.foods.food("white chocolate chip")
+    assert ("cut" in bar.owes, bar.sold_as) == (True, "bar")
+    assert ("cut" in chip.owes, chip.sold_as, chip.is_of("chocolate")) == (False, "pieces", True)

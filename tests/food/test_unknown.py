@@ -6,7 +6,7 @@ import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
-from foon_kg.food.unknown import UnknownWord, WordKind, unknown_words
+from foon_kg.food.unknown import UnknownWord, WordKind, by_one_another, unknown_words
 from foon_kg.model import ObjectNode
 
 
@@ -46,6 +46,13 @@ def test_a_slip_of_the_pen_is_told_with_what_may_be_meant(node, motions, meant):
 def test_a_slip_of_a_tool_is_a_tool_that_no_table_has():
     (word,) = unknown_words([ObjectNode("spoonn")])
     assert (word.kind, word.taken_for) == (WordKind.UTENSIL, "a food")
+
+
+def test_a_slip_of_what_more_files_have_is_told_and_never_the_other_way_round():
+    often, slip, other = (unknown_words([ObjectNode(name)])[0] for name in ("quorblette", "quorblete", "zzyxap"))
+    told = by_one_another({often: 3, slip: 1, other: 1})
+    assert [told[word].meant for word in (often, slip, other)] == ["", "quorblette", ""]
+    assert by_one_another({often: 1, slip: 1}) == {often: often, slip: slip}, "nobody knows which"
 
 
 def test_a_name_of_listed_words_is_no_slip_of_another():
@@ -153,6 +160,13 @@ def test_what_no_table_has_is_told_by_line_before_it_is_loaded(folder, command):
     answer = foon(*words, table)
     assert answer.exit_code == 0, answer.stderr
     assert [line for line in answer.stderr.splitlines() if str(table) in line] == [f"{table}:{told}" for told in TOLD]
+
+
+def test_what_the_foon_has_is_meant_where_no_table_has_it(folder):
+    (folder / "own.csv").write_text(TABLE.replace("spoonn", "quorblette"), encoding="utf-8")
+    (folder / "odd.csv").write_text(TABLE.replace("spoonn", "quorblete"), encoding="utf-8")
+    answer = foon("diff", folder / "odd.csv", "--files", folder / "own.csv")
+    assert "“quorblete” is not in the table of foods (is “quorblette” meant?)" in answer.stderr
 
 
 def test_a_load_says_what_no_table_has(folder):

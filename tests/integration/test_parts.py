@@ -15,13 +15,12 @@ from foon_kg.integration.coated import coated_alone, coated_apart
 from foon_kg.integration.course import Course, Plan
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.layouts import Spot
 from foon_kg.integration.parts import baked_at_last
-from foon_kg.integration.places import Join
 from foon_kg.integration.pots import is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.preparation import wants_of
 from foon_kg.integration.serving import Serving
+from foon_kg.integration.spots import Join, Spot
 from foon_kg.integration.techniques import as_a_way_says
 from foon_kg.integration.warmed import garnished, stirred
 from foon_kg.model import Recipe, RequiredIngredient

@@ -16,7 +16,7 @@ from foon_kg import validation
 from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.evaluation.verdicts import Verdicts
 from foon_kg.loaders import read_paths
-from foon_kg.model import Recipe
+from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.planning.planner import Planner, plan
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.planning.settings import PlanSettings
@@ -119,3 +119,11 @@ def test_neo4j_and_memory_give_the_same_trees(empty_graph, planner):
     with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
         for recipe in RECIPES:
             assert json.dumps(plan(view, recipe, SETTINGS).to_json()) == json.dumps(planner.plan(recipe).to_json())
+
+
+def test_what_is_handled_like_another_is_called_as_the_steps_call_it(planner):
+    asked = (("chickpeas", "canned"), ("onion", "chopped"), ("olive oil", "liquid"))
+    result = planner.plan(Recipe("salad", tuple(RequiredIngredient(food, state) for food, state in asked)))
+    (handled,) = (one for one in result.substitutions if one.kind == "object")
+    assert handled.object == "chickpeas"
+    assert any(node.label == "chickpeas" for unit in result.units for node in unit.input_nodes)

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import Annotation, Subgraph
-from foon_kg.model.errors import GraphError, NoTreeError
+from foon_kg.model.errors import GraphError, NoTreeError, TooManyUnitsError
 from foon_kg.model.levels import Level
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search.classic import Criterion, GoalSought, retrieve_tree
@@ -52,6 +52,17 @@ def kept_costs(connection):
             return Counter((row["verb"], row["cost"]) for row in rows)
 
     return ask
+
+
+def test_more_units_than_memory_holds_are_refused_with_what_to_do(connection, empty_graph, monkeypatch):
+    load(connection, [SALAD])
+    sought_salad = GoalSought("salad", level=Level.STATES)
+    with Neo4jGraph(empty_graph) as graph, graph.reading() as view:
+        assert retrieve_tree(view, sought_salad, KITCHEN, MotionCosts()).units
+        monkeypatch.setattr("foon_kg.search.classic.behind.MOST_UNITS", 1)
+        with pytest.raises(TooManyUnitsError, match="more than 1 units") as refused:
+            retrieve_tree(view, sought_salad, KITCHEN, MotionCosts())
+    assert "level 3" in refused.value.hint
 
 
 @settings(max_examples=6, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

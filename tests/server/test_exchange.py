@@ -1,87 +1,80 @@
-"""Data put in the place of other data: wherever that fails, or the program is killed, one of both is there, whole."""
+"""Whenever a program is killed that puts one folder of data in the place of another, one of the two is there, whole."""
 
 from __future__ import annotations
 
-import os
+import shutil
+from pathlib import Path
 
 import pytest
-from campaign.harmed_disk import KILLED, Harm, HarmedDisk
 
-from foon_kg.model.errors import ServerError
-from foon_kg.store.server.exchange import exchange, settle
+from foon_kg.store.server.exchange import exchange, restore
 from foon_kg.store.server.home import Home
 
-OLD, NEW = "what was stored", "what was imported"
+FILES = ("databases/neo4j/neostore", "databases/system/neostore", "transactions/neo4j/log.0")
 
 
-def home_with(root, what, password):
-    place = Home(root)
-    place.create()
-    place.databases.mkdir(parents=True)
-    (place.databases / "store").write_text(what)
-    place.password_file.write_text(password)
-    return place
+class KilledError(BaseException):
+    """What no program catches."""
 
 
-@pytest.fixture
-def homes(tmp_path):
-    place = home_with(tmp_path / "home", OLD, "secret")
-    return place, home_with(place.root / "import" / "home", NEW, "secret")
+def filled(root, content):
+    home = Home(root)
+    for name in FILES:
+        file = home.data / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(content, encoding="utf-8")
+    return home
 
 
-def held(place):
-    """Return what a server that is started now finds, and everything that lies beside it."""
-    settle(place)
-    return (place.databases / "store").read_text(), {one.name for one in place.root.iterdir()} - {"import"}
+def contents(home):
+    return {(home.data / name).read_text(encoding="utf-8") for name in FILES}
 
 
-def test_the_new_data_takes_the_place_of_the_old(homes):
-    place, made = homes
-    beside = {one.name for one in place.root.iterdir()} - {"import"}
-    exchange(place, made)
-    assert held(place) == (NEW, beside)
+def killed_at(patch, number, *, after):
+    """Let the program be killed at the step of that number on the disk, before it or ``after`` it."""
+    steps = []
+
+    def counted(step):
+        def run(*words, **named):
+            steps.append(step)
+            if len(steps) > number:
+                if after:
+                    step(*words, **named)
+                raise KilledError
+            return step(*words, **named)
+
+        return run
+
+    patch.setattr(Path, "rename", counted(Path.rename))
+    patch.setattr(shutil, "rmtree", counted(shutil.rmtree))
 
 
-def operations(place, made):
-    with HarmedDisk(place.root).used() as disk:
-        exchange(place, made)
-    return len(disk.done)
-
-
-@pytest.mark.parametrize("harm", Harm)
-def test_an_exchange_that_breaks_off_loses_neither(tmp_path, harm):
-    def begin(number):
-        place = home_with(tmp_path / str(number), OLD, "secret")
-        return place, home_with(place.root / "import" / "home", NEW, "secret")
-
-    total = operations(*begin(0))
-    assert total >= 2
-    for number in range(1, total + 1):
-        place, made = begin(number)
-        beside = {one.name for one in place.root.iterdir()} - {"import"}
-        if harm is Harm.FAILS:
-            with HarmedDisk(place.root, number, harm).used(), pytest.raises(ServerError, match="cannot put the import"):
-                exchange(place, made)
-            assert held(place) == (OLD, beside)
-        else:
-            killed_at(place, made, number)
-            assert held(place)[0] in {OLD, NEW}
-            assert held(place)[1] == beside
-        exchange(place, home_with(place.root / "import" / "again", NEW, "secret"))
-        assert held(place) == (NEW, beside)
-
-
-def killed_at(place, made, number):
-    child = os.fork()
-    if not child:
-        with HarmedDisk(place.root, number, Harm.ENDS).used():
+@pytest.mark.parametrize("after", [False, True])
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_a_kill_leaves_the_old_graph_or_the_new_one(tmp_path, number, after):
+    place, made = filled(tmp_path / "place", "old"), filled(tmp_path / "made", "new")
+    with pytest.MonkeyPatch.context() as patch:
+        killed_at(patch, number, after=after)
+        with pytest.raises(KilledError):
             exchange(place, made)
-        os._exit(0)
-    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == KILLED
+    restore(place)
+    assert contents(place) == ({"new"} if number == 2 or (number == 1 and after) else {"old"})
+    assert not place.data_before.exists()
 
 
-def test_a_home_that_was_never_started_gets_data_and_the_password_that_opens_it(tmp_path):
-    place = Home(tmp_path / "home")
-    place.create()
-    exchange(place, home_with(place.root / "import" / "home", NEW, "made"))
-    assert (held(place)[0], place.password_file.read_text()) == (NEW, "made")
+def test_a_kill_while_the_old_data_are_taken_away_leaves_the_new_graph(tmp_path):
+    place, made = filled(tmp_path / "place", "old"), filled(tmp_path / "made", "new")
+    exchange(place, made)
+    half = place.data_before / FILES[0]
+    half.parent.mkdir(parents=True)
+    half.write_text("old", encoding="utf-8")
+    restore(place)
+    assert contents(place) == {"new"}
+    assert not place.data_before.exists()
+
+
+def test_a_home_without_data_gets_those_that_were_made(tmp_path):
+    place, made = Home(tmp_path / "place"), filled(tmp_path / "made", "new")
+    place.root.mkdir()
+    exchange(place, made)
+    assert contents(place) == {"new"}

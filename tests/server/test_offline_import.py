@@ -20,6 +20,20 @@ from foon_kg.store.server import connection_settings
 VIDEOS = ("greek_salad.txt", "spanish_omelette.txt", "garden_salad.txt")
 
 
+RECIPES = """\
+id,title,ingredients
+1,Greek Salad,"2 tomatoes, chopped
+1 cucumber, sliced
+120 g feta"
+2,Jicama Bowl,"1 jicama, diced
+the rest of it"
+3,Onion Soup with Bread,"3 onions, sliced
+1 jicama"
+"""
+COLLECTED = 3
+NAMED = ("uri", "user", "password", "database")
+
+
 def run(*words):
     return CliRunner().invoke(app, ["load", "foon", *map(str, words), "--json"])
 
@@ -27,16 +41,24 @@ def run(*words):
 @pytest.mark.neo4j
 @pytest.mark.slow
 def test_an_import_is_what_a_load_writes_and_takes_the_place_of_nothing_unasked(
-    place, connection, monkeypatch, tmp_path
+    place, connection, empty_graph, monkeypatch, tmp_path
 ):
     files = [demo_folder() / name for name in VIDEOS]
     load(connection, [result.subgraph for result in read_paths(files)])
+    collection = tmp_path / "recipes.csv"
+    collection.write_text(RECIPES, encoding="utf-8")
+    for name in NAMED:
+        monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(empty_graph, name))
+    brought = CliRunner().invoke(app, ["load", "recipes", str(collection), "--json"])
+    assert json.loads(brought.stdout)["inserted"] == COLLECTED, brought.output
     loaded = whole_graph(connection)
-    monkeypatch.delenv("NEO4J_URI", raising=False)
+    for name in NAMED:
+        monkeypatch.delenv(f"NEO4J_{name.upper()}")
 
-    done = run(*files, "--offline")
+    done = run(*files, "--offline", "--recipes", collection)
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout)["inserted"] == len(VIDEOS)
+    assert json.loads(done.stdout)["inserted_recipes"] == COLLECTED
     assert not (place.root / "import").exists()
     with Connection(connection_settings()) as imported:
         assert whole_graph(imported) == loaded
@@ -87,6 +109,6 @@ def test_another_neo4j_is_not_imported_into(monkeypatch):
     assert "db.example.org" in refused.output
 
 
-@pytest.mark.parametrize("options", [["--replace"], ["--offline", "--check"]])
+@pytest.mark.parametrize("options", [["--replace"], ["--offline", "--check"], ["--recipes", "recipes.csv"]])
 def test_options_that_do_not_go_together_are_refused(options):
     assert run(demo_folder(), *options).exit_code == 2

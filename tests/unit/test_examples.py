@@ -9,7 +9,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-AT_THE_DOOR = ("foon_kg.foon", "foon_kg.foon.changing", "foon_kg.foon.opened", "foon_kg.foon.plan")
+AT_THE_DOOR = (
+    "foon_kg.foon", "foon_kg.foon.answering", "foon_kg.foon.changing", "foon_kg.foon.collected",
+    "foon_kg.foon.opened", "foon_kg.foon.plan",
+)  # fmt: skip
 
 
 def modules_with_examples():

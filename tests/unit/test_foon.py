@@ -13,10 +13,11 @@ import pytest
 
 import foon_kg
 from foon_kg import Foon, foon
-from foon_kg.demo import demo_folder
+from foon_kg.demo import demo_folder, demo_recipes
 from foon_kg.food.motion_costs import MotionCosts
-from foon_kg.foon import changing, opened, plan
+from foon_kg.foon import answering, changing, collected, opened, plan
 from foon_kg.loaders import read_paths
+from foon_kg.loaders.recipe_collections import RecipeCollections
 from foon_kg.model.errors import NoTreeError, ReadError, UsageError
 from foon_kg.planning.batch import Question
 from foon_kg.planning.settings import PlanSettings
@@ -36,9 +37,20 @@ def salad(door):
 
 def test_the_examples_of_the_docstrings_are_true(door, salad):
     names = {"Foon": Foon, "foon": door, "plan": salad, "demo_folder": demo_folder}
-    done = [doctest.testmod(module, extraglobs=names) for module in (foon, changing, opened, plan)]
-    assert [one.failed for one in done] == [0, 0, 0, 0]
+    done = [doctest.testmod(module, extraglobs=names) for module in (foon, answering, opened, plan)]
+    assert [one.failed for one in done] == [0] * len(done)
     assert sum(one.attempted for one in done) > 20
+
+
+@pytest.mark.neo4j
+def test_the_examples_of_a_foon_in_neo4j_are_true(empty_graph):
+    with Foon(server=empty_graph) as door, RecipeCollections(demo_recipes(), print) as recipes:
+        door.load(demo_folder())
+        door.store_recipes(recipes)
+        names = {"foon": door, "demo_folder": demo_folder}
+        done = [doctest.testmod(module, extraglobs=names) for module in (changing, collected)]
+    assert [one.failed for one in done] == [0, 0]
+    assert all(one.attempted > 5 for one in done)
 
 
 def test_the_example_of_readme_runs(capsys):

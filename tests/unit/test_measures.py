@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.loaders.muhai import read_muhai_text
-from foon_kg.model import UNMEASURED, KnownUnit, Measures
+from foon_kg.model import UNMEASURED, AskedAmount, KnownUnit, Measures, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.json_fields import Fields
-from foon_kg.model.tree import TreeUnit
+from foon_kg.model.tree import Mention, Step, TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.plans.measures import measured_words, with_measures
+from foon_kg.plans.measures import amounts_asked, measured_words, with_asked, with_measures
 from foon_kg.store.snapshot import sightings_of
 
 BREAD = """(defparameter *recipe* '((get-kitchen ?k)
@@ -26,6 +26,7 @@ BREAD = """(defparameter *recipe* '((get-kitchen ?k)
  (bake ?bread ?k7 ?k6 ?y ?oven 60 minute 165 degrees-celsius)))"""
 SUBGRAPH = read_muhai_text(BREAD, "bread").subgraph
 RECORDED = [KnownUnit(unit, (seen,)) for unit, seen in sightings_of(SUBGRAPH)]
+CUP = AskedAmount("1 1/2 cups", "flour")
 PLANNED = [TreeUnit.of(known.unit, "foon", ()) for known in RECORDED]
 
 
@@ -40,6 +41,9 @@ PLANNED = [TreeUnit.of(known.unit, "foon", ()) for known in RECORDED]
         (Measures(("200 g self rising flour",)), "pour", " (recorded: 200 g)"),
         (Measures(("3 piece egg",)), "crack", " (recorded: 3)"),
         (Measures(("3 piece egg", "60 g butter")), "mix", " (recorded: 3 egg, 60 g butter)"),
+        (Measures(seconds=30, asked=(CUP,)), "mix", " for 30 s (1 1/2 cups)"),
+        (Measures(asked=(CUP, AskedAmount("3", "egg"))), "mix", " (1 1/2 cups flour, 3 egg)"),
+        (Measures(("60 g butter",), asked=(CUP,)), "mix", " (1 1/2 cups; recorded: 60 g)"),
     ],
 )
 def test_measures_are_told_at_the_end_of_a_sentence(measures, motion, words):
@@ -79,6 +83,45 @@ def test_only_measures_are_added_and_none_twice(planned):
 
 
 def test_a_planned_step_is_read_back_with_its_measures():
-    step = replace(PLANNED[-1], measures=Measures(("2 piece egg",), 30.0, -18.0))
+    step = replace(PLANNED[-1], measures=Measures(("2 piece egg",), 30.0, -18.0, (CUP,)))
     assert unit_from_json(Fields(unit_to_json(step), "step")) == step
     assert "measures" not in unit_to_json(PLANNED[-1])
+
+
+def poured(food: str, thing: int, motion: str = "pour") -> TreeUnit:
+    """Return a step that pours a thing into a bowl."""
+    bowl = Mention(ObjectNode("bowl"), 99)
+    before, after = Mention(ObjectNode(food), thing), Mention(ObjectNode(food, ("poured",)), thing)
+    return TreeUnit(Step((before, bowl), motion, (after, bowl)))
+
+
+def asked(steps: list[TreeUnit], *foods: tuple[RequiredIngredient, int]) -> list[list[str]]:
+    return [[one.amount for one in step.measures.asked] for step in with_asked(steps, foods)]
+
+
+FLOUR = RequiredIngredient("flour", "powder", "200 g")
+
+
+def test_what_was_asked_is_told_of_the_step_that_first_takes_it():
+    steps = [poured("egg", 2), poured("flour", 1), poured("flour", 1, "sift")]
+    assert asked(steps, (FLOUR, 1), (RequiredIngredient("egg", "whole"), 2)) == [[], ["200 g"], []]
+    assert asked(steps, (FLOUR, 3)) == [[], [], []], "of what the tree does not take nothing is told"
+
+
+def test_of_a_food_that_is_taken_twice_each_step_takes_a_part():
+    assert asked([poured("flour", 1), poured("flour", 2)], (FLOUR, 2)) == [["part of 200 g"]] * 2
+    twice = [(FLOUR, 1), (replace(FLOUR, state="sifted", amount="5 g"), 2)]
+    assert asked([poured("flour", 1), poured("flour", 2)], *twice) == [["200 g"], ["5 g"]]
+
+
+def test_what_is_asked_twice_is_told_together():
+    recipe = Recipe("bread", (FLOUR, RequiredIngredient("egg", ""), replace(FLOUR, amount="5 g")))
+    assert amounts_asked(recipe) == ["200 g and 5 g", ""]
+
+
+def test_what_was_asked_goes_before_what_was_recorded():
+    butter = next(place for place, one in enumerate(PLANNED) if any(n.label == "butter" for n in one.input_nodes))
+    mine = replace(PLANNED[butter], measures=Measures(asked=(AskedAmount("1 stick", "butter"),)))
+    told = with_measures([*PLANNED[:butter], mine, *PLANNED[butter + 1 :]], RECORDED, "bread")
+    assert told[butter].measures.asked == mine.measures.asked
+    assert not any(one.measures.amounts for one in told)

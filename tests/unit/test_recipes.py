@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from foon_kg.model import Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.knowledge import SeenAs, Vocabulary
-from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files, recipe_of
+from foon_kg.planning.recipes import IngredientWords, foods_named, read_recipe, recipe_files, recipe_of
 from foon_kg.plans.kitchen import Kitchen
 
 FOODS = (
@@ -30,25 +30,33 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
 
 
 @pytest.mark.parametrize(
-    ("text", "food", "state"),
+    ("text", "amount", "food", "state"),
     [
-        ("500 g onion", "onion", "whole"),
-        ("2 onions", "onion", "whole"),
-        ("2 large onions", "onion", "large"),
-        ("½ cup chopped onion", "onion", "chopped"),
-        ("2 cups of dragon fruit", "dragon fruit", "whole"),
-        ("2 cups dragon fruit, chopped", "dragon fruit", "chopped"),
-        ("1 can green beans", "green beans", "canned"),
-        ("2 Tins of corn", "corn", "canned"),
-        ("1 can chopped tomatoes", "tomatoes", "chopped"),
-        ("1 can coconut milk", "coconut milk", "liquid"),
-        ("2 cups corn", "corn", "whole"),
+        ("500 g onion", "500 g", "onion", "whole"),
+        ("2 onions", "2", "onion", "whole"),
+        ("2 large onions", "2", "onion", "large"),
+        ("½ cup chopped onion", "½ cup", "onion", "chopped"),
+        ("1 1/2 cups chopped onion", "1 1/2 cups", "onion", "chopped"),
+        ("2 to 3 cups chopped onion", "2 to 3 cups", "onion", "chopped"),
+        ("1 lb. chopped onion", "1 lb.", "onion", "chopped"),
+        ("handful of chopped onion", "handful", "onion", "chopped"),
+        ("a pinch of chopped onion", "a pinch", "onion", "chopped"),
+        ("slices of onion", "slices", "onion", "whole"),
+        ("2 cups of dragon fruit", "2 cups", "dragon fruit", "whole"),
+        ("2 cups dragon fruit, chopped", "2 cups", "dragon fruit", "chopped"),
+        ("1 can green beans", "1 can", "green beans", "canned"),
+        ("2 Tins of corn", "2 Tins", "corn", "canned"),
+        ("1 can chopped tomatoes", "1 can", "tomatoes", "chopped"),
+        ("1 can coconut milk", "1 can", "coconut milk", "liquid"),
+        ("2 cups corn", "2 cups", "corn", "whole"),
+        ("chopped onion", "", "onion", "chopped"),
+        ("cream of onion", "", "onion", "cream of"),
     ],
 )
-def test_an_amount_is_no_state_and_no_part_of_a_name(text, food, state):
+def test_an_amount_is_no_state_and_no_part_of_a_name_and_is_kept(text, amount, food, state):
     wanted, notes = WORDS.read(text)
-    assert wanted == RequiredIngredient(food, state)
-    assert any(note.endswith(" is left out") for note in notes), "and it is said"
+    assert (wanted.amount, wanted.object, wanted.state) == (amount, food, state)
+    assert not any(note.endswith(" is left out") for note in notes)
 
 
 def test_a_known_name_keeps_its_number():
@@ -142,6 +150,21 @@ def test_a_recipe_file_is_read_with_every_decision_noted(tmp_path):
     )
 
 
+def test_a_recipe_file_says_how_much_in_fields_and_in_lines(tmp_path):
+    onion = {"object": "onion", "state": "chopped"}
+    fields = [
+        onion | {"amount": "1 cup"},
+        onion | {"quantity": 2.5, "unit": "kg"},
+        onion | {"quantity": "3", "unit": ""},
+    ]
+    path = write(tmp_path, "17.json", {"type": "salad", "ingredients": [*fields, "200 g chopped onion", onion, " "]})
+    read = read_recipe(path, WORDS)
+    assert [one.amount for one in read.recipe.ingredients] == ["1 cup", "2.5 kg", "3", "200 g", ""]
+    assert set(read.recipe.ingredients) == {RequiredIngredient("onion", "chopped")}
+    assert read.notes == (f"{path}: ingredients[5]: the line is empty; the ingredient is left out",)
+    assert foods_named(path) == (("onion",) * 4, ("200 g chopped onion", " "))
+
+
 def test_the_recipe_of_a_plan_result_is_a_recipe_file_too(tmp_path):
     path = write(tmp_path, "r.json", {"id": "a", "title": "B", "dish_type": "soup", "ingredients": []})
     assert read_recipe(path, WORDS).recipe == Recipe("soup", (), id="a", title="B")
@@ -153,7 +176,7 @@ def test_the_recipe_of_a_plan_result_is_a_recipe_file_too(tmp_path):
         ('{\n"type": "salad",\n}', r"bad\.json:3: not JSON"),
         ("[]", r"bad\.json: expected a JSON object"),
         ('{"ingredients": []}', "“type” is missing"),
-        ('{"type": "salad", "ingredients": ["onion"]}', r"ingredients\[0\]: expected a JSON object"),
+        ('{"type": "salad", "ingredients": [5]}', r"ingredients\[0\]: expected a JSON object"),
     ],
 )
 def test_a_file_that_is_no_recipe_is_refused_with_its_place(tmp_path, content, message):

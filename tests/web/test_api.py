@@ -56,6 +56,8 @@ def test_a_step_is_a_sentence_and_an_ingredient_has_the_amount_that_was_asked(cl
     plan = Foon(snapshot=demo_foon()).plan(SALAD["dish_type"], asked)
     assert told["sentences"] == [step.text for step in plan.steps]
     assert told["amounts"] == ["2 cups", "", "3 tablespoons"]
+    assert [line.endswith(" (2 cups).") for line in told["sentences"]].count(True) == 1
+    assert told["recipe"]["ingredients"][0]["amount"] == "2 cups"
 
 
 def test_the_judge_says_what_he_says_of_the_plan_from_python(client):
@@ -252,6 +254,14 @@ def test_a_huge_body_is_refused_whether_or_not_it_says_its_length(client):
         answer = client.post("/api/plan", content=body, headers={"content-type": "application/json"})
         assert answer.status_code == 413
         assert error_of(answer)["code"] == "size"
+
+
+def test_a_whole_draft_may_be_sent_where_it_is_reviewed_and_no_more(client):
+    rows = "0:01,0:04,chop,onion; knife,onion (chopped),,0.90,,,\n" * 4_000
+    table = f"start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n{rows}"
+    answer = client.post("/api/teach/review", json={"name": "long", "table": table})
+    assert (answer.status_code, answer.json()["units"]) == (200, 4_000)
+    assert client.post("/api/teach/review", json={"name": "long", "table": table * 6}).status_code == 413
 
 
 @pytest.mark.parametrize("method", ["PUT", "PATCH", "DELETE", "POST"])

@@ -9,9 +9,10 @@ from fastapi.testclient import TestClient
 from pictures.demo_plans import demo_foon
 from web.serving import app
 
+from foon_kg import Foon
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.graph import Connection, load
 from foon_kg.web.foon import LiveFoon
 
 SUBGRAPHS = {subgraph.name: subgraph for subgraph in demo_subgraphs()}
@@ -29,7 +30,7 @@ def of_files():
 def of_neo4j(emptied_server):
     with Connection(emptied_server) as connection:
         load(connection, SUBGRAPHS.values())
-    live = LiveFoon(lambda: Neo4jGraph(emptied_server))
+    live = LiveFoon(lambda: Foon(server=emptied_server))
     with TestClient(app(foon=live), base_url="http://localhost") as made:
         yield made
 

@@ -9,12 +9,13 @@ from fastapi.testclient import TestClient
 from typer.testing import CliRunner
 from web.serving import NAMES, PLENTY, app, served
 
+from foon_kg import Foon
 from foon_kg.cli import app as command_line
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.cypher import explore_queries
 from foon_kg.demo import demo_folder
 from foon_kg.model.errors import GraphError, WriteRefused
-from foon_kg.store.graph import Connection, Neo4jGraph, load
+from foon_kg.store.graph import Connection, load
 from foon_kg.store.graph.free_cypher import ask_freely
 from foon_kg.web.api import web_app
 from foon_kg.web.explore.cypher import CypherDesk
@@ -35,8 +36,8 @@ def neo4j(emptied_server):
 
 def asking(settings):
     """The application with a desk for Cypher, of a FOON in Neo4j."""
-    service = FoonService(LiveFoon(lambda: Neo4jGraph(settings)))
-    return web_app(service, names=NAMES, limits=PLENTY, cypher=CypherDesk(lambda: Connection(settings)))
+    service = FoonService(LiveFoon(lambda: Foon(server=settings)))
+    return web_app(service, names=NAMES, limits=PLENTY, cypher=CypherDesk(lambda: Foon(server=settings)))
 
 
 @pytest.fixture(scope="module")
@@ -116,8 +117,8 @@ def test_what_does_more_than_look_and_what_is_no_cypher_is_refused(client, text,
 
 @pytest.mark.neo4j
 def test_a_question_that_takes_too_long_is_given_up(neo4j):
-    desk = CypherDesk(lambda: Connection(neo4j), seconds=0.5)
-    service = FoonService(LiveFoon(lambda: Neo4jGraph(neo4j)))
+    desk = CypherDesk(lambda: Foon(server=neo4j), seconds=0.5)
+    service = FoonService(LiveFoon(lambda: Foon(server=neo4j)))
     with TestClient(web_app(service, names=NAMES, limits=PLENTY, cypher=desk), base_url="http://localhost") as client:
         long = "UNWIND range(1, 1000000) AS a UNWIND range(1, 1000000) AS b RETURN count(a + b)"
         assert ask(client, long, 504)["error"]["code"] == "timeout"

@@ -12,6 +12,7 @@ import psutil
 import pytest
 from pictures.demo_plans import demo_foon
 
+from foon_kg import Foon
 from foon_kg.cli.demo import demo_subgraphs
 from foon_kg.model.errors import GraphError
 from foon_kg.plans.kitchen import Kitchen
@@ -235,12 +236,12 @@ def test_a_plan_under_way_is_given_up_when_the_service_ends():
 
 @pytest.mark.neo4j
 def test_a_graph_that_somebody_changes_is_read_anew(empty_graph):
-    from foon_kg.store.graph import Connection, Neo4jGraph, load
+    from foon_kg.store.graph import Connection, load
 
     subgraphs = sorted(demo_subgraphs(), key=lambda subgraph: subgraph.name)
     with (
         Connection(empty_graph) as connection,
-        FoonService(LiveFoon(lambda: Neo4jGraph(empty_graph), every=0), patience=60, pause=0) as service,
+        FoonService(LiveFoon(lambda: Foon(server=empty_graph), every=0), patience=60, pause=0) as service,
     ):
         assert service.summary()["videos"] == 0
         assert service.ask(SALAD).result().status == 404

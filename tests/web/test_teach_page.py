@@ -21,7 +21,7 @@ TOKEN = "a-token-of-enough-letters"
 ENTER, TAB, ESCAPE = "\ue007", "\ue004", "\ue00c"
 DRAFT = """start,end,motion,inputs,outputs,dish,confidence,doubt,said,source
 0:01,0:04,peel,onion on cutting board; knife,onion (peeled) on cutting board,,0.90,,“peel the onion”,https://videos.example/1
-0:05,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.31,no <b>unit</b> chops onions,“chop it”,https://videos.example/1
+0:05,0:31,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.03,no <b>unit</b> chops onions,“chop it”,https://videos.example/1
 0:40,0:44,pick-and-place,onion (chopped) on cutting board; xyzzy (empty),onion (chopped) in xyzzy; xyzzy {onion},,0.80,,“into the xyzzy”,
 0:45,,,,,,0.00,“wow” is no motion of the FOON: left out,“wow”,
 """  # noqa: E501
@@ -159,7 +159,7 @@ def test_who_leaves_goes_on_where_they_were_and_undoes(page, address, tmp_path):
 def test_what_is_no_draft_and_what_is_too_long_is_told(page, tmp_path):
     open_draft(page, tmp_path, "a,b\n1,2\n", "other.csv")
     assert "no table of units" in page.find_element("id", "trouble").text
-    open_draft(page, tmp_path, DRAFT + "," * 70_000, "long.csv")
+    open_draft(page, tmp_path, DRAFT + "," * 600_000, "long.csv")
     until(page, "return !trouble.innerText.includes('no table of units')")
     assert page.find_element("id", "trouble").text
 

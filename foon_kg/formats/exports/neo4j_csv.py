@@ -1,10 +1,10 @@
 """CSV files for ``neo4j-admin database import``: the graph that ``foon load foon`` writes, for a database offline.
 
-One file for each label and each type of relationship, with the headers that the import reads. Texts are quoted, what is
-missing is an empty field without quotes, and lists are joined by a character that no name can hold. An import makes
-neither empty lists nor constraints. So the imported graph is no FOON yet: the one statement of :data:`AFTER` makes the
-lists and writes the record that says so; and as that record names no schema, ``foon load foon`` with any of the files
-applies it, and finds all else in place.
+One file for each label and each type of relationship, as :mod:`foon_kg.store.offline.tables` describes them. Texts are
+quoted, what is missing is an empty field without quotes, and lists are joined by a character that no name can hold. An
+import makes neither empty lists nor constraints. So the imported graph is no FOON yet: the one statement of
+:data:`AFTER` makes the lists and writes the record that says so; and as that record names no schema, ``foon load foon``
+with any of the files applies it, and finds all else in place.
 """
 
 from __future__ import annotations
@@ -16,47 +16,22 @@ from foon_kg.formats.exports.files import ExportFile
 from foon_kg.formats.exports.neo4j_tables import Cell, Row, edge_tables, node_tables
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph.schema import kitchen_key
+from foon_kg.store.offline.tables import FOON_EDGES, FORMAT, LIST_DELIMITER, NODES, RECIPES
 from foon_kg.store.snapshot import Snapshot
 
-LIST_DELIMITER = "\x1f"
 ARGUMENTS = "import.txt"
 AFTER = "after.cypher"
 
+_EXPORTED = ("Video", "Label", "Object", "Motion", "DishType", "Ingredient", "State", "Verb")
+"""What an export has. Operators, frames and what is known of foods besides are learnt by the next load."""
+
 _NODES = {
-    "Video": ("name", "content", "sources:string[]"),
-    "Label": ("name",),
-    "Object": (
-        "key", "label", "states:string[]", "ingredients:string[]", "relation", "container", "start:boolean",
-        "utensil:boolean",
-    ),
-    "Motion": ("key", "verb", "accepts_any:boolean", "cost:double"),
-    "DishType": ("name",),
-    "Ingredient": ("name", "canonical", "singular", "vector:double[]"),
-    "State": ("name",),
-    "Verb": ("name", "units:long", "several:long"),
-}  # fmt: skip
-_SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
-_EDGES: dict[str, tuple[str, str, tuple[str, ...]]] = {
-    "CALLED": ("Object", "Label", ()),
-    "INPUT_OF": ("Object", "Motion", ("moving:long",)),
-    "OUTPUTS": ("Motion", "Object", ("moving:long",)),
-    "NEXT": ("Motion", "Motion", ("video", "position:long")),
-    "SEEN_IN": (
-        "Motion",
-        "Video",
-        (
-            "position:long", "start:double", "end:double", "assumed:boolean",
-            "span_starts:double[]", "span_ends:double[]",
-            *(column.format(side) for side in ("inputs", "outputs") for column in _SIDE),
-            "amounts:string[]", "seconds:double", "celsius:double",
-        ),
-    ),
-    "IS_A": ("Object", "DishType", ("video",)),
-    "MADE_OF": ("Object", "Ingredient", ()),
-    "SEEN_AS": ("Ingredient", "State", ("made:long", "used:long")),
-    "MADE_BY": ("State", "Verb", ("count:long",)),
-}  # fmt: skip
-"""For each type: the labels at its two ends, and its properties."""
+    table.label: tuple(column for column in table.columns if column != RECIPES)
+    for table in NODES
+    if table.label in _EXPORTED
+}
+_NODES["Motion"] += ("cost:double",)
+_EDGES = {edges.type: edges for edges in FOON_EDGES if {edges.start, edges.end} <= set(_EXPORTED)}
 
 _AFTER = """\
 // Makes of the imported nodes a FOON that foon-kg can read: with the lists that an import leaves out where they are
@@ -86,9 +61,9 @@ def write_neo4j_csv(foon: Snapshot, costs: MotionCosts = NO_COSTS) -> tuple[Expo
     for label, columns in _NODES.items():
         rows = ((place, *row) for place, row in enumerate(nodes[label]))
         files.append(_file(label, (f":ID({label})", *columns), rows))
-    for kind, (start, end, columns) in _EDGES.items():
-        rows = ((places[start][row[0]], places[end][row[1]], *row[2:]) for row in edges[kind])
-        files.append(_file(kind, (f":START_ID({start})", f":END_ID({end})", *columns), rows))
+    for kind, told in _EDGES.items():
+        rows = ((places[told.start][row[0]], places[told.end][row[1]], *row[2:]) for row in edges[kind])
+        files.append(_file(kind, (*told.ids, *told.columns), rows))
     after = _AFTER.format(kitchen=kitchen_key(foon.kitchen), words=word_lists_key(), costs=_table(costs))
     return (*files, ExportFile(ARGUMENTS, _arguments()), ExportFile(AFTER, after))
 
@@ -106,7 +81,7 @@ def _table(costs: MotionCosts) -> str:
 def _arguments() -> str:
     lines = [f"--nodes={label}=./{label}.csv" for label in _NODES]
     lines += [f"--relationships={kind}=./{kind}.csv" for kind in _EDGES]
-    lines += [f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true"]
+    lines += FORMAT
     return "\n".join(lines) + "\n"
 
 

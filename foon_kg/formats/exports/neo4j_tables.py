@@ -13,17 +13,14 @@ from foon_kg.plans.kitchen import singular
 from foon_kg.similarity.points import indexed_points
 from foon_kg.store.graph.movements import following, movements
 from foon_kg.store.graph.rows import properties_of
+from foon_kg.store.offline.tables import EDGES, named
 from foon_kg.store.snapshot import Snapshot, goals_of
 from foon_kg.store.vocabulary import WordCounts
 
 Cell = str | bool | float | Sequence[object] | None
 Row = tuple[Cell, ...]
 
-SIGHTING = (
-    "position", "start", "end", "assumed", "span_starts", "span_ends",
-    "inputs", "inputs_moving", "inputs_dish", "outputs", "outputs_moving", "outputs_dish",
-    "amounts", "seconds", "celsius",
-)  # fmt: skip
+SIGHTING = tuple(map(named, next(edges.columns for edges in EDGES if edges.type == "SEEN_IN")))
 """The properties of ``SEEN_IN``, in the order of their cells."""
 
 

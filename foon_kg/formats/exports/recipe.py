@@ -21,7 +21,7 @@ _IN_LINKS = "/:?=&%#+,;@~-._"
 def write_recipe(tree: ExportedTree, amounts: Mapping[RequiredIngredient, str] | None = None) -> str:
     """Return a recipe that a person can cook from.
 
-    ``amounts`` says how much of an ingredient the recipe wants ("2 cups"), where that is known: a FOON does not.
+    ``amounts`` says how much of an ingredient the recipe wants ("2 cups") instead of what was asked with the plan.
     """
     kitchen = Kitchen.default()
     parts = [[f"# {_plain(_capital(tree.title))}"], list(_introduction(tree))]
@@ -43,7 +43,7 @@ def _ingredients(tree: ExportedTree, kitchen: Kitchen, amounts: Mapping[Required
     wanted = tuple(dict.fromkeys(tree.recipe.ingredients)) if tree.recipe is not None else ()
     for one in wanted:
         words = ", ".join(filter(None, (one.object, one.state)))
-        yield f"- {_plain(' '.join(filter(None, (amounts.get(one), words))))}"
+        yield f"- {_plain(' '.join(filter(None, (amounts.get(one) or one.amount, words))))}"
     named = {canonical(one.object) for one in wanted}
     others = [node for node in tree.kitchen if kitchen.is_food(node) and canonical(node.label) not in named]
     for words in dict.fromkeys(", ".join((node.label, *_states(node))) for node in others):

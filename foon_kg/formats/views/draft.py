@@ -12,7 +12,7 @@ from foon_kg.language.drafting.drafts import DraftFile, DraftRow
 from foon_kg.language.drafting.review import SURE, Missing
 from foon_kg.model import FunctionalUnit, ObjectNode
 
-_FEW = 0.25
+_LIKELY = 0.5
 
 
 def draft_view(draft: DraftFile, missing: Sequence[Missing], *, worst_first: bool = False) -> RenderableType:
@@ -66,9 +66,9 @@ def _row(row: DraftRow, missing: Sequence[Missing]) -> list[RenderableType]:
 
 
 def _colour(confidence: float) -> str:
-    if confidence >= SURE:
-        return "green"
-    return "yellow" if confidence >= _FEW else "red"
+    if confidence < SURE:
+        return "red"
+    return "green" if confidence >= _LIKELY else "yellow"
 
 
 def _unit_words(unit: FunctionalUnit) -> Text:

@@ -118,7 +118,7 @@ def _header(result: PlanResult, unseen: frozenset[str]) -> RenderableType:
 
 
 def _asked(wanted: RequiredIngredient) -> Text:
-    return Text.assemble(f"{wanted.object} (", (wanted.state, STATE), ")")
+    return Text.assemble(f"{wanted.amount} {wanted.object} (".lstrip(), (wanted.state, STATE), ")")
 
 
 def _reference(result: PlanResult) -> Text:

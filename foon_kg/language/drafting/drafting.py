@@ -97,14 +97,14 @@ class _Drafter:
         if not reading.motions and self._keeps_cold(action):
             action, reading = replace(action, verb=_CHILL), self._precedents.verbs.reading(_CHILL)
         if not reading.motions:
-            return (LeftOut(action.said, f"{reading.why}: left out", action.timing),)
+            return (LeftOut(action.said, f"{reading.why}: left out", action.timing, settled=reading.idle),)
         if len(action.objects) > _MOST_OBJECTS:
             reason = f"{len(action.objects)} objects are no one action: left out"
             return (LeftOut(action.said, reason, action.timing),)
         plain = self._put_there(self._plain(action), reading)
         if plain.objects and all(self._is_of_the_room(one.name) for one in plain.objects):
             reason = f"“{plain.objects[0].name}” belongs to the room and not to the dish: left out"
-            return (LeftOut(action.said, reason, action.timing),)
+            return (LeftOut(action.said, reason, action.timing, settled=True),)
         drafted = tuple(row if self._changes(row) else _idle(action, row) for row in self._drafted(plain, reading))
         return drafted or (
             LeftOut(action.said, f"nobody says what “{action.verb}” is done to: left out", action.timing),
@@ -120,7 +120,8 @@ class _Drafter:
         names = [self._known_as(plain_name(one.name)) for one in action.objects]
         for name in names:
             self._scene.hands.take(name, origin)
-        return LeftOut(action.said, f"{names[0]} is held until it is put somewhere: left out", action.timing)
+        reason = f"{names[0]} is held until it is put somewhere: left out"
+        return LeftOut(action.said, reason, action.timing, settled=True)
 
     def _look_at_fixtures(self, action: NarratedAction, reading: Reading) -> None:
         does = tables().motion(next(iter(reading.motions), "")).does
@@ -273,13 +274,14 @@ def _idle(action: NarratedAction, row: DraftUnit) -> LeftOut:
     unit, name = row.annotation.unit, action.objects[0].name if action.objects else ""
     node = next((one for one in unit.output_nodes if canonical(one.label) == canonical(name)), None)
     told = done(action.verb)
-    reason = f"nothing is said that {unit.motion} would change"
+    reason, settled = f"nothing is said that {unit.motion} would change", True
     if node is not None and motions.transfers(unit.motion):
         known = f"{node.label} is {node.relation} the {node.container} already"
         reason = known if node.container else f"nobody says where {node.label} comes from or goes to"
+        settled = bool(node.container) or tables().utensil(node.label) is not None
     elif node is not None and told in node.states:
         reason = f"{node.label} is {told} already"
-    return LeftOut(action.said, f"{reason}: left out", action.timing)
+    return LeftOut(action.said, f"{reason}: left out", action.timing, settled=settled)
 
 
 def _is_source(name: str) -> bool:

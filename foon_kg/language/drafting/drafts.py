@@ -26,11 +26,15 @@ class DraftUnit:
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A part of the narration that gave no unit, and why."""
+    """A part of the narration that gave no unit, and why.
+
+    ``settled`` says that a person need not decide on it: it changes nothing, or a later unit has it.
+    """
 
     said: str
     reason: str
     timing: Timing = field(default_factory=Timing)
+    settled: bool = False
 
 
 @dataclass(frozen=True)

@@ -124,10 +124,11 @@ def _unit_cells(row: DraftUnit) -> tuple[str, ...] | None:
 
 
 def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
-    """Return the cells of a row that is no unit: its time, and why."""
+    """Return the cells of a row that is no unit: its time, how sure it is that it is none, and why."""
     timing = row.timing if isinstance(row, LeftOut) else row.annotation.timing
     reason = row.reason if isinstance(row, LeftOut) else f"a table cannot say: {row.annotation.unit.motion}"
-    return (*_times(timing), "", "", "", "", "0.00", _one_line(reason))
+    sure = "1.00" if isinstance(row, LeftOut) and row.settled else "0.00"
+    return (*_times(timing), "", "", "", "", sure, _one_line(reason))
 
 
 def thing(one: Participant) -> str:

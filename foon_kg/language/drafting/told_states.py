@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import lru_cache
 
 from foon_kg.food import tables
 from foon_kg.food.lists import word_list
+from foon_kg.model.recent import MOST_WORDS
 from foon_kg.similarity.states import state_in
 
 
-@cache
+@lru_cache(maxsize=MOST_WORDS)
 def done(verb: str) -> str | None:
     """Return the state that a verb names itself (coat, coated), ``None`` where nobody says so of foods."""
     word = verb.replace("-", " ").split(" ", maxsplit=1)[0]
@@ -30,7 +31,7 @@ def before_it(told: str) -> str | None:
     return next(iter(sorted(_others(told))), None)
 
 
-@cache
+@lru_cache(maxsize=MOST_WORDS)
 def _others(state: str) -> frozenset[str]:
     pairs = [set(pair.split()) for pair in word_list("is never both")]
     return frozenset().union(*(pair - {state} for pair in pairs if state in pair))

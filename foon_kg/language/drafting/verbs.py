@@ -27,11 +27,15 @@ _WORD = re.compile(r"[^\W\d_]+")
 
 @dataclass(frozen=True)
 class Reading:
-    """The ``motions`` that a verb may stand for, the likelier first, and how sure that is; none, and ``why`` not."""
+    """The ``motions`` that a verb may stand for, the likelier first, and how sure that is; none, and ``why`` not.
+
+    ``idle`` says that the verb is known to change nothing: to look, to wait.
+    """
 
     motions: tuple[str, ...]
     confidence: float = 0.0
     why: str = ""
+    idle: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +88,7 @@ class Verbs:
 
     def _listed(self, said: str, listed: tuple[str, ...]) -> Reading:
         if listed == (_NO_MOTION,):
-            return Reading((), why=f"“{said}” changes no object")
+            return Reading((), why=f"“{said}” changes no object", idle=True)
         motions = tuple(motion for name in listed for motion in self._by_words.get(" ".join(_words(name)), ()))
         if not motions:
             if (own := self._of_motion_table(said)) is not None:

@@ -11,6 +11,9 @@ from foon_kg.model.levels import Level, Leveller, units_at
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.search.classic.goal import RetrievalView
 
+MOST_UNITS = 20_000
+"""More units are not fetched: with what the search makes of them they would take a gigabyte."""
+
 
 @dataclass(frozen=True)
 class PartBehind:
@@ -29,6 +32,7 @@ def part_behind(view: RetrievalView, goals: Collection[ObjectNode], level: Level
 
     A view knows the FOON as it was annotated (level 3), and stops at what the default kitchen has. So at lower
     levels, and where ``kitchen`` has less, the units found may need nodes that were not searched: these are asked next.
+    Raises TooManyUnitsError where more than ``MOST_UNITS`` would have to be fetched at a time.
     """
     fetch = _Fetch(view, level, kitchen)
     fetch.search(goals)
@@ -74,7 +78,7 @@ class _Fetch:
         """Fetch the units behind ``nodes``; what they take in and the default kitchen has not was searched as well."""
         self.searched.update(nodes)
         fresh = set(nodes)
-        for known in self.view.behind(nodes):
+        for known in self.view.behind(nodes, most=MOST_UNITS):
             if known.unit.key not in self.units:
                 self.units[known.unit.key] = known
                 fresh.update(known.unit.input_nodes)

@@ -35,8 +35,13 @@ class RetrievalView(Protocol):
         """Return every object node with one of ``labels``, sorted."""
         ...
 
-    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
-        """Return every unit that may take part in making ``nodes`` or ``foods``."""
+    def behind(
+        self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = (), *, most: int | None = None
+    ) -> tuple[KnownUnit, ...]:
+        """Return every unit that may take part in making ``nodes`` or ``foods``.
+
+        Where it has to fetch them and they are more than ``most``, raises TooManyUnitsError.
+        """
         ...
 
 

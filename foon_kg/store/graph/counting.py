@@ -5,7 +5,7 @@ from __future__ import annotations
 from foon_kg.model.knowledge import MadeBy
 from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.schema import check_schema
-from foon_kg.store.graph.statements import SCHEMA_STATE, STATISTICS, ask
+from foon_kg.store.graph.statements import SCHEMA_STATE, STATISTICS, UNITS_COUNT, ask
 from foon_kg.store.statistics import MOST, Statistics, most_first, most_made
 
 
@@ -29,3 +29,10 @@ def count(connection: Connection) -> Statistics:
         most_used_motions=dict(list(verbs.items())[:MOST]),
         most_made_states=most_made(MadeBy(*motion) for motion in sorted(row.motions)),
     )
+
+
+def unit_count(connection: Connection) -> int:
+    """Return how many units the graph has."""
+    with connection.session() as session:
+        (row,) = session.execute_read(ask, UNITS_COUNT)
+    return row.units

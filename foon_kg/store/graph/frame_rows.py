@@ -10,8 +10,9 @@ from typing import Any
 
 from foon_kg.food import tables
 from foon_kg.integration.frames import Frame, Line, Slot, Stage
-from foon_kg.integration.layouts import Layout, Post, spots_of
+from foon_kg.integration.layouts import Layout
 from foon_kg.integration.outlines import Outline
+from foon_kg.integration.spots import Post, spots_of
 from foon_kg.model import ObjectNode
 from foon_kg.store.graph.lifting import KIND
 

@@ -16,6 +16,7 @@ from typing import Any
 
 import neo4j
 from neo4j import exceptions as driver_errors
+from neo4j.graph import Node, Path, Relationship
 
 from foon_kg.model.errors import GraphError, WriteRefused
 from foon_kg.store.graph.connection import Connection
@@ -68,6 +69,10 @@ class Answer:
     cut: bool
     changes: Mapping[str, int]
     warnings: tuple[str, ...] = ()
+
+    def plain_rows(self) -> list[list[Any]]:
+        """Return the rows in the types of JSON: nodes, edges and paths as objects, times and places as text."""
+        return [[_plain(value) for value in row] for row in self.rows]
 
 
 def ask_freely(
@@ -315,3 +320,18 @@ def _explained(error: driver_errors.Neo4jError, text: str, timeout: float, *, li
             "this question needs more memory than the server has", hint="Ask for less at once.", code="memory"
         )
     return told_error(error.message or code, text, lines_before=lines_before)
+
+
+def _plain(value: Any) -> object:  # noqa: ANN401 - whatever a driver can answer
+    """Return a value of the driver as JSON knows it: nodes, edges and paths as objects, times and places as text."""
+    if isinstance(value, Node):
+        return {"labels": sorted(value.labels), "properties": _plain(dict(value))}
+    if isinstance(value, Relationship):
+        return {"type": value.type, "properties": _plain(dict(value))}
+    if isinstance(value, Path):
+        return {"nodes": list(map(_plain, value.nodes)), "relationships": list(map(_plain, value.relationships))}
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return list(map(_plain, value))
+    return value if isinstance(value, str | int | float | bool | None) else str(value)

@@ -6,7 +6,7 @@ import json
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 from itertools import chain
-from typing import Any, Protocol
+from typing import Any
 
 from foon_kg.integration.operators import MOST_SIGHTINGS
 from foon_kg.model import FunctionalUnit, Subgraph
@@ -15,7 +15,7 @@ from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.frame_rows import Joins, frame_of, frame_row, slot_foods
 from foon_kg.store.graph.lifting import Lifted, Tally, is_food, lifted, matter_rows
 from foon_kg.store.graph.rows import SightingValue
-from foon_kg.store.graph.statements import Row, Statement
+from foon_kg.store.graph.statements import Ask
 from foon_kg.store.snapshot import frames_in, sightings_of
 
 Pair = tuple[str, str]
@@ -24,14 +24,6 @@ Pair = tuple[str, str]
 
 Seen = tuple[list[SightingValue], list[SightingValue]]
 """Where an operator is done to a matter, and where it changes it."""
-
-
-class Ask(Protocol):
-    """Runs a statement in the transaction."""
-
-    def __call__(self, statement: Statement[Row], **parameters: object) -> list[Row]:
-        """Return its rows."""
-        ...
 
 
 class Learner:

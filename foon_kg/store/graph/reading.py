@@ -14,7 +14,7 @@ import neo4j
 from foon_kg.food.motion_costs import MotionCosts
 from foon_kg.model import DISH_TYPES, Annotation, Goal, KnownUnit, ObjectNode, Subgraph
 from foon_kg.model.drafted import MOST_OF_A_DISH_TYPE, DraftedRecipe, Lesson
-from foon_kg.model.errors import SchemaError
+from foon_kg.model.errors import SchemaError, TooManyUnitsError
 from foon_kg.model.knowledge import Gathering, LikelyGoals, MadeBy, Neighbour, RetrievedTree, Vocabulary
 from foon_kg.plans.kitchen import Kitchen, singular, words
 from foon_kg.similarity import food_similarity
@@ -160,12 +160,16 @@ class GraphView:
         most = None if row.are_all else gain
         return LikelyGoals(goals, frozenset(row.foods_named), most)
 
-    def behind(self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = ()) -> tuple[KnownUnit, ...]:
+    def behind(
+        self, nodes: Collection[ObjectNode], foods: Collection[tuple[str, str]] = (), *, most: int | None = None
+    ) -> tuple[KnownUnit, ...]:
         """Return every unit that may take part in making ``nodes`` or ``foods``, sorted by key."""
         keys = sorted({node.key for node in nodes})
         asked = [{"label": label, "state": state} for label, state in sorted(set(foods))]
         one = len(keys) == 1 and not asked
         (row,) = self._ask(BEHIND_ONE, node=keys[0]) if one else self._ask(BEHIND, nodes=keys, foods=asked)
+        if most is not None and len(row.keys) > most:
+            raise TooManyUnitsError(most)
         return self._units(sorted(row.keys))
 
     def _units(self, keys: Sequence[str]) -> tuple[KnownUnit, ...]:

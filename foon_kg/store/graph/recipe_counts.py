@@ -17,7 +17,7 @@ import neo4j
 from foon_kg.model.errors import GraphError, SchemaError
 from foon_kg.store.graph import statements as cypher
 from foon_kg.store.graph.recipe_rows import RecipeCountRow
-from foon_kg.store.graph.statements import ask
+from foon_kg.store.graph.statements import Ask, ask
 
 Key = TypeVar("Key", str, tuple[str, str])
 
@@ -52,10 +52,9 @@ class RecipeCounts:
             for dish_type in sure:
                 self.uses[food, dish_type] += weight
 
-    def write(self, transaction: neo4j.ManagedTransaction) -> None:
+    def write(self, ask: Ask) -> None:
         """Add all to the counts of the graph, which must have the foods and dish types."""
         ask(
-            transaction,
             cypher.ADD_RECIPE_COUNTS,
             recipes=self.recipes,
             sure=self.sure,
@@ -66,19 +65,19 @@ class RecipeCounts:
         )
 
 
-def take_turn(transaction: neo4j.ManagedTransaction) -> None:
+def take_turn(ask: Ask) -> None:
     """Wait until no other program writes; where an earlier foon-kg stored recipes, count them first."""
-    row = next(iter(ask(transaction, cypher.RECIPES_TURN)), None)
+    row = next(iter(ask(cypher.RECIPES_TURN)), None)
     if row is None:
         raise GraphError("the database was emptied meanwhile", hint="Load again: that makes all that is needed anew.")
     if row.recipes is not None:
         return
     counts, last = RecipeCounts(), ""
-    while page := ask(transaction, cypher.RECIPE_PAGE, after=last, dish_type="", most=RECIPES_COUNTED_AT_ONCE):
+    while page := ask(cypher.RECIPE_PAGE, after=last, dish_type="", most=RECIPES_COUNTED_AT_ONCE):
         for recipe in page:
             counts.count(recipe.classes, [(food, state) for food, state, *_ in recipe.ingredients])
         last = page[-1].id
-    counts.write(transaction)
+    counts.write(ask)
 
 
 def counted(transaction: neo4j.ManagedTransaction) -> RecipeCountRow:

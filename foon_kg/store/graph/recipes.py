@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
 
 import neo4j
@@ -26,7 +27,7 @@ from foon_kg.store.graph.connection import Connection
 from foon_kg.store.graph.recipe_counts import RecipeCounts, counted, take_turn
 from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, RecipePageRow, RecipeRow, WantedFoodRow
 from foon_kg.store.graph.schema import prepare_for_writing
-from foon_kg.store.graph.statements import ask
+from foon_kg.store.graph.statements import Ask, ask
 
 RECIPES_PER_TRANSACTION = 1_000
 
@@ -71,7 +72,10 @@ class StoredRecipe:
         """Return what is to be planned: as the given dish type, else as its sure one, else as any."""
         return Recipe(
             dish_type or next((dish.name for dish in self.dish_classes if dish.sure), ""),
-            tuple(RequiredIngredient(called.object, called.state) for called in self.ingredients),
+            tuple(
+                RequiredIngredient(called.object, called.state, " ".join(filter(None, (called.quantity, called.unit))))
+                for called in self.ingredients
+            ),
             self.id,
             self.title or None,
         )
@@ -81,7 +85,11 @@ def prepare_for_recipes(connection: Connection, kitchen: Kitchen | None = None) 
     """Apply what is missing of the schema and of counts. Raises SchemaError for a graph that a newer foon-kg wrote."""
     with connection.session(writing=True) as session:
         prepare_for_writing(session, kitchen or Kitchen.default())
-        session.execute_write(take_turn)
+        session.execute_write(_take_turn)
+
+
+def _take_turn(transaction: neo4j.ManagedTransaction) -> None:
+    take_turn(partial(ask, transaction))
 
 
 def load_recipes(
@@ -103,7 +111,7 @@ def load_recipes(
     """
     total, writing = RecipesStored(), None
     with ThreadPoolExecutor(max_workers=1) as writer:
-        for batch in _batches(recipes, recipes_per_transaction):
+        for batch in batches(recipes, recipes_per_transaction):
             there = _contents(connection, batch)
             changed = [recipe for recipe in batch if there.get(recipe.id) != _content(recipe, version)]
             understood = understand(changed)
@@ -189,7 +197,8 @@ def _stored(recipe_id: str, row: RecipeRow | RecipePageRow) -> StoredRecipe:
     return StoredRecipe(recipe_id, row.title, classes, tuple(CalledFor(*called) for called in row.ingredients))
 
 
-def _batches(recipes: Iterable[CollectedRecipe], size: int) -> Iterator[list[CollectedRecipe]]:
+def batches(recipes: Iterable[CollectedRecipe], size: int = RECIPES_PER_TRANSACTION) -> Iterator[list[CollectedRecipe]]:
+    """Group ``recipes`` by so many, in their order."""
     waiting = iter(recipes)
     while batch := list(islice(waiting, size)):
         yield batch
@@ -223,9 +232,14 @@ def _write(
 
 
 def _write_batch(transaction: neo4j.ManagedTransaction, recipes: Sequence[UnderstoodRecipe], version: str) -> None:
-    take_turn(transaction)
+    write_recipes(partial(ask, transaction), recipes, version)
+
+
+def write_recipes(ask: Ask, recipes: Sequence[UnderstoodRecipe], version: str) -> None:
+    """Write ``recipes`` with their counts: in one transaction, or into what is staged for an import."""
+    take_turn(ask)
     counts = RecipeCounts()
-    for held in ask(transaction, cypher.RECIPES_HELD, ids=[one.recipe.id for one in recipes]):
+    for held in ask(cypher.RECIPES_HELD, ids=[one.recipe.id for one in recipes]):
         counts.count(held.classes, held.ingredients, weight=-1)
     for one in recipes:
         classes_of_it = [(dish.name, dish.sure) for dish in one.dish_classes]
@@ -233,10 +247,10 @@ def _write_batch(transaction: neo4j.ManagedTransaction, recipes: Sequence[Unders
     foods = sorted({called.object for recipe in recipes for called in recipe.ingredients})
     classes = sorted({dish.name for recipe in recipes for dish in recipe.dish_classes})
     words = [{"name": food, "canonical": canonical(food)} for food in foods]
-    ask(transaction, cypher.LOAD_RECIPE_WORDS, ingredients=words, dish_types=classes)
+    ask(cypher.LOAD_RECIPE_WORDS, ingredients=words, dish_types=classes)
     rows = sorted((_row(recipe, version) for recipe in recipes), key=lambda row: str(row["id"]))
-    ask(transaction, cypher.LOAD_RECIPES, recipes=rows)
-    counts.write(transaction)
+    ask(cypher.LOAD_RECIPES, recipes=rows)
+    counts.write(ask)
 
 
 def _row(understood: UnderstoodRecipe, version: str) -> dict[str, object]:

@@ -75,6 +75,13 @@ class SchemaState:
 
 
 @dataclass(frozen=True)
+class UnitsCountRow:
+    """How many units a FOON has."""
+
+    units: int
+
+
+@dataclass(frozen=True)
 class SomethingRow:
     """Whether a database holds anything."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Generic, Protocol, TypeVar
 
 from neo4j import ManagedTransaction, Transaction
 
@@ -32,6 +32,7 @@ WRITING_TURN = Statement("writing_turn", rows.SchemaState)
 COMPLETE_LISTS = Statement("complete_lists", rows.Nothing)
 HOLDS_SOMETHING = Statement("holds_something", rows.SomethingRow)
 
+UNITS_COUNT = Statement("units_count", rows.UnitsCountRow)
 VIDEO_NAMES = Statement("video_names", rows.NameRow)
 VIDEO_CONTENTS = Statement("video_contents", rows.ContentRow)
 SUBGRAPHS = Statement("subgraphs", rows.SubgraphRow)
@@ -114,6 +115,14 @@ RECIPE_CLASSES = Statement("recipe_classes", recipe_rows.RecipeClassRow)
 RECIPE_IDS = Statement("recipe_ids", recipe_rows.RecipeIdRow)
 COUNT_RECIPES = Statement("count_recipes", recipe_rows.RecipeCountRow)
 WANTED_FOODS = Statement("wanted_foods", recipe_rows.WantedFoodRow)
+
+
+class Ask(Protocol):
+    """Runs a statement in a transaction, or on what is staged for an import (:mod:`foon_kg.store.offline`)."""
+
+    def __call__(self, statement: Statement[Row], **parameters: object) -> list[Row]:
+        """Return its rows."""
+        ...
 
 
 def ask(transaction: Transaction | ManagedTransaction, statement: Statement[Row], **parameters: object) -> list[Row]:

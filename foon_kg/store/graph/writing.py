@@ -17,12 +17,13 @@ from foon_kg.plans.kitchen import Kitchen, singular
 from foon_kg.similarity.points import indexed_points
 from foon_kg.similarity.word_lists import word_lists_key
 from foon_kg.store.graph import statements as cypher
-from foon_kg.store.graph.learning import Ask, Learner
+from foon_kg.store.graph.learning import Learner
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.movements import movement_rows
 from foon_kg.store.graph.reading import subgraph_of
 from foon_kg.store.graph.rows import bare_unit_of, properties_of
 from foon_kg.store.graph.schema import kitchen_key, schema_version
+from foon_kg.store.graph.statements import Ask
 from foon_kg.store.snapshot import goals_of
 from foon_kg.store.vocabulary import WordCounts
 

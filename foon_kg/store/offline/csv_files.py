@@ -11,31 +11,31 @@ from foon_kg.store.disk import explain_os_error
 from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.offline.staged import Staged
-from foon_kg.store.offline.tables import EDGES, END, LIST_DELIMITER, NODES, START, Edges, Nodes, kind_of, named
+from foon_kg.store.offline.tables import EDGES, END, FORMAT, NODES, NUMBER, START, Edges, Nodes, kind_of, named
 
 ROWS_AT_ONCE = 10_000
 
 _RECORD = ("name:string", "version:long", "kitchen:string", "words:string", "methods:string", "writes:long",
-           "edition:string", "all_placed:boolean")  # fmt: skip
+           "edition:string", "all_placed:boolean", "recipes:long", "sure_recipes:long")  # fmt: skip
 
 
 def write_csv_files(staged: Staged, folder: Path, kitchen: Kitchen) -> list[str]:
     """Write a file for each table into ``folder``, and return the arguments of the import that name them."""
-    arguments = [f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true", "--id-type=integer"]
+    arguments = [*FORMAT, "--id-type=integer"]
     with explain_os_error(f"cannot write to {folder}"):
         for table in (*NODES, *EDGES):
             path = folder / f"{table.name}.csv"
             if _write(staged.database, table, path):
                 option = f"nodes={table.label}" if isinstance(table, Nodes) else f"relationships={table.type}"
                 arguments.append(f"--{option}={path}")
-        arguments += _write_record(staged.database, folder, kitchen)
+        arguments += _write_record(staged, folder, kitchen)
     return arguments
 
 
 def _write(database: sqlite3.Connection, table: Nodes | Edges, path: Path) -> int:
     """Write one table, a line a row; return how many there are. SQLite makes the lines."""
-    header = [*_ids(table), *table.columns, *([":LABEL"] if isinstance(table, Nodes) and table.labelled else [])]
-    cells = ["id"] if isinstance(table, Nodes) else [f'"{START}"', f'"{END}"']
+    header = [*table.ids, *table.columns, *([":LABEL"] if isinstance(table, Nodes) and table.labelled else [])]
+    cells = [NUMBER] if isinstance(table, Nodes) else [f'"{START}"', f'"{END}"']
     cells += [_cell(named(column), kind_of(column)) for column in table.columns]
     cells += [_cell("_label", "string")] if isinstance(table, Nodes) and table.labelled else []
     line = " || ',' || ".join(cells)
@@ -49,12 +49,6 @@ def _write(database: sqlite3.Connection, table: Nodes | Edges, path: Path) -> in
     return count
 
 
-def _ids(table: Nodes | Edges) -> list[str]:
-    if isinstance(table, Nodes):
-        return [f":ID({table.label})"]
-    return [f":START_ID({table.start})", f":END_ID({table.end})"]
-
-
 def _cell(name: str, kind: str) -> str:
     """Return the expression for a cell: texts and lists in quotes, nothing where there is no value."""
     if kind == "string" or kind.endswith("[]"):
@@ -62,15 +56,19 @@ def _cell(name: str, kind: str) -> str:
     return f"coalesce(\"{name}\", '')"
 
 
-def _write_record(database: sqlite3.Connection, folder: Path, kitchen: Kitchen) -> list[str]:
+def _write_record(staged: Staged, folder: Path, kitchen: Kitchen) -> list[str]:
     """Write the record of the whole FOON, to which all labels lead."""
-    (missing,) = database.execute("SELECT count(*) FROM Ingredient WHERE vector IS NULL").fetchone()
+    database = staged.database
+    placeless = "SELECT count(*) FROM Ingredient WHERE vector IS NULL AND singular IS NOT NULL"
+    (missing,) = database.execute(placeless).fetchone()
     (edition,) = database.execute("SELECT lower(hex(randomblob(16)))").fetchone()
     words = [kitchen_key(kitchen), word_lists_key(), methods_key()]
+    recipes = ["" if count is None else str(count) for count in staged.recipes or (None, None)]
     row = ["0", '"foon-kg"', "0", *(f'"{word}"' for word in words), "1", f'"{edition}"', str(not missing).lower()]
+    row += recipes
     record, labels = folder / "Foon.csv", folder / "LABEL_OF.csv"
     record.write_text(",".join((":ID(Foon)", *_RECORD)) + "\n" + ",".join(row) + "\n", encoding="utf-8")
     with labels.open("w", encoding="utf-8") as stream:
         stream.write(":START_ID(Label),:END_ID(Foon)\n")
-        stream.writelines(f"{number},0\n" for (number,) in database.execute("SELECT id FROM Label"))
+        stream.writelines(f"{number},0\n" for (number,) in database.execute(f"SELECT {NUMBER} FROM Label"))
     return [f"--nodes=Foon={record}", f"--relationships=LABEL_OF={labels}"]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from foon_kg.store.disk import explain_os_error
-from foon_kg.store.offline.tables import EDGES, END, LIST_DELIMITER, NODES, START, Edges, Nodes, kind_of, named
+from foon_kg.store.offline.tables import EDGES, END, LIST_DELIMITER, NODES, NUMBER, START, Edges, Nodes, kind_of, named
 
 CACHE_KIB = 64_000
 """Bounds the memory that SQLite takes."""
@@ -80,7 +80,7 @@ class Database:
 
     def ids(self, table: str, keys: Iterable[str]) -> dict[str, int]:
         """Return the numbers of those nodes that are there, by their keys."""
-        return dict(self.found(table, "id", keys))
+        return dict(self.found(table, NUMBER, keys))
 
     def found(self, table: str, column: str, keys: Iterable[str]) -> list[tuple[str, Any]]:
         """Return the key and one column of those nodes that are there."""
@@ -131,7 +131,7 @@ def _made(table: Nodes | Edges) -> str:
     """Return the statement that makes a table where it is not there; numbers are kept as numbers, all else as texts."""
     columns = [f'"{named(column)}" {"INTEGER" if kind_of(column) == "long" else "TEXT"}' for column in table.columns]
     if isinstance(table, Nodes):
-        columns = ["id INTEGER PRIMARY KEY", *columns, *(['"_label" TEXT'] if table.labelled else [])]
+        columns = [f"{NUMBER} INTEGER PRIMARY KEY", *columns, *(['"_label" TEXT'] if table.labelled else [])]
         unique: tuple[str, ...] = (named(table.columns[0]),) if table.unique else ()
         rest = ""
     else:

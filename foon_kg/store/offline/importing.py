@@ -2,7 +2,8 @@
 
 The import is made in a home of its own inside the server's home, with its indexes and all that a load would write,
 while the server goes on with what it has. Only when that is done is the one folder of data put in the place of the
-other. A program that is killed before leaves the old graph as it was, and a folder that the next import sweeps away.
+other (:mod:`foon_kg.store.server.exchange`). A program that is killed leaves the old graph as it was, or the new one,
+and a folder that the next import sweeps away.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from filelock import FileLock, Timeout
 from foon_kg.cypher import named_query
 from foon_kg.model import Subgraph
 from foon_kg.model.errors import ServerError, UsageError
+from foon_kg.model.kept import write_private
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.disk import explain_os_error
 from foon_kg.store.graph.connection import Connection
@@ -30,13 +32,13 @@ from foon_kg.store.offline.csv_files import write_csv_files
 from foon_kg.store.offline.staged import Staged
 from foon_kg.store.offline.staging import Stager
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.configuration import write_configuration
-from foon_kg.store.server.exchange import exchange, settle, share_password
+from foon_kg.store.server.configuration import new_password, write_configuration
+from foon_kg.store.server.exchange import exchange, restore
 from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
 from foon_kg.store.server.lifecycle import ensure_running, stop_locked
-from foon_kg.store.server.reach import settings_of
+from foon_kg.store.server.reach import password_of, settings_of
 from foon_kg.store.server.starting import fetched
 from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
@@ -72,24 +74,27 @@ def load_offline(
     replace: bool = False,
     say: Say = silent,
     told: Callable[[int], None] = lambda _count: None,
+    beside: Callable[[Staged], None] | None = None,
 ) -> ImportReport:
     """Make ``subgraphs`` the FOON of the local server, which is then up; only a part of them is in memory at a time.
 
-    ``told`` hears how many videos were read. Raises UsageError where ``NEO4J_URI`` names another Neo4j, and where the
-    server holds anything, unless that shall be replaced (``replace``).
+    ``told`` hears how many videos were read. ``beside`` stages what comes with them once all are staged
+    (:func:`~foon_kg.store.offline.staging.stage_recipes`). Raises UsageError where ``NEO4J_URI`` names another Neo4j,
+    and where the server holds anything, unless that shall be replaced (``replace``).
     """
     _refuse_another_server()
     place, kitchen, report = home(), Kitchen.default(), ImportReport()
     place.create()
     with _alone(place) as folder:
-        with place.locked(say):
-            settle(place)
         if not replace:
             _refuse_what_is_not_empty(place, say)
         with Staged(folder / "staged.sqlite", kitchen) as staged:
             stager = Stager(staged, kitchen, told)
             with report.timed("reading"):
                 stager.stage(subgraphs)
+            if beside is not None:
+                with report.timed("recipes"):
+                    beside(staged)
             with report.timed("files"):
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)
@@ -104,7 +109,7 @@ def _import(
     """Import the files that ``arguments`` name in ``folder``, and put the result in the place of the server's data."""
     cache, made = fetched(say), Home(folder / "home")
     made.create()
-    share_password(place, made)
+    _share_password(place, made)
     class_path = cache.jar_set.class_path(cache.folder)
     with waiting(say, "importing"), report.timed("import"):
         write_configuration(made, processes.free_port())
@@ -139,6 +144,14 @@ def _started(made: Home, cache: StartupCache) -> Iterator[ConnectionSettings]:
         child.wait()
 
 
+def _share_password(place: Home, made: Home) -> None:
+    """Let ``made`` have the password of the server: so its data are all that takes the place of another."""
+    with place.locked(), explain_os_error(f"cannot write {made.password_file}"):
+        if not (place.password_file.exists() or place.databases.exists()):
+            write_private(place.password_file, new_password())
+        write_private(made.password_file, password_of(place))
+
+
 @contextmanager
 def _alone(place: Home) -> Iterator[Path]:
     """Yield the folder of the import, empty; one import is made at a time, and nothing is left of it."""
@@ -152,6 +165,8 @@ def _alone(place: Home) -> Iterator[Path]:
     folder = place.root / "import"
     try:
         _sweep(folder)
+        with place.locked():
+            restore(place)
         with explain_os_error(f"cannot write to {folder}"):
             folder.mkdir()
         yield folder

@@ -18,11 +18,12 @@ from foon_kg.store.graph.learnt_by import methods_key
 from foon_kg.store.graph.rows import AttestedRow, ContentRow, EvidenceRow, KeyRow, NameRow, SchemaState
 from foon_kg.store.graph.schema import kitchen_key
 from foon_kg.store.graph.statements import Row, Statement
-from foon_kg.store.offline.database import Database, Rows, cell, edges_of, joined, nodes_of, split
-from foon_kg.store.offline.tables import END, START, named
+from foon_kg.store.offline.database import Rows, cell, edges_of, joined, nodes_of, split
+from foon_kg.store.offline.recipes import StagedRecipes
+from foon_kg.store.offline.tables import END, NUMBER, START, named
 
 
-class Staged(Database):
+class Staged(StagedRecipes):
     """The tables of a FOON in the file ``path``, which is made where it is not there. Close it, or use ``with``."""
 
     def __init__(self, path: Path, kitchen: Kitchen) -> None:
@@ -32,6 +33,13 @@ class Staged(Database):
     def ask(self, statement: Statement[Row], **parameters: object) -> list[Row]:
         """Do what ``statement`` does, and return its rows."""
         return getattr(self, statement.name)(**parameters) or []
+
+    def seen_foods(self) -> list[str]:
+        """Return the foods that units have in some state, sorted: those that a FOON's vocabulary tells."""
+        rows = self.database.execute(
+            f'SELECT DISTINCT i.name FROM Ingredient_SEEN_AS_State s JOIN Ingredient i ON i.{NUMBER} = s."{START}"'
+        )
+        return sorted(name for (name,) in rows)
 
     def writing_turn(self) -> list[SchemaState]:
         """Return the state of a graph that this program writes."""
@@ -159,7 +167,7 @@ class Staged(Database):
         """Return what units attest."""
         rows = self.database.execute(
             "SELECT m.key, o.key, a.done_to, a.changes FROM json_each(?) k JOIN Motion m ON m.key = k.value "
-            f'JOIN Operator_ATTESTED_BY_Motion a ON a."{END}" = m.id JOIN Operator o ON o.id = a."{START}"',
+            f'JOIN Operator_ATTESTED_BY_Motion a ON a."{END}" = m.{NUMBER} JOIN Operator o ON o.{NUMBER} = a."{START}"',
             (json.dumps(keys),),
         )
         return [AttestedRow([(unit, way, split(done), split(changes)) for unit, way, done, changes in rows])]
@@ -171,7 +179,7 @@ class Staged(Database):
             "SELECT o.key, m.name, d.seen, d.changes FROM json_each(?) p "
             "JOIN Operator o ON o.key = json_extract(p.value, '$[0]') "
             "JOIN Matter m ON m.name = json_extract(p.value, '$[1]') "
-            f'JOIN Operator_DONE_TO_Matter d ON d."{START}" = o.id AND d."{END}" = m.id',
+            f'JOIN Operator_DONE_TO_Matter d ON d."{START}" = o.{NUMBER} AND d."{END}" = m.{NUMBER}',
             (json.dumps(asked),),
         )
         return [EvidenceRow([(way, matter, split(seen), split(changes)) for way, matter, seen, changes in rows])]
@@ -261,8 +269,8 @@ class Staged(Database):
         for column, count in (("most_done", "units"), ("most_changed", "changed")):
             self.database.execute(
                 f"UPDATE Operator SET {column} = (SELECT m.name FROM Operator_DONE_TO_Matter d "
-                f'JOIN Matter m ON m.id = d."{END}" WHERE d."{START}" = Operator.id AND m."_label" = \'Food\' '
-                f"AND d.{count} > 0 ORDER BY d.{count} DESC, m.name LIMIT 1)"
+                f'JOIN Matter m ON m.{NUMBER} = d."{END}" WHERE d."{START}" = Operator.{NUMBER} '
+                f"AND m.\"_label\" = 'Food' AND d.{count} > 0 ORDER BY d.{count} DESC, m.name LIMIT 1)"
             )
         self.commit()
 

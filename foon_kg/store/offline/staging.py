@@ -1,4 +1,4 @@
-"""Videos into what is staged for an import: by the writer of the graph, one part after another."""
+"""Videos and recipes into what is staged for an import: by the writers of the graph, one part after another."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from foon_kg.model import Subgraph
+from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION, batches
+from foon_kg.store.graph.recipes import RecipesStored, Understand, write_recipes
+from foon_kg.store.graph.recipes import batches as recipe_batches
 from foon_kg.store.graph.writing import Writer
 from foon_kg.store.offline.staged import Staged
 from foon_kg.store.snapshot import two_of_one_name
@@ -49,3 +52,34 @@ class Stager:
             elif known != subgraph.content_key:
                 raise two_of_one_name(subgraph.name)
         return new
+
+
+def stage_recipes(
+    staged: Staged,
+    recipes: Iterable[CollectedRecipe],
+    understand: Understand,
+    *,
+    version: str = "",
+    stored: Callable[[RecipesStored], None] = lambda _: None,
+    left_over: Callable[[UnderstoodRecipe], None] = lambda _: None,
+) -> RecipesStored:
+    """Write ``recipes``, of which only a part is in memory at a time; each id comes once.
+
+    ``stored``, ``left_over`` and ``version``: see :func:`~foon_kg.store.graph.recipes.load_recipes`.
+    """
+    total = RecipesStored()
+    for batch in recipe_batches(recipes):
+        understood = understand(batch)
+        write_recipes(staged.ask, understood, version)
+        staged.commit()
+        for recipe in understood:
+            if recipe.left_over:
+                left_over(recipe)
+        done = RecipesStored(
+            inserted=len(understood),
+            foods=sum(len(recipe.ingredients) for recipe in understood),
+            left_over=sum(len(recipe.left_over) for recipe in understood),
+        )
+        stored(done)
+        total += done
+    return total

@@ -1,6 +1,7 @@
 """The graph that ``foon load foon`` writes, as tables: one for each label and each type of relationship.
 
-This is what is staged for an offline import (:mod:`foon_kg.store.offline.staged`) and what its CSV files are made of.
+This is what is staged for an offline import (:mod:`foon_kg.store.offline.staged`), and what the CSV files are made of,
+its own and those of ``foon export --format csv``.
 ``docs/reference/schema.md`` says what each of them means.
 """
 
@@ -11,7 +12,13 @@ from dataclasses import dataclass
 LIST_DELIMITER = "\x1f"
 """Joins lists; no name holds it."""
 
-START, END = "_start", "_end"
+NUMBER, START, END = "_id", "_start", "_end"
+
+RECIPES = "recipes:long"
+"""The column of how many recipes there are of a dish type, or with a food."""
+
+FORMAT = (f"--array-delimiter=U+{ord(LIST_DELIMITER):04X}", "--multiline-fields=true")
+"""The arguments by which the import reads files that are written so."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +39,11 @@ class Nodes:
         """What its table and file are called."""
         return self.label
 
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The header of the column by which its nodes are named."""
+        return (f":ID({self.label})",)
+
 
 @dataclass(frozen=True)
 class Edges:
@@ -48,6 +60,11 @@ class Edges:
         """What its table and file are called."""
         return f"{self.start}_{self.type}_{self.end}"
 
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The headers of the columns that name the two ends."""
+        return (f":START_ID({self.start})", f":END_ID({self.end})")
+
 
 _SIDE = ("{}:long[]", "{}_moving:boolean[]", "{}_dish:string[]")
 _EVIDENCE = ("units:long", "changed:long", "seen:string[]", "changes:string[]")
@@ -61,8 +78,8 @@ NODES = (
          "container:string", "start:boolean", "utensil:boolean"),
     ),
     Nodes("Motion", ("key:string", "verb:string", "accepts_any:boolean")),
-    Nodes("DishType", ("name:string",)),
-    Nodes("Ingredient", ("name:string", "canonical:string", "singular:string", "vector:double[]")),
+    Nodes("DishType", ("name:string", RECIPES)),
+    Nodes("Ingredient", ("name:string", "canonical:string", "singular:string", "vector:double[]", RECIPES)),
     Nodes("State", ("name:string",)),
     Nodes("Verb", ("name:string", "units:long", "several:long")),
     Nodes("Operator", ("key:string", "motion:string", "tools:string[]", "count:long", "most_done:string",
@@ -88,9 +105,11 @@ NODES = (
          "source:string"),
         unique=False,
     ),
+    Nodes("Recipe", ("id:string", "title:string", "content:string", "source:string", "partition:string", "url:string",
+                     "left_over:string[]")),
 )  # fmt: skip
 
-EDGES = (
+FOON_EDGES = (
     Edges("CALLED", "Object", "Label"),
     Edges("INPUT_OF", "Object", "Motion", ("moving:long",), unique=(END, START)),
     Edges("OUTPUTS", "Motion", "Object", ("moving:long",)),
@@ -130,6 +149,17 @@ EDGES = (
     Edges("TAKES", "Slot", "Matter", unique=()),
 )  # fmt: skip
 """Without ``LABEL_OF``, which leads from every label to the record of the FOON."""
+
+RECIPE_EDGES = (
+    Edges("CALLS_FOR", "Recipe", "Ingredient", ("position:long", "state:string", "text:string", "quantity:string",
+                                                "unit:string"), unique=()),
+    Edges("KIND_OF", "Recipe", "DishType", ("sure:boolean",), unique=()),
+    Edges("USED_IN", "Ingredient", "DishType", ("count:long",)),
+    Edges("ASKED_AS", "Ingredient", "State", ("count:long",)),
+)  # fmt: skip
+"""Recipes, and what is counted of them (``foon_kg.store.graph.recipe_counts``)."""
+
+EDGES = (*FOON_EDGES, *RECIPE_EDGES)
 
 
 def named(column: str) -> str:

@@ -59,14 +59,19 @@ class Home:
         return self.root / "conf"
 
     @property
-    def databases(self) -> Path:
-        """The folder that exists once Neo4j has been started on this home."""
-        return self.root / "data" / "databases"
+    def data(self) -> Path:
+        """The folder of all that Neo4j keeps."""
+        return self.root / "data"
 
     @property
-    def set_aside(self) -> Path:
-        """The data that was there before, while an import takes its place (:mod:`foon_kg.store.server.exchange`)."""
+    def data_before(self) -> Path:
+        """What the data were, while others are put in their place (:mod:`foon_kg.store.server.exchange`)."""
         return self.root / "data-before"
+
+    @property
+    def databases(self) -> Path:
+        """The folder that exists once Neo4j has been started on this home."""
+        return self.data / "databases"
 
     @property
     def password_file(self) -> Path:

@@ -15,7 +15,7 @@ from foon_kg.model.errors import ServerError
 from foon_kg.model.kept import cache_folder
 from foon_kg.store.disk import explain_os_error
 from foon_kg.store.server import process as processes
-from foon_kg.store.server.exchange import settle
+from foon_kg.store.server.exchange import restore
 from foon_kg.store.server.fetch import fetch
 from foon_kg.store.server.home import Home, Memory, Say, waiting
 from foon_kg.store.server.jars import JarSet, pinned
@@ -38,8 +38,8 @@ def remembered(place: Home, known: Memory | None, port: int | None, idle_minutes
 
 def launch(place: Home, memory: Memory, say: Say, *, explicit_port: bool) -> ConnectionSettings:
     """Fetch what is missing, start, remember; once more without the start-up cache if that start fails."""
+    restore(place)
     cache = fetched(say)
-    settle(place)
     jar_set, folder = cache.jar_set, cache.folder
     port = _port(memory.port, say, explicit=explicit_port)
     memory = replace(memory, port=port, version=jar_set.version)

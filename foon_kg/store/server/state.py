@@ -45,7 +45,7 @@ def status() -> Status:
         version=memory.version if running and memory.version else pinned().version,
         memory=running.memory_info().rss if running else None,
         idle_minutes=memory.idle_minutes,
-        data=str(place.root / "data"),
+        data=str(place.data),
         password_file=str(place.password_file),
         log_file=str(place.console_log),
         startup_cache=the_startup_cache().state(),

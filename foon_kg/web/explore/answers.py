@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from neo4j.graph import Node, Path, Relationship
 
 from foon_kg.store.graph.free_cypher import Answer
-from foon_kg.store.graph.plain import as_plain
 from foon_kg.web.explore.network import Network, Thing
 
 MOST_DRAWN = 150
@@ -44,11 +42,6 @@ class Drawn:
 
     things: tuple[Thing, ...]
     edges: tuple[Joined, ...]
-
-
-def table(answer: Answer) -> list[list[Any]]:
-    """Return the rows of an answer in the types of JSON."""
-    return [[as_plain(value) for value in row] for row in answer.rows]
 
 
 def drawn(answer: Answer, network: Network) -> Drawn:

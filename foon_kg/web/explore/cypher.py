@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
+from foon_kg.foon import Foon
 from foon_kg.model.errors import GraphError, UsageError, WriteRefused
-from foon_kg.store.graph.connection import Connection
-from foon_kg.store.graph.free_cypher import Answer, ask_freely
+from foon_kg.store.graph.free_cypher import Answer
 from foon_kg.web.questions import BusyError, TooLongError, UnknownError
 
 SECONDS = 10.0
@@ -40,7 +40,7 @@ class CypherDesk:
     ``opened`` opens a connection for each question: the local server ends when it idles.
     """
 
-    def __init__(self, opened: Callable[[], Connection], seconds: float = SECONDS) -> None:
+    def __init__(self, opened: Callable[[], Foon], seconds: float = SECONDS) -> None:
         self._opened = opened
         self._seconds = seconds
         self._places = threading.BoundedSemaphore(_MOST_AT_ONCE)
@@ -54,8 +54,8 @@ class CypherDesk:
         if not self._places.acquire(blocking=False):
             raise BusyError("others ask in Cypher just now", hint="Ask again in a second.")
         try:
-            with self._explained(), self._opened() as connection:
-                return ask_freely(connection, text, parameters, limit=limit, timeout=self._seconds)
+            with self._explained(), self._opened() as foon:
+                return foon.cypher(text, parameters, limit=limit, timeout=self._seconds)
         finally:
             self._places.release()
 

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Query, Request
 from foon_kg.cypher import explore_queries
 from foon_kg.web.asking import MOST_LETTERS
 from foon_kg.web.explore.about import places_of
-from foon_kg.web.explore.answers import drawn, table
+from foon_kg.web.explore.answers import drawn
 from foon_kg.web.explore.asking import AroundAsked, CypherAsked, WayAsked
 from foon_kg.web.explore.cypher import CypherDesk, NoCypherError
 from foon_kg.web.explore.explorer import Explorer
@@ -126,7 +126,7 @@ def cypher(request: Request, asked: CypherAsked) -> AnswerTold:
     edges = {(edge.source, edge.target, edge.kind): edge for edge in told}
     return AnswerTold(
         columns=list(answer.columns),
-        rows=table(answer),
+        rows=answer.plain_rows(),
         cut=answer.cut,
         things=_told(explorer, found.things),
         edges=list(edges.values()),

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from foon_kg.web.asking import Asked
 
-LONGEST_TABLE = 60_000
+LONGEST_TABLE = 500_000
 LONGEST_CELL = 2_000
 
 Cell = Annotated[str, Field(max_length=LONGEST_CELL, pattern=r"^[^\x00-\x1f\x7f]*$")]

@@ -1,0 +1,4 @@
+// How many units the FOON has.
+// column: units
+// mode: read
+RETURN COUNT { (:Motion) } AS units

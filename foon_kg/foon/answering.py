@@ -1,0 +1,171 @@
+"""How a FOON answers questions: one at once, many in processes, on a cluster, or in parts of a very large graph."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
+
+from foon_kg.foon.changing import Changing
+
+if TYPE_CHECKING:  # every question imports what it needs
+    from foon_kg.planning.batch import Answer, Cook, Question
+    from foon_kg.planning.settings import PlanSettings
+    from foon_kg.store.settings import ConnectionSettings
+    from foon_kg.validation import KnownFoon
+
+WHOLE = 50_000
+"""A FOON of more units is held by no process: each asks the graph for the parts that a recipe needs."""
+
+_MOST_KEPT = 8
+"""For so many different settings what plans is kept ready."""
+
+
+class Answering(Changing):
+    """A FOON that answers questions of recipes with settings."""
+
+    @cached_property
+    def _cooks(self) -> dict[PlanSettings, Cook]:
+        """What plans from files, kept ready by settings."""
+        return {}
+
+    def close(self) -> None:
+        """Forget what is kept ready, and give connections back. Another question opens them again.
+
+        >>> foon.close()
+        """
+        self._cooks.clear()
+        super().close()
+
+    def known_with(self, settings: PlanSettings) -> KnownFoon:
+        """Return what the judge compares a tree's evidence with that was planned with such ``settings``.
+
+        >>> from foon_kg.planning.settings import PlanSettings
+        >>> foon.known_with(PlanSettings()) is foon.known
+        True
+        """
+        if not settings.with_drafts:
+            return self.known
+        from foon_kg.validation import KnownFoon
+
+        with self._cook(settings) as cook:
+            return KnownFoon.of(cook.units or (), cook.view.goals())
+
+    def answer(self, question: Question, settings: PlanSettings, *, explain: bool = False) -> Answer:
+        """Return the answer to a ``question`` asked with such ``settings``; its ``error`` is what stands in the way.
+
+        :meth:`plan` raises that error instead, and takes plain words. With ``explain`` it has ``explanations`` too.
+
+        >>> from foon_kg.planning.batch import Question
+        >>> from foon_kg.planning.settings import PlanSettings
+        >>> asked = Question(dish_type="salad", texts=("chopped onion", "olive oil"))
+        >>> len(foon.answer(asked, PlanSettings()).outcome.units)
+        6
+        """
+        with self._cook(settings) as cook:
+            return cook.answer(question, explain=explain)
+
+    def get_ready(self, settings: PlanSettings) -> None:
+        """Make ready what answers questions with such ``settings``, so that the first waits no longer than others.
+
+        >>> from foon_kg.planning.settings import PlanSettings
+        >>> foon.get_ready(PlanSettings())
+        """
+        with self._cook(settings):
+            pass
+
+    @contextmanager
+    def answers(
+        self, questions: Iterable[Question], settings: PlanSettings, *, jobs: int | None = None, dask: str | None = None
+    ) -> Iterator[Iterable[Answer]]:
+        """Open what answers ``questions`` with such ``settings``, in their order, each as :meth:`answer` does.
+
+        Many are answered from the whole FOON as it stands now, in ``jobs`` processes (as a rule all cores), or on the
+        cluster of the Dask scheduler at ``dask``; neither changes an answer. Questions that are not a sequence are
+        taken one by one, and count as many. Raises :class:`~foon_kg.model.errors.FoonError` where a process is ended
+        from outside.
+
+        >>> from foon_kg.planning.batch import Question
+        >>> from foon_kg.planning.settings import PlanSettings
+        >>> asked = [Question(dish_type="salad", texts=("chopped onion", oil)) for oil in ("olive oil", "walnut oil")]
+        >>> with foon.answers(asked, PlanSettings()) as answers:
+        ...     [len(answer.outcome.units) for answer in answers]
+        [6, 6]
+        """
+        from foon_kg.planning.batch import MANY, Cook, answering, answering_on, cores
+
+        count = len(questions) if isinstance(questions, Sequence) else MANY
+        if not count:
+            yield ()
+            return
+        if count >= MANY and dask is None and self._is_too_large(settings):
+            with self._in_parts(questions, settings, jobs or cores()) as answers:
+                yield answers
+            return
+        whole = dask is not None or count >= MANY
+        with self._viewed(settings, whole=whole) as view:
+            units = getattr(view, "units", None) if whole or count > 1 else None  # a graph is asked for parts
+            if dask is not None and units is not None:
+                with answering_on(dask, questions, view, settings, units) as answers:
+                    yield answers
+            elif units is not None and count >= MANY and (jobs or cores()) > 1:
+                with answering(questions, view, settings, units, jobs or cores()) as answers:
+                    yield answers
+            else:
+                yield map(Cook(view, settings, units).answer, questions)
+
+    def _is_too_large(self, settings: PlanSettings) -> bool:
+        """Whether the FOON is in a graph, and too large to be held in memory by each process.
+
+        What drafts teach is read with the whole.
+        """
+        if self._snapshot is not None or settings.with_drafts:
+            return False
+        from foon_kg.store.graph.counting import unit_count
+
+        return unit_count(self._connection) > WHOLE
+
+    @contextmanager
+    def _in_parts(self, questions: Iterable[Question], settings: PlanSettings, jobs: int) -> Iterator[Iterable[Answer]]:
+        """Open what answers questions in ``jobs`` processes, each of which asks the graph for what a recipe needs."""
+        from foon_kg.planning.processes import spread
+
+        if jobs > 1:
+            with spread(partial(_asking, self._needs_server("to ask"), settings), questions, jobs) as answers:
+                yield answers
+        else:
+            yield (self.answer(question, settings) for question in questions)
+
+    @contextmanager
+    def _cook(self, settings: PlanSettings) -> Iterator[Cook]:
+        """Open what answers questions with such settings; of files it is kept."""
+        from foon_kg.planning.batch import Cook
+
+        if self._snapshot is None:
+            with self._viewed(settings) as view:
+                yield Cook(view, settings, view.units if settings.with_drafts else None)
+            return
+        if settings not in self._cooks:
+            if len(self._cooks) >= _MOST_KEPT:
+                self._cooks.clear()
+            known = self.with_drafts() if settings.with_drafts else self._snapshot
+            self._cooks[settings] = Cook(known, settings, known.units)
+        yield self._cooks[settings]
+
+    @contextmanager
+    def _viewed(self, settings: PlanSettings, *, whole: bool = False) -> Iterator[Any]:
+        """Open what plans with such settings are made from: the ``whole`` in memory, or what answers in parts."""
+        if settings.with_drafts:
+            yield self.with_drafts()
+        elif whole:
+            yield self.snapshot()
+        else:
+            with self.reading() as view:
+                yield view
+
+
+def _asking(server: ConnectionSettings, settings: PlanSettings) -> Callable[[Question], Answer]:
+    """Return what answers questions from the graph, for a process of its own."""
+    foon = Answering(server=server)
+    return lambda question: foon.answer(question, settings)

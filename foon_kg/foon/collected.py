@@ -1,0 +1,207 @@
+"""What a FOON in a Neo4j has beside its videos: collections of recipes, drafts of recipes, and weights of motions.
+
+The examples are of a Neo4j that holds the demo's FOON and its recipes.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from foon_kg.foon.opened import Opened, silent
+
+if TYPE_CHECKING:  # every question imports what it needs
+    from foon_kg.food.motion_costs import MotionCosts
+    from foon_kg.language.collection import CollectionReader
+    from foon_kg.model.collected import CollectedRecipe, UnderstoodRecipe
+    from foon_kg.model.drafted import DraftedRecipe
+    from foon_kg.store.graph.drafts import DraftsStored
+    from foon_kg.store.graph.recipe_rows import RecipeClassRow, RecipeCountRow, WantedFoodRow
+    from foon_kg.store.graph.recipes import RecipesStored, StoredRecipe, Understand
+    from foon_kg.store.graph.weights import WeightsReport
+    from foon_kg.store.offline.staged import Staged
+
+
+class Collected(Opened):
+    """A FOON whose Neo4j holds recipes, drafts and weights; one in files raises ``UsageError`` for all of these."""
+
+    def recipe(self, recipe_id: str) -> StoredRecipe:
+        """Return a recipe that was loaded, by its ``recipe_id``. Raises ``UsageError`` where there is none of this id.
+
+        >>> foon.recipe("limeade").title
+        'Limeade'
+        """
+        from foon_kg.store.graph.recipes import stored_recipe
+
+        return stored_recipe(self._connected("for recipes"), recipe_id)
+
+    def recipes(self, dish_type: str = "", *, after: str = "") -> Iterator[StoredRecipe]:
+        """Yield the recipes whose id is greater than ``after``, by id: those that surely are a ``dish_type``.
+
+        ``""`` stands for all types. They are read page by page: there may be a million.
+
+        >>> [one.id for one in foon.recipes("salad", after="courgette_salad")]
+        ['kohlrabi_salad', 'tomato_salad']
+        """
+        from foon_kg.store.graph.recipes import recipes_after
+
+        return recipes_after(self._connected("for recipes"), after, dish_type)
+
+    def recipes_until(self, last: str, dish_type: str = "") -> tuple[int, int]:
+        """Return how many recipes are of a ``dish_type`` (``""``: any), and how many have an id up to ``last``.
+
+        >>> foon.recipes_until("kohlrabi_salad", "salad")
+        (3, 2)
+        """
+        from foon_kg.store.graph.recipes import recipes_until
+
+        return recipes_until(self._connected("for recipes"), last, dish_type)
+
+    def recipe_ids(self, dish_type: str, partition: str = "") -> list[str]:
+        """Return the ids of the recipes that surely are a ``dish_type``, sorted.
+
+        ``partition`` is the part of their collection they are of: ``train``, ``val``, ``test``, or ``""`` for any.
+
+        >>> foon.recipe_ids("salad")
+        ['courgette_salad', 'kohlrabi_salad', 'tomato_salad']
+        """
+        from foon_kg.store.graph.recipes import recipe_ids
+
+        return recipe_ids(self._connected("for recipes"), dish_type, partition)
+
+    def recipe_counts(self) -> tuple[RecipeCountRow, Sequence[RecipeClassRow]]:
+        """Return how many recipes and foods of theirs there are, and for each dish type what its recipes call for.
+
+        >>> foon.recipe_counts()[0].recipes
+        8
+        """
+        from foon_kg.store.graph.recipes import class_counts, recipe_count
+
+        connection = self._connected("for recipes")
+        return recipe_count(connection), class_counts(connection)
+
+    def wanted_foods(self, most: int = 20) -> Sequence[WantedFoodRow]:
+        """Return the at most ``most`` foods that no unit has and most recipes call for: what to annotate next.
+
+        >>> foon.wanted_foods(1)[0].food
+        'kohlrabi'
+        """
+        from foon_kg.store.graph.recipes import wanted_foods
+
+        return wanted_foods(self._connected("for recipes"), most)
+
+    def store_recipes(
+        self,
+        recipes: Iterable[CollectedRecipe],
+        *,
+        full: bool = False,
+        stored: Callable[[RecipesStored], None] = silent,
+        understood: Callable[[UnderstoodRecipe], None] = silent,
+        left_over: Callable[[UnderstoodRecipe], None] = silent,
+    ) -> RecipesStored:
+        """Bring recipes of a collection into the graph, and return how many were new, replaced and unchanged.
+
+        Their lines are read for the foods of this FOON, with ``full`` all by the parser of ingredient lines, else only
+        where the collection names no food. ``stored`` is told of each transaction when it is safe, ``understood`` each
+        recipe that was read, ``left_over`` those with lines in which no food was found.
+
+        >>> from foon_kg.demo import demo_recipes
+        >>> from foon_kg.loaders.recipe_collections import RecipeCollections
+        >>> with RecipeCollections(demo_recipes(), print) as recipes:
+        ...     foon.store_recipes(recipes).unchanged
+        8
+        """
+        from foon_kg.language.collection import CollectionReader, labels_of
+        from foon_kg.language.recipe_lines import LineReader
+        from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
+
+        connection = self._connected("for recipes")
+        with LineReader(os.cpu_count() or 1) as lines:
+            prepare_for_recipes(connection)
+            with self.reading() as view:
+                reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
+            return load_recipes(
+                connection,
+                recipes,
+                _telling(reader, understood),
+                stored=stored,
+                left_over=left_over,
+                version=reader.version,
+            )
+
+    @staticmethod
+    def stage_recipes(
+        staged: Staged,
+        recipes: Iterable[CollectedRecipe],
+        *,
+        stored: Callable[[RecipesStored], None] = silent,
+        understood: Callable[[UnderstoodRecipe], None] = silent,
+        left_over: Callable[[UnderstoodRecipe], None] = silent,
+    ) -> RecipesStored:
+        """Bring recipes to what is ``staged`` for an offline import, which calls this ``beside`` its videos.
+
+        ``stored``, ``understood`` and ``left_over`` are told what :meth:`store_recipes` tells them.
+        """
+        from foon_kg.language.collection import CollectionReader, labels_by_name
+        from foon_kg.language.recipe_lines import LineReader
+        from foon_kg.store.offline.staging import stage_recipes
+
+        with LineReader(os.cpu_count() or 1) as lines:
+            reader = CollectionReader(labels_by_name(staged.seen_foods()), lines)
+            understand = _telling(reader, understood)
+            return stage_recipes(
+                staged, recipes, understand, version=reader.version, stored=stored, left_over=left_over
+            )
+
+    def store_drafts(
+        self, drafts: Iterable[DraftedRecipe], stored: Callable[[DraftsStored], None] = silent
+    ) -> DraftsStored:
+        """Bring ``drafts`` of recipes into the graph, apart from its videos; ``stored`` is told of each transaction.
+
+        >>> foon.store_drafts([]).inserted
+        0
+        """
+        from foon_kg.store.graph.drafts import load_drafts
+
+        return load_drafts(self._connected("for drafts"), drafts, stored=stored)
+
+    def remove_drafts(self, names: Sequence[str], *, dry_run: bool = False) -> None:
+        """Take drafts of recipes out of the graph, all or none: those of these ``names`` (``draft:ID``).
+
+        With ``dry_run`` nothing goes. Raises :class:`~foon_kg.model.errors.UsageError` for a FOON in files, and where
+        the graph has no such draft.
+
+        >>> foon.remove_drafts(["draft:nobody"], dry_run=True)
+        Traceback (most recent call last):
+        foon_kg.model.errors.UsageError: the graph has no draft “draft:nobody”
+        """
+        from foon_kg.store.graph.drafts import check_drafts, remove_drafts
+
+        connection = self._connected("to take drafts out of")
+        check_drafts(connection, names)
+        if not dry_run:
+            remove_drafts(connection, names)
+
+    def store_weights(self, costs: MotionCosts) -> WeightsReport:
+        """Store the ``costs`` of motions for a robot (0: always succeeds, 1: never), in place of all stored before.
+
+        >>> from foon_kg.food.motion_costs import MotionCosts
+        >>> foon.store_weights(MotionCosts({"chop": 0.9})).motions
+        1
+        """
+        from foon_kg.store.graph import load_weights
+
+        return load_weights(self._connected("for weights"), costs)
+
+
+def _telling(reader: CollectionReader, understood: Callable[[UnderstoodRecipe], None]) -> Understand:
+    """Return what understands recipes as ``reader`` does, and tells each of them to ``understood``."""
+
+    def understand(asked: Sequence[CollectedRecipe]) -> Sequence[UnderstoodRecipe]:
+        found = reader.understand(asked)
+        for recipe in found:
+            understood(recipe)
+        return found
+
+    return understand

@@ -1,0 +1,52 @@
+"""The known foods that can stand for others: by the vector index of a graph, or compared with all that a FOON knows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from foon_kg.model.knowledge import Neighbour
+
+if TYPE_CHECKING:  # a question imports what it needs
+    from foon_kg.similarity import Similarity
+    from foon_kg.store.graph import GraphView
+    from foon_kg.store.graph.connection import Connection
+    from foon_kg.store.snapshot import Snapshot
+
+Nearest = Sequence[tuple[Neighbour, ...]]
+
+
+def by_points(connection: Connection, foods: Sequence[str], limit: int) -> Nearest | None:
+    """Return what the vector index of a graph knows; ``None`` where it cannot tell. Nothing of planning is imported."""
+    from foon_kg.plans.kitchen import Kitchen
+    from foon_kg.store.graph.equivalents import equivalents
+
+    return equivalents(connection, Kitchen.default(), foods, limit)
+
+
+def in_view(
+    view: Snapshot | GraphView, foods: Sequence[str], limit: int, role: str | None, vectors: str | None
+) -> Nearest:
+    """Return the nearest of all foods that a FOON knows: in a role, by the vectors of a name, or as they are."""
+    if role is not None:
+        from foon_kg.similarity.in_role import in_role
+
+        labels = view.vocabulary().labels
+        return tuple(in_role(name, labels, role, limit) for name in foods)
+    if vectors is None:
+        return view.equivalents(foods, limit=limit)
+    from foon_kg.similarity.answers import nearest_of_each
+
+    return nearest_of_each(named_similarity(vectors), foods, view.vocabulary().labels, limit)
+
+
+def named_similarity(vectors: str | None) -> Similarity:
+    """Return the similarity of foods: by the vectors of a plug-in or spaCy pipeline, or foon-kg's own.
+
+    Raises :class:`~foon_kg.model.errors.UsageError` where neither has this name.
+    """
+    from foon_kg.similarity import food_similarity, plugged_similarity, spacy_similarity
+
+    if vectors is None:
+        return food_similarity()
+    return plugged_similarity(vectors) or spacy_similarity(vectors)

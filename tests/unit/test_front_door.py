@@ -1,0 +1,135 @@
+"""Commands, page and agents call the front door: no module of theirs opens a database or runs an algorithm itself."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import foon_kg
+from foon_kg import Foon, Plan, Step
+
+PACKAGE = Path(__file__).parents[2] / "foon_kg"
+AT_THE_DOOR = sorted([*(PACKAGE / "cli").rglob("*.py"), *(PACKAGE / "web").rglob("*.py")])
+
+VALUES = {
+    "model", "food", "foon", "formats", "data", "demo", "docs", "plans", "cypher", "loaders", "cli", "web",
+    "validation.contract",
+}  # fmt: skip
+"""What a question is made of and an answer is told with: values, tables, files, forms of telling."""
+
+ALLOWED = {
+    "planning.batch": {"Answer", "Question", "cores", "MANY"},  # what is asked and answered
+    "planning.settings": None,
+    "planning.explanation": {"Explanation"},
+    "planning.kitchen_file": {"ReadKitchen"},
+    "planning.recipes": None,  # files and lines of recipes as questions
+    "planning.processes": None,  # how processes begin and end: nothing of a FOON
+    "planning.cluster": {"spread_over"},
+    "store.snapshot": {"Snapshot"},  # the whole FOON in memory, as Foon.snapshot returns it
+    "store.vocabulary": {"states_made"},
+    "store.graph.free_cypher": {"Answer"},  # what Foon.cypher returns
+    "validation": None,  # the judge: it knows nothing of planning, and is asked of trees of anybody
+}
+"""Names of other rooms that anybody at the door may use; ``None``: all."""
+
+ROOMS_OF_THEIR_OWN = {
+    "cli.doctor": "store.doctor",  # looks after the program, not after a FOON
+    "cli.server": "store.server",
+    "cli.evaluate": "evaluation",  # measures what the door answers
+    "web.examples": "evaluation.left_out_video",
+    "cli.draft": "language",  # makes subgraphs of words: nothing is asked of a FOON but its units
+    "cli.load": "language.drafting.tables",
+    "web.teach": "language.reviewing",
+    "web.plan_answer": "language.plain_lines",
+}
+"""Which modules at the door (all that begin so) have a room besides."""
+
+
+def runs(tree):
+    """Yield the imports of a module that are done when it runs: those for types are of what the door returns."""
+    hidden = {
+        id(node)
+        for branch in ast.walk(tree)
+        if isinstance(branch, ast.If) and ast.unparse(branch.test) == "TYPE_CHECKING"
+        for node in ast.walk(branch)
+    }
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and id(node) not in hidden and (node.module or "").startswith("foon_kg."):
+            yield from ((node.module.removeprefix("foon_kg."), alias.name) for alias in node.names)
+
+
+def may(own, module, name):
+    if any(module == one or module.startswith(f"{one}.") for one in VALUES):
+        return True
+    for there in (module, f"{module}.{name}"):
+        if there in ALLOWED and (ALLOWED[there] is None or name in ALLOWED[there]):
+            return True
+    return any(own.startswith(who) and f"{module}.{name}".startswith(room) for who, room in ROOMS_OF_THEIR_OWN.items())
+
+
+def named(path):
+    return ".".join(path.relative_to(PACKAGE).with_suffix("").parts).removesuffix(".__init__")
+
+
+@pytest.mark.parametrize("path", AT_THE_DOOR, ids=named)
+def test_a_module_at_the_door_calls_nothing_behind_it(path):
+    beyond = [
+        f"{module}.{name}"
+        for module, name in runs(ast.parse(path.read_text(encoding="utf-8")))
+        if not may(named(path), module, name)
+    ]
+    assert beyond == [], "ask foon_kg.foon.Foon, and give it a method where it has none"
+
+
+def test_what_is_behind_the_door_is_found():
+    deep = ast.parse("from foon_kg.store.graph import Connection\nfrom foon_kg.search import retrieve")
+    assert [may("cli.recipes", module, name) for module, name in runs(deep)] == [False, False]
+
+
+def public(owner):
+    return [
+        (name, value)
+        for name, value in inspect.getmembers_static(owner)
+        if not name.startswith("_") and (callable(value) or isinstance(value, property | classmethod | staticmethod))
+    ]
+
+
+NO_EXAMPLE = {"on_this_machine", "import_offline", "stage_recipes"}
+"""They start, or replace, what whoever runs the examples has."""
+
+
+@pytest.mark.parametrize("owner", [Foon, Plan, Step], ids=lambda owner: owner.__name__)
+def test_every_public_name_has_an_example(owner):
+    without = [name for name, value in public(owner) if ">>> " not in (inspect.getdoc(value) or "")]
+    assert [name for name in without if name not in NO_EXAMPLE] == []
+
+
+@pytest.mark.parametrize("owner", [Foon, Plan], ids=lambda owner: owner.__name__)
+def test_every_argument_at_the_door_is_told(owner):
+    """Each parameter of a public method is named in its docstring, or in that of the class where it is made."""
+    missing = []
+    for name, value in public(owner):
+        function = value.__func__ if isinstance(value, classmethod | staticmethod) else value
+        if isinstance(function, property):
+            continue
+        told = inspect.getdoc(value) or ""
+        arguments = [one for one in inspect.signature(function).parameters if one not in {"self", "cls"}]
+        missing += [f"{name}({one})" for one in arguments if one not in told]
+    assert missing == []
+
+
+def test_the_names_at_the_door_are_there_and_documented():
+    for name in foon_kg.__all__:
+        assert getattr(foon_kg, name) is not None
+        assert name == "__version__" or inspect.getdoc(getattr(foon_kg, name))
+
+
+def test_the_errors_are_one_tree_that_its_module_draws():
+    errors = import_module("foon_kg.model.errors")
+    classes = [one for _, one in inspect.getmembers(errors, inspect.isclass) if one.__module__ == errors.__name__]
+    assert all(issubclass(one, errors.FoonError) for one in classes)
+    assert [one.__name__ for one in classes if one.__name__ not in (errors.__doc__ or "")] == []
