@@ -55,6 +55,7 @@ READS = {
     ("load drafts", "paths"): ("load", "drafts", "@.jsonl", "--dry-run"),
     ("load drafts", "paths: gzip"): ("load", "drafts", "@.jsonl.gz", "--dry-run"),
     ("load foon", "paths"): ("load", "foon", "@.txt", "--dry-run"),
+    ("load foon", "--recipes"): ("load", "foon", SUBGRAPH, "--offline", "--recipes", "@.jsonl"),
     ("load muhai", "paths"): ("load", "muhai", "@.lisp", "--dry-run"),
     ("load recipes", "paths"): ("load", "recipes", "@.jsonl", "--dry-run"),
     ("load recipes", "paths: a list"): ("load", "recipes", "@.json", "--dry-run"),
