@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import zlib
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import replace
@@ -48,11 +49,20 @@ def _read(path: Path) -> Iterator[DraftedRecipe]:
             while line := stream.readline(LONGEST_LINE):
                 yield DraftedRecipe.from_json(json.loads(line), f"{path}:{number}")
                 number += 1
-    except (ValueError, EOFError) as error:
+    except _wrong_in(path) as error:
         hint = "foon draft recipes writes such files, and goes on where one was left."
         raise ReadError(f"{path}:{number}: it holds no draft of a recipe: {error}", hint=hint) from error
     except OSError as error:
         raise ReadError(f"{path}: {error.strerror or error}", hint="Check the path.") from error
+
+
+def _wrong_in(path: Path) -> tuple[type[Exception], ...]:
+    """Return what is raised of a file that holds no drafts, or whose compression is broken."""
+    if path.suffix != ".zst":
+        return ValueError, EOFError, RecursionError, zlib.error
+    import zstandard  # noqa: PLC0415 - an extra
+
+    return ValueError, EOFError, RecursionError, zstandard.ZstdError
 
 
 def _open(path: Path) -> AbstractContextManager[TextIO]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import errno
 import gzip
+import os
 import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,7 +18,7 @@ from typing import BinaryIO, Protocol
 
 from foon_kg.model.errors import UsageError
 from foon_kg.model.regular_files import open_regular
-from foon_kg.model.written_files import writing
+from foon_kg.model.written_files import open_to_write, writing
 
 LINES = 64
 """In a compressed block: what is lost at most when a run is killed."""
@@ -78,7 +79,7 @@ def whole_blocks(path: Path) -> Iterator[tuple[bytes, int]]:
     form = form_of(path)
     try:
         if path.exists():
-            with open_regular(path) as file:
+            with open_regular(path, advice="what is in it could not be gone on with") as file:
                 yield from _lines(file) if form.inflating is None else _inflated(file, form.inflating)
     except OSError as error:
         raise UsageError(f"{path}: {error.strerror}", hint="--output names a file.") from error
@@ -95,7 +96,7 @@ def adding(path: Path, size: int) -> Iterator[Callable[[str], None]]:
     """
     form, hint = form_of(path), "--output names a file that can be written."
     with writing(path, hint):
-        file = path.open("ab", buffering=0)
+        file = open_to_write(path, os.O_CREAT | os.O_APPEND, buffering=0)
     waiting: list[bytes] = []
 
     def write() -> None:

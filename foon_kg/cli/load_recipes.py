@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
+from io import TextIOWrapper
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TextIO
 
@@ -25,7 +26,7 @@ from foon_kg.cli.loading import (
     unknown_notice,
     where_listed,
 )
-from foon_kg.model.written_files import writing
+from foon_kg.model.written_files import open_to_write, writing
 
 if TYPE_CHECKING:
     from foon_kg.cli.files_read import Where
@@ -167,7 +168,7 @@ def _journal(report: Path | None) -> Iterator[Journal]:
         yield Journal(None, None)
         return
     with writing(report, UNWRITTEN):
-        stream = report.open("w", encoding="utf-8")
+        stream = TextIOWrapper(open_to_write(report), encoding="utf-8")
     try:
         yield Journal(stream, report)
     finally:

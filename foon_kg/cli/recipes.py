@@ -85,9 +85,8 @@ def _show_recipes(shown: list[StoredRecipe], *, as_json: bool) -> None:
         kinds = ", ".join(f"{dish.name}{'' if dish.sure else '?'}" for dish in recipe.dish_classes) or "no dish type"
         data().print(f"{recipe.title or '(no title)'}  [{recipe.id}]  {kinds}", style="bold", markup=False)
         for called in recipe.ingredients:
-            amount = " ".join(filter(None, (called.quantity, called.unit)))
             what = f"{called.object}, {called.state}" if called.state else called.object
-            data().print(f"  {what}{f'  ({amount})' if amount else ''}", markup=False, highlight=False)
+            data().print(f"  {what}{f'  ({called.amount})' if called.amount else ''}", markup=False, highlight=False)
     return None
 
 

@@ -19,6 +19,7 @@ from foon_kg.integration.layouts import MAIN, Layout, Place, is_need
 from foon_kg.integration.preparation import Want, owed
 from foon_kg.integration.spots import Join, Post, Spot, only_carries, spots_of
 from foon_kg.model.recent import Recent
+from foon_kg.similarity.roles import roles_of
 
 _LATE = word_list("joins late")
 _FRESH = word_list("joins at the end")
@@ -439,4 +440,5 @@ class Matcher:
         fit = self.like(food.name, slot.food)
         if slot.kind == facts.kind and slot.kind != "unknown":
             return max(fit, _SAME_KIND)
-        return fit if slot.kind in facts.kinds or fit >= _SURE else fit * _OTHER_KIND
+        same_role = not roles_of(food.name).isdisjoint(roles_of(slot.food))  # how sure that is counts the role already
+        return fit if slot.kind in facts.kinds or same_role or fit >= _SURE else fit * _OTHER_KIND

@@ -107,7 +107,7 @@ class Review:
             raise ReadError(f"{where}: it has {len(rows)} rows", hint=f"{MOST_ROWS} are the most: split the table.")
         if len({row["video"] for row in rows if row.get("video")}) > 1:
             raise ReadError(f"{where}: it has several videos", hint="Review one at a time: split the table.")
-        columns = tuple(dict.fromkeys((*filter(None, columns_of(text)), REVIEWED)))
+        columns = tuple(dict.fromkeys((*filter(None, columns_of(text)), *UNIT_COLUMNS, REVIEWED)))
         return cls(name, columns, tuple({one: " ".join(row.get(one, "").split()) for one in columns} for row in rows))
 
     @property
@@ -176,7 +176,8 @@ class Review:
             raise UsageError(f"there is no row {place}", hint=f"The draft has {len(self.rows)}, counted from 0.")
 
     def _with(self, place: int, cells: Cells) -> Review:
-        rows = (*self.rows[:place], cells, *self.rows[place + 1 :])
+        kept = {name: cells.get(name, "") for name in self.columns}  # the plain table of a video has no doubts to empty
+        rows = (*self.rows[:place], kept, *self.rows[place + 1 :])
         return type(self)(self.name, self.columns, rows)
 
     @cached_property

@@ -66,6 +66,21 @@ class CalledFor:
     quantity: str = ""
     unit: str = ""
 
+    @property
+    def amount(self) -> str:
+        """How much it asks, as people write it: "1 1/2 cups"."""
+        low, dash, high = self.quantity.partition("-")
+        return " ".join(filter(None, (f"{_mixed(low)}{dash}{_mixed(high)}", self.unit)))
+
+
+def _mixed(number: str) -> str:
+    """Return a number with its whole part before the rest: "1 1/2" for "3/2"."""
+    over, slash, under = number.partition("/")
+    if not (slash and over.isdecimal() and under.isdecimal() and int(under)):
+        return number
+    whole, rest = divmod(int(over), int(under))
+    return " ".join(filter(None, (str(whole or ""), f"{rest}/{under}" if rest else ""))) or "0"
+
 
 @dataclass(frozen=True)
 class UnderstoodRecipe:

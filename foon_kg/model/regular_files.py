@@ -16,6 +16,7 @@ from typing import BinaryIO
 MOST_BYTES = 256_000_000
 """How large a file may be that is read whole."""
 
+_WRITE_IT_FIRST = "write what it tells into a file first"
 _KINDS = {
     stat.S_IFIFO: "a pipe",
     stat.S_IFCHR: "a device",
@@ -24,19 +25,22 @@ _KINDS = {
 }
 
 
-def open_regular(path: Path, most: int | None = None) -> BinaryIO:
-    """Open a regular file to read its bytes; raises OSError for anything else, and for more than ``most`` bytes."""
+def open_regular(path: Path, most: int | None = None, advice: str = _WRITE_IT_FIRST) -> BinaryIO:
+    """Open a regular file to read its bytes; raises OSError for anything else, and for more than ``most`` bytes.
+
+    ``advice`` is what is said to who names a pipe, a socket or a device.
+    """
     handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)  # else a pipe would be waited for here
     stream = os.fdopen(handle, "rb")
-    if wrong := _what_is_wrong(os.fstat(handle), most):
+    if wrong := _what_is_wrong(os.fstat(handle), most, advice):
         stream.close()
         raise OSError(errno.EINVAL, wrong, str(path))
     return stream
 
 
-def _what_is_wrong(found: os.stat_result, most: int | None) -> str | None:
+def _what_is_wrong(found: os.stat_result, most: int | None, advice: str) -> str | None:
     if kind := _KINDS.get(stat.S_IFMT(found.st_mode)):
-        return f"it is {kind}, not a file: write what it tells into a file first"
+        return f"it is {kind}, not a file: {advice}"
     if most is not None and found.st_size > most:
         return f"it has {found.st_size // 1_000_000} MB, and {most // 1_000_000} MB are the most"
     return None

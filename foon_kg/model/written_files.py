@@ -7,11 +7,14 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from foon_kg.model.errors import FoonError, UsageError
 
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 """What a full disk is called, a used up quota, and a file that may not grow."""
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0)
+_BINARY = getattr(os, "O_BINARY", 0)
 
 
 def no_room(place: object) -> FoonError:
@@ -43,18 +46,19 @@ def write_file(path: Path, content: str | bytes, hint: str) -> None:
 def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> None:
     """Write a file beside ``path`` and put it in its place; raises OSError, and leaves nothing of it then.
 
-    A link stays one. A file keeps its mode unless ``mode`` says another. Devices and pipes, and files in a folder that
-    takes no others, are written where they are.
+    A link stays one. A file keeps its mode unless ``mode`` says another. Devices, pipes that somebody reads, and files
+    in a folder that takes no others, are written where they are.
     """
     data = content.encode() if isinstance(content, str) else content
     target = Path(os.path.realpath(path))
     there = target.exists()
-    if there and not (target.is_file() and os.access(target.parent, os.W_OK)):
-        target.write_bytes(data)
+    if target.is_symlink() or (there and not (target.is_file() and os.access(target.parent, os.W_OK))):
+        with open_to_write(target) as stream:  # refused where it is a link to itself
+            stream.write(data)
         return
     draft = target.with_name(f".{os.urandom(8).hex()}.new")
     try:
-        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _BINARY
         with os.fdopen(os.open(draft, flags, 0o666 if mode is None else mode), "wb") as stream:
             if there and mode is None:
                 draft.chmod(target.stat().st_mode & 0o777)
@@ -65,3 +69,16 @@ def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> No
     except BaseException:
         draft.unlink(missing_ok=True)
         raise
+
+
+def open_to_write(path: Path, flags: int = os.O_CREAT | os.O_TRUNC, buffering: int = -1) -> BinaryIO:
+    """Open what people name for bytes, at once: a pipe that nobody reads is an OSError, and not waited for."""
+    try:
+        handle = os.open(path, os.O_WRONLY | flags | _AT_ONCE | _BINARY, 0o666)
+    except OSError as error:
+        if error.errno == errno.ENXIO and path.is_fifo():
+            raise OSError(errno.ENXIO, "it is a pipe, and nobody reads it", str(path)) from error
+        raise
+    if _AT_ONCE:
+        os.set_blocking(handle, True)  # who reads slowly is waited for
+    return os.fdopen(handle, "wb", buffering)

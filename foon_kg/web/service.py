@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import threading
+import time
 from collections import OrderedDict
 from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -19,7 +21,10 @@ SECONDS = 20.0
 """How long anybody waits for an answer."""
 
 PATIENCE = 2.0
-"""How long who first sees a new edition waits for it; others go on with the one before."""
+"""How long who first sees a new edition after a pause waits for it; others go on with the one before."""
+
+PAUSE = 5.0
+"""So many seconds after the last answer whose edition stood: the next one might be older than anybody expects."""
 
 MOST_KEPT = 512
 """How many answers are kept for who asks the same again."""
@@ -61,9 +66,9 @@ class FoonService:
 
     Plans are made by ``processes`` processes (0: by one thread of this one); more than ``most`` at once are refused
     with BusyError, and a process that plans for longer than ``seconds`` is replaced. Equal questions to one edition of
-    the FOON are answered once. Whoever first sees a new edition waits ``patience`` seconds for it to be read; where
-    that takes longer, and for all others, the edition before answers until it is there. Close it, or use it in
-    ``with``.
+    the FOON are answered once. While a new edition is read the one before answers; only who first sees it after a
+    ``pause``, in which nobody saw that the one before still stands, waits up to ``patience`` seconds for it. Close it,
+    or use it in ``with``.
     """
 
     def __init__(
@@ -74,12 +79,15 @@ class FoonService:
         most: int = 16,
         seconds: float = SECONDS,
         patience: float = PATIENCE,
+        pause: float = PAUSE,
     ) -> None:
         self._foon = foon
         self._processes = processes
         self._most = most
         self._seconds = seconds
         self._patience = patience
+        self._pause = pause
+        self._stood = -math.inf
         self._turn = threading.Lock()
         self._edition: Edition | None = None
         self._reader = ThreadPoolExecutor(1, "foon-reading")
@@ -112,11 +120,13 @@ class FoonService:
         name = self._foon.edition()
         with self._turn:
             there = self._edition
+            now = time.monotonic()
             if there is not None and there.name == name:
+                self._stood = now
                 return there
             reading, first = self.reading, False
             if reading is None or reading.done():
-                reading, first = self._begin_reading(), True
+                reading, first = self._begin_reading(), now - self._stood >= self._pause
         if there is None:
             return reading.result()
         try:
@@ -214,7 +224,7 @@ class FoonService:
             if self._edition is not None:
                 self._edition.workers.close()
             self._kept.clear()
-            self._edition = edition
+            self._edition, self._stood = edition, time.monotonic()
         return edition
 
 

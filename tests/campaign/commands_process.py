@@ -8,12 +8,15 @@ from __future__ import annotations
 import json
 import sys
 
+import neo4j
+from campaign.hasty_driver import hasty_driver
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
 
 
 def main() -> None:
+    neo4j.GraphDatabase.driver = hasty_driver
     out = sys.stdout
     for line in iter(sys.stdin.readline, ""):
         words = json.loads(line)

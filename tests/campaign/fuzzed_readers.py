@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 from dataclasses import dataclass
 
+import zstandard
 from kitchen_stories import SALAD, subgraph
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder, demo_recipes
+from foon_kg.language.reviewing import Review
 from foon_kg.loaders import read_json, read_paths, read_weights, write_json
+from foon_kg.loaders.lessons import lessons_of, read_drafted
 from foon_kg.loaders.muhai import read_muhai
 from foon_kg.loaders.narrations import read_narrations
 from foon_kg.loaders.recipe_collections import RecipeCollections
+from foon_kg.loaders.text_writer import write_text
 from foon_kg.loaders.video_tables import read_videos
-from foon_kg.model.errors import FoonError, FormatError
+from foon_kg.model.errors import FoonError, FormatError, UsageError
 from foon_kg.planning.kitchen_file import read_kitchen
 from foon_kg.planning.recipes import IngredientWords, read_recipe
 from foon_kg.plans.kitchen import Kitchen
 from foon_kg.store.graph.interruptible import interruptible
 from foon_kg.store.graph.looking import only_looking
 from foon_kg.store.snapshot import Snapshot
+from foon_kg.web.teach.telling import ReviewTold
 
 SMALL = Snapshot.of([subgraph("salad", "salad", *SALAD)], Kitchen.default())
 WORDS = IngredientWords(SMALL.vocabulary(), Kitchen.default())
@@ -81,6 +87,30 @@ def question(path):
         return
 
 
+def lessons(path):
+    """Have drafts of recipes read, and what they teach stored as JSON and read back."""
+    for one in lessons_of(read_drafted([path])):
+        assert read_json(write_json(one.subgraph), one.subgraph.name).subgraph == one.subgraph
+
+
+def reviewed(path):
+    """Have a draft looked at as on the page that teaches, and each row decided on; it is told all the while."""
+    try:
+        review = Review.of(path.read_bytes().decode(), "r1")
+    except UnicodeDecodeError:
+        return
+    ReviewTold.of(review)
+    for _ in review.rows[:3]:
+        for decided in (review.accepted(0), review.dropped(0)):
+            ReviewTold.of(decided)
+            assert Review.of(decided.text(), "r1") == decided or not decided.rows
+        try:
+            review = review.edited(0, {"motion": review.rows[0].get("inputs", "")})
+        except UsageError:
+            review = review.dropped(0)
+    write_text(review.subgraph())
+
+
 def shown(path):
     """Have a plan shown and judged by the commands: exit codes as documented, no error that nobody caught."""
     for words in (["show", str(path)], ["check", str(path), *FILES], ["export", str(path), "--format", "markdown"]):
@@ -119,6 +149,14 @@ KITCHEN = b"# here\n- onion, chopped\nknife\nsalt in a jar\n"
 KITCHEN_JSON = b'{"foods": ["onion, chopped", {"object": "salt", "state": "ground"}], "utensils": ["knife"]}'
 QUESTION = b"MATCH (n:X {label: $x})-[:Y*1..2]->(m) WHERE n.label =~ '.*a' RETURN [x IN m.states WHERE x > 1 | x] AS s"
 
+DRAFT_TABLE = (
+    "start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n"
+    "0:12,0:31,chop,onion (peeled);knife,onion (chopped),,0.5,is it peeled?,chop it,r.json\n"
+    ",,mix,onion (chopped); bowl,salad (mixed) {onion} in bowl,salad,0.9,,mix,\n"
+)
+DRAFTED = json.dumps({"id": "r1", "title": "Salad", "dish_type": "salad", "confidence": 0.5, "units": 2,
+                      "table": DRAFT_TABLE, "problem": ""}).encode() + b"\n"  # fmt: skip
+
 READERS = {
     "text": Reader(".txt", subgraphs(read_paths), TEXTS),
     "json": Reader(".json", subgraphs(read_paths), JSONS),
@@ -133,6 +171,10 @@ READERS = {
     "kitchen": Reader(".txt", kitchen, (KITCHEN,)),
     "kitchen in json": Reader(".json", kitchen, (KITCHEN_JSON,)),
     "weights": Reader(".json", read_weights, (b'{"chop": 0.9, "pour": 1}',)),
+    "drafts": Reader(".jsonl", lessons, (DRAFTED, DRAFTED * 2)),
+    "drafts in gzip": Reader(".jsonl.gz", lessons, (gzip.compress(DRAFTED, mtime=0),)),
+    "drafts in zstd": Reader(".jsonl.zst", lessons, (zstandard.compress(DRAFTED),)),
+    "draft table": Reader(".csv", reviewed, (DRAFT_TABLE.encode(), TABLE)),
     "question": Reader(".cypher", question, (QUESTION,)),
     "plan": Reader(".json", shown, (plan(),)),
 }

@@ -1,4 +1,4 @@
-"""Every command that reads a file, given a special one: what each told and how it ended, as lines of JSON.
+"""Every command that reads or writes a file, given a special one: what each told and how it ended, as lines of JSON.
 
 ``python reading_commands.py FOLDER``: the folder has the special file under each ending that a command asks for.
 """
@@ -55,6 +55,7 @@ READS = {
     ("load drafts", "paths"): ("load", "drafts", "@.jsonl", "--dry-run"),
     ("load drafts", "paths: gzip"): ("load", "drafts", "@.jsonl.gz", "--dry-run"),
     ("load foon", "paths"): ("load", "foon", "@.txt", "--dry-run"),
+    ("load foon", "--recipes"): ("load", "foon", SUBGRAPH, "--offline", "--recipes", "@.jsonl"),
     ("load muhai", "paths"): ("load", "muhai", "@.lisp", "--dry-run"),
     ("load recipes", "paths"): ("load", "recipes", "@.jsonl", "--dry-run"),
     ("load recipes", "paths: a list"): ("load", "recipes", "@.json", "--dry-run"),
@@ -65,7 +66,7 @@ READS = {
     ("load videos", "paths"): ("load", "videos", "@.csv", "--dry-run"),
     ("load weights", "file"): ("load", "weights", "@.json"),
     ("mcp", "--files"): ("mcp", "--files", "@.txt"),
-    ("plan", "asked"): ("plan", "@.json", *FILES),
+    ("plan", "wanted: a file"): ("plan", "@.json", *FILES),
     ("plan", "--kitchen"): ("plan", RECIPE, "--kitchen", "@.txt", *FILES),
     ("plan", "-o"): ("plan", RECIPE, *FILES, "-o", "@.jsonl"),
     ("plan", "--files"): ("plan", RECIPE, "--files", "@.txt"),
@@ -87,23 +88,39 @@ READS = {
 What would begin a file anew comes last.
 """
 
-ONLY_WRITES = {
-    "--report",
-    "--html",
-    "--scores-to",
-    ("draft review", "-o"),
-    ("draft text", "-o"),
-    ("draft videos", "-o"),
-    ("export", "-o"),
-    ("show", "-o"),
+WRITES = {
+    ("draft text", "-o"): ("draft", "text", "TEXT", *FILES, "--output", "@"),
+    ("draft videos", "-o"): ("draft", "videos", "NARRATED", *FILES, "--output", "@"),
+    ("evaluate leave-one-out", "--html"): ("evaluate", "leave-one-out", *FILES, "--sample", "1", "--html", "@.html"),
+    ("evaluate recipes", "--html"): ("evaluate", "recipes", RECIPE, *FILES, "--html", "@.html"),
+    ("evaluate recipes", "--scores-to"): ("evaluate", "recipes", RECIPE, *FILES, "--scores-to", "@.csv"),
+    ("export", "-o"): ("export", "PLAN", "--format", "dot", "-o", "@.dot"),
+    ("load foon", "--report"): ("load", "foon", SUBGRAPH, "--dry-run", "--report", "@.jsonl"),
+    ("load muhai", "--report"): (
+        "load",
+        "muhai",
+        "NETWORK",
+        "--dry-run",
+        "--bad-tolerance",
+        "1",
+        "--report",
+        "@.jsonl",
+    ),
+    ("load recipes", "--report"): ("load", "recipes", "COLLECTION", "--dry-run", "--report", "@.jsonl"),
+    ("load videos", "--report"): ("load", "videos", "TABLE", "--dry-run", "--report", "@.jsonl"),
+    ("show", "-o"): ("show", "PLAN", "--format", "json", "-o", "@.json"),
 }
+"""The same of what is only written."""
+
+AT_A_TERMINAL = {("draft review", "-o")}
+"""What is written after questions to a person, as all the rest is: by write_file."""
 
 
 def main(folder: Path) -> None:
     """Run every command; a file that is read into memory without end ends in a MemoryError."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     beside = {name: str(folder / "good" / file) for name, file in GOOD.items()}
-    for key, words in READS.items():
+    for key, words in (*READS.items(), *WRITES.items()):
         special = str(folder / f"special{words[_place(words)].removeprefix('@')}")
         given = [special if word.startswith("@") else beside.get(word, word) for word in words]
         done = CliRunner().invoke(app, given)
@@ -114,6 +131,7 @@ def main(folder: Path) -> None:
             "code": done.exit_code,
             "output": done.output[-2000:],
             "failed": repr(failed),
+            "writes": words in WRITES.values(),
         }
         print(json.dumps(told), flush=True)
 
@@ -126,6 +144,8 @@ GOOD = {
     "COLLECTION": "recipes.json",
     "DRAFTED": "drafted.jsonl",
     "OUT": "drafts",
+    "NETWORK": "network.lisp",
+    "TABLE": "table.csv",
 }
 
 

@@ -9,8 +9,10 @@ import os
 import threading
 from dataclasses import dataclass, replace
 
+import neo4j
 import pytest
 from campaign.bolt_proxy import BoltProxy, Harm
+from campaign.hasty_driver import hasty_driver
 from campaign.whole_graph import whole_graph
 from kitchen_stories import SALAD, subgraph
 
@@ -98,6 +100,11 @@ OPERATIONS = {
     "remember": Operation(trees_before, remember),
     "weights": Operation(weights_before, lambda c: load_weights(c, MotionCosts({"chop": 0.75, "dice": 1.0}))),
 }
+
+
+@pytest.fixture(autouse=True)
+def hasty(monkeypatch):
+    monkeypatch.setattr(neo4j.GraphDatabase, "driver", hasty_driver)
 
 
 def attempted(operation, settings):

@@ -111,12 +111,15 @@ class Worker:
 
 
 class Race:
-    """Two workers on one graph; the first sends its messages through a wire that can hold one."""
+    """Two workers on one graph; the first sends its messages through a wire that can hold one.
 
-    def __init__(self, settings, folder):
+    ``serial`` keeps what two commands told one after the other: races of other tests ask for the same.
+    """
+
+    def __init__(self, settings, folder, serial):
         self.straight, self.wire = Connection(settings), BoltProxy(settings)
         self.first, self.second = Worker(self.wire.settings, folder), Worker(settings, folder)
-        self._serial = {}
+        self._serial = serial
 
     def close(self):
         self.wire.let_go()
@@ -182,10 +185,15 @@ def lay_out(folder):
     (folder / "weights.json").write_text('{"chop": 0.75, "dice": 1.0}', encoding="utf-8")
 
 
+@pytest.fixture(scope="module")
+def serial():
+    return {}
+
+
 @pytest.fixture
-def race(empty_graph, tmp_path):
+def race(empty_graph, tmp_path, serial):
     lay_out(tmp_path)
-    race = Race(empty_graph, tmp_path)
+    race = Race(empty_graph, tmp_path, serial)
     yield race
     race.close()
 
@@ -209,7 +217,7 @@ def test_two_commands_at_once_are_as_one_after_the_other(race, one):
 @pytest.mark.parametrize("name", ["load", "remove", "recipes", "weights", "plan"][: None if WHOLE_CAMPAIGN else 1])
 def test_a_server_that_is_stopped_meanwhile_has_all_or_nothing(place, tmp_path, name):  # noqa: F811 - the fixture
     lay_out(tmp_path)
-    race = Race(up(), tmp_path)
+    race = Race(up(), tmp_path, {})
     try:
         race.begin()
         prepare_for_recipes(race.straight)  # counted as none, which the first load of any says

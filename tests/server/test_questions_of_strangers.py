@@ -12,6 +12,7 @@ from server.live_server import up
 
 from foon_kg.model.errors import GraphError
 from foon_kg.model.kept import write_private
+from foon_kg.store.doctor import Level, examine
 from foon_kg.store.graph import Connection
 from foon_kg.store.graph.free_cypher import ask_freely
 
@@ -102,6 +103,16 @@ def tripwire():
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_address[1]}/secret.csv", asked
         server.shutdown()
+
+
+def test_what_nobody_hardened_is_told_with_what_to_set(bare, monkeypatch):
+    for name in ("uri", "user", "password", "database"):
+        monkeypatch.setenv(f"NEO4J_{name.upper()}", getattr(bare, name))
+    told = {one.what.partition(" ")[0]: one for one in examine() if one.subject == "settings"}
+    assert set(told) == {"dbms.security.allow_csv_import_from_file_urls", "db.transaction.timeout"}
+    for name, one in told.items():
+        assert one.level is Level.NOTE
+        assert f"Set {name} in neo4j.conf" in one.remedy
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from foon_kg.formats.exports.sentences import sentence
 from foon_kg.loaders.muhai import read_muhai_text
 from foon_kg.model import UNMEASURED, AskedAmount, KnownUnit, Measures, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model.collected import CalledFor
 from foon_kg.model.json_fields import Fields
 from foon_kg.model.tree import Mention, Step, TreeUnit
 from foon_kg.model.tree_json import unit_from_json, unit_to_json
@@ -112,6 +113,22 @@ def test_of_a_food_that_is_taken_twice_each_step_takes_a_part():
     assert asked([poured("flour", 1), poured("flour", 2)], (FLOUR, 2)) == [["part of 200 g"]] * 2
     twice = [(FLOUR, 1), (replace(FLOUR, state="sifted", amount="5 g"), 2)]
     assert asked([poured("flour", 1), poured("flour", 2)], *twice) == [["200 g"], ["5 g"]]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "unit", "amount"),
+    [
+        ("3/2", "cups", "1 1/2 cups"),
+        ("2-3", "cups", "2-3 cups"),
+        ("1/2-3/2", "", "1/2-1 1/2"),
+        ("4/2", "g", "2 g"),
+        ("", "", ""),
+        ("1/0", "g", "1/0 g"),
+        ("", "pinch", "pinch"),
+    ],
+)
+def test_a_loaded_recipe_asks_as_people_write_it(quantity, unit, amount):
+    assert CalledFor("flour", "", "", quantity, unit).amount == amount
 
 
 def test_what_is_asked_twice_is_told_together():

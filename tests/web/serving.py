@@ -22,7 +22,7 @@ SALAD = {"dish_type": "salad", "ingredients": ["sliced kohlrabi", "chopped onion
 
 
 def app(*, foon=None, token=None, limits=PLENTY, most=16, processes=0, public=(), callers=None, patience=60):
-    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most, patience=patience)
+    service = FoonService(foon or FixedFoon(demo_foon()), processes=processes, most=most, patience=patience, pause=0)
     return web_app(service, names=NAMES, public=public, token=token, limits=limits, callers=callers)
 
 

@@ -65,7 +65,7 @@ def test_equal_questions_are_answered_once():
 
 def test_a_new_edition_is_answered_from_at_once():
     foon = GrowingFoon(2)
-    with FoonService(foon, patience=60) as service:
+    with FoonService(foon, patience=60, pause=0) as service:
         assert service.summary()["videos"] == 2
         with pytest.raises(UnknownError):
             service.around("watermelon slice that nobody has")
@@ -120,9 +120,23 @@ def test_while_a_new_edition_is_read_the_one_before_answers_and_says_so():
         assert service.summary()["videos"] == 23
 
 
+def test_only_who_asks_after_a_pause_waits_for_a_new_edition():
+    foon = HeldFoon(2)
+    with FoonService(foon, patience=60, pause=3600) as service:
+        assert service.current().name == "with 2"
+        foon.let.clear()
+        foon.videos = 3
+        assert (service.current().name, service.current().newer) == ("with 2", "with 3")
+        foon.let.set()
+    with FoonService(foon, patience=60, pause=0) as service:
+        assert service.current().name == "with 3"
+        foon.videos = 4
+        assert (service.current().name, service.current().newer) == ("with 4", None)
+
+
 def test_an_edition_that_cannot_be_read_is_tried_again():
     foon = HeldFoon(2)
-    with FoonService(foon, patience=60) as service:
+    with FoonService(foon, patience=60, pause=0) as service:
         service.summary()
         foon.videos, foon.trouble = 3, GraphError("the graph was emptied")
         for _ in range(2):
@@ -201,7 +215,7 @@ def test_a_process_that_fails_is_told_as_an_error_of_the_service_and_replaced(ou
 @pytest.mark.slow
 def test_the_process_of_an_edition_ends_when_what_it_was_asked_is_answered():
     foon = GrowingFoon(2)
-    with FoonService(foon, processes=1, patience=60) as service:
+    with FoonService(foon, processes=1, patience=60, pause=0) as service:
         asked, before = service.ask(SALAD), psutil.Process(desk_of(service)._process.pid)
         foon.grow(3)
         assert service.answer(ONIONS).status in {200, 404}
@@ -227,7 +241,7 @@ def test_a_graph_that_somebody_changes_is_read_anew(empty_graph):
     subgraphs = sorted(demo_subgraphs(), key=lambda subgraph: subgraph.name)
     with (
         Connection(empty_graph) as connection,
-        FoonService(LiveFoon(lambda: Foon(server=empty_graph), every=0), patience=60) as service,
+        FoonService(LiveFoon(lambda: Foon(server=empty_graph), every=0), patience=60, pause=0) as service,
     ):
         assert service.summary()["videos"] == 0
         assert service.ask(SALAD).result().status == 404

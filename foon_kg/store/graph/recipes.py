@@ -72,10 +72,7 @@ class StoredRecipe:
         """Return what is to be planned: as the given dish type, else as its sure one, else as any."""
         return Recipe(
             dish_type or next((dish.name for dish in self.dish_classes if dish.sure), ""),
-            tuple(
-                RequiredIngredient(called.object, called.state, " ".join(filter(None, (called.quantity, called.unit))))
-                for called in self.ingredients
-            ),
+            tuple(RequiredIngredient(called.object, called.state, called.amount) for called in self.ingredients),
             self.id,
             self.title or None,
         )

@@ -8,6 +8,7 @@ and a folder that the next import sweeps away.
 
 from __future__ import annotations
 
+import os
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -37,7 +38,7 @@ from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
 from foon_kg.store.server.lifecycle import ensure_running, stop_locked
-from foon_kg.store.server.reach import password_of
+from foon_kg.store.server.reach import password_of, settings_of
 from foon_kg.store.server.starting import fetched
 from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
@@ -98,11 +99,13 @@ def load_offline(
                 staged.finish()
                 arguments = write_csv_files(staged, folder, kitchen)
             report.videos = stager.videos
-        _import(place, folder, arguments, report, say)
+        _import(place, folder, arguments, report, say, replace=replace)
     return report
 
 
-def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say) -> None:
+def _import(
+    place: Home, folder: Path, arguments: Sequence[str], report: ImportReport, say: Say, *, replace: bool
+) -> None:
     """Import the files that ``arguments`` name in ``folder``, and put the result in the place of the server's data."""
     cache, made = fetched(say), Home(folder / "home")
     made.create()
@@ -116,6 +119,8 @@ def _import(place: Home, folder: Path, arguments: Sequence[str], report: ImportR
     with waiting(say, "making indexes"), report.timed("indexes"), _started(made, cache) as settings:
         _complete(settings)
     with place.locked(say):
+        if not replace:
+            _refuse_what_was_stored_meanwhile(place)
         stop_locked(place, say)
         exchange(place, made)
     ensure_running(say)
@@ -171,10 +176,21 @@ def _alone(place: Home) -> Iterator[Path]:
 
 
 def _sweep(folder: Path) -> None:
-    """Take away what an import has left behind that was killed, its server too."""
-    if left := processes.find(Home(folder / "home"), None) if folder.exists() else None:
-        processes.end(left)
+    """Take away what an import has left behind that was killed: files, and what still imports or serves them."""
+    if folder.exists():
+        while left := list(_at_work_in(folder)):  # one that ends may have started another
+            for process in left:
+                processes.end_at_once(process)
     shutil.rmtree(folder, ignore_errors=True)
+
+
+def _at_work_in(folder: Path) -> Iterator[psutil.Process]:
+    """Yield every Java that was started on something in ``folder``."""
+    for process in psutil.process_iter(["cmdline", "status"]):
+        command = process.info["cmdline"] or [""]
+        ended = process.info["status"] == psutil.STATUS_ZOMBIE
+        if not ended and Path(command[0]).stem == "java" and any(f"{folder}{os.sep}" in word for word in command):
+            yield process
 
 
 def _refuse_another_server() -> None:
@@ -189,10 +205,24 @@ def _refuse_another_server() -> None:
 def _refuse_what_is_not_empty(place: Home, say: Say) -> None:
     if not place.databases.exists():
         return
-    with Connection(ensure_running(say)) as connection, connection.session() as session:
-        (row,) = session.execute_read(ask, HOLDS_SOMETHING)
-    if row.something:
+    if _holds_something(ensure_running(say)):
         raise UsageError(
             "the local Neo4j holds a graph, and an import takes the place of all of it, recipes and drafts too",
             hint="Add --replace where that is meant; without --offline, videos are added to what is there.",
         )
+
+
+def _refuse_what_was_stored_meanwhile(place: Home) -> None:
+    """Look once more, on the home that is locked: an import takes minutes, in which others load."""
+    known = place.recall()
+    if known and known.port and processes.find(place, known) and _holds_something(settings_of(place, known.port)):
+        raise UsageError(
+            "while the import was made another program stored a graph in the local Neo4j; it is left as it is",
+            hint="Import again with --replace where that is meant; without --offline, videos are added to it.",
+        )
+
+
+def _holds_something(settings: ConnectionSettings) -> bool:
+    with Connection(settings) as connection, connection.session() as session:
+        (row,) = session.execute_read(ask, HOLDS_SOMETHING)
+    return row.something

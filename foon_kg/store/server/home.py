@@ -143,10 +143,11 @@ class Home:
 
     def recall(self) -> Memory | None:
         """Return what is remembered: nothing (None) where the file is missing or is not one that foon-kg wrote."""
-        try:
-            return Memory(**json.loads(self.memory_file.read_text(encoding="utf-8")))
-        except (FileNotFoundError, ValueError, TypeError):
-            return None
+        with explain_os_error(f"cannot read {self.memory_file}"):
+            try:
+                return Memory(**json.loads(self.memory_file.read_text(encoding="utf-8")))
+            except (FileNotFoundError, ValueError, TypeError):
+                return None
 
     def remember(self, memory: Memory) -> None:
         """Write down what the next command has to know."""

