@@ -113,7 +113,7 @@ class Alone:
         if first or not (due or want.cooked):
             return first
         in_turn = isinstance(spot.stage, Phase) and "boil" not in due and not want.cooked and not want.then
-        in_turn = in_turn and not self._is_cut_of_its_shell(want)
+        in_turn = in_turn and not self._is_cut_of_its_shell(want) and not self.preparer.is_mashed_raw(want)
         if in_turn or not self.plan.eased.isdisjoint({want.facts.kind, *want.facts.kinds}):
             return ()
         told = join.slot.cooked if join.slot is not None and self._is_the_same(join) else ()
@@ -187,9 +187,10 @@ class Alone:
         return join.slot is not None and (join.slot.kind == join.want.facts.kind or join.fit >= _MUCH_ALIKE)
 
     def _is_cut_of_its_shell(self, want: Want) -> bool:
-        """Whether a food that runs out of its shell is asked in pieces: it has to be boiled in its shell for that."""
+        """Whether a food that runs out of its shell is asked in pieces or peeled: it is boiled in its shell."""
         fine = self.known.state(want.make).fine or 0 if want.make else 0
-        return 0 < fine < _POWDER and self._pours(want)
+        peeled = want.asked in word_list("has no shell any more")
+        return (peeled or 0 < fine < _POWDER) and self._pours(want)
 
     def _asked_cooking(self, want: Want) -> tuple[str, ...]:
         """Return the motions that give a food the cooked state in which it is asked (fried), as the FOON shows."""
@@ -278,7 +279,16 @@ class Alone:
             self.preparer.shelled(ready, join.slot.states if join.slot else ())
         elif liquid and self._is_eaten_cold(join):
             self.preparer.rinse(ready, "washed")
+        if join.want.asked in word_list("is so by cooling"):
+            self._cool(ready)
         self.preparer.cut_now(ready)
+
+    def _cool(self, ready: Ready) -> None:
+        """Let what was cooked cool where it is, where the FOON shows how."""
+        attested, stuff = self.bench.cooling(ready.want.names), ready.stuff
+        if attested is not None and stuff.at is not None:
+            states = tuple(sorted({*stuff.states, "cooled"}))
+            self.bench.work(stuff.at, attested, stuff.label, states, with_device=False)
 
     def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
         """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""
@@ -290,7 +300,8 @@ class Alone:
         oven, tray = bench.device("oven"), bench.vessel("baking tray")
         bench.switch(None, oven, on=True)
         self.carry.bring(ready, tray, None)
-        self.carry.add_fat(tray, self.plan)
+        if word_list("is done dry").isdisjoint(method):
+            self.carry.add_fat(tray, self.plan)
         device = bench.place(tray, oven.label, "in")
         stuff, states = ready.stuff, self._cooked_states(ready.stuff, want, attested.way)
 
@@ -298,7 +309,7 @@ class Alone:
             stuff.states = states
             tray.hot = True
 
-        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, stuff])
+        bench.emit(attested, [tray, (device, tray), *tray.contents], change, [tray, *tray.contents])
         bench.heat_off(tray)
         self.preparer.cut_now(ready)
         return True

@@ -295,8 +295,12 @@ class Bench:
         states: tuple[str, ...] | None = None,
         *,
         onto: Sequence[Stuff] = (),
+        leaves: bool = False,
     ) -> None:
-        """Bring foods of one place into or onto ``target``; ``onto`` is what there they are spread on."""
+        """Bring foods of one place into or onto ``target``; ``onto`` is what there they are spread on.
+
+        ``leaves``: the step tells what stays behind, too.
+        """
         if target.lid:
             raise RefusedError(f"the {target.label} is covered")
         source = stuffs[0].at
@@ -314,7 +318,7 @@ class Bench:
                     stuff.states = states
 
         outputs: list[Thing] = [target, *stuffs, *onto]
-        if source is not None and not source.storage and len(stuffs) == len(source.contents):
+        if source is not None and not source.storage and (leaves or len(stuffs) == len(source.contents)):
             source_out: list[Thing] = [source]
         else:
             source_out = []

@@ -13,6 +13,7 @@ from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
 from foon_kg.integration.operators import Attested, Way, form_of
 from foon_kg.integration.preparation import Preparer, Ready, Want
+from foon_kg.world.running import runs
 
 _TAP, _JUG = "faucet", "measuring cup"
 """Where water comes from, and in what it comes to what stands on a stove."""
@@ -59,6 +60,8 @@ class Carrier:
         out_of_tin = self._is_in_tin(source)
         if out_of_tin:
             self._cool(source)
+        left = [stuff for stuff in stuffs if self._stays_in_the_pan(stuff, stuffs)]
+        stuffs = [stuff for stuff in stuffs if stuff not in left]
         foods = foods_of(source)
         if "coat" in stage.does and stage.motion in word_list("greases") and not whole:
             onto = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
@@ -80,7 +83,14 @@ class Carrier:
             spoons = (way for way in self.bench.operators.ways.get("fetch", ()) if way[1] and self._pure(way))
             ways = [way for way in spoons if "move" in self.known.motion(way[0]).does][:1] or ways
         attested = self.bench.attest(ways[:1], foods) or self.bench.require(ways, foods)
-        self.bench.bring(stuffs, target, attested)
+        self.bench.bring(stuffs, target, attested, leaves=bool(left))
+
+    def _stays_in_the_pan(self, stuff: Stuff, beside: Sequence[Stuff]) -> bool:
+        """Whether liquid fat in which something was fried is left where it is: what clings to that is part of it."""
+        facts = self.known.foods.food(stuff.label)
+        if stuff.mixed or not stuff.wants or not (facts.is_a("fat") and facts.is_a("liquid")):
+            return False
+        return any(other is not stuff and stuff.wants <= other.wants for other in beside)
 
     def _is_in_tin(self, vessel: Vessel) -> bool:
         """Whether something was baked in a tin with a rim."""
@@ -209,6 +219,8 @@ class Carrier:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
         if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
             return False
+        if runs(stuff.label, stuff.states, stuff.foods, self.known):
+            return True
         foods = [self.known.foods.food(food) for food in stuff.foods]
         liquids = word_list("stays liquid")
         if "baked" not in stuff.states and any(f"kind:{food.kind}" in liquids for food in foods):
@@ -309,7 +321,9 @@ class Carrier:
         if source is not None and source.label == _TAP and vessel.device is not None:
             jug = self.bench.vessel(_JUG)
             self.bench.bring([stuff], jug, self._way_of(ready, slot, jug))
-        self.bench.bring([stuff], vessel, self._way_of(ready, slot, vessel))
+        attested = self._way_of(ready, slot, vessel)
+        smears = attested.way[0] in word_list("greases") and form_of(self.known, stuff.label, stuff.states) == "soft"
+        self.bench.bring([stuff], vessel, attested, onto=list(vessel.contents) if smears else ())
 
     def bring_part(self, ready: Ready, vessel: Vessel) -> None:
         """Bring some of a food that is in pieces into or onto a vessel."""

@@ -29,6 +29,7 @@ from foon_kg.integration.utensils import Utensils
 from foon_kg.integration.working import Worker
 
 _GRATED = 4
+_MIXTURE = "mixture"
 
 
 _BY_ITSELF = word_list("is boiled by itself")
@@ -43,6 +44,7 @@ class Cooking:
         self.line, self.plan = line, plan = in_phases(*crowned(line, plan, self.known), self.known)
         self.ready: dict[int, Ready] = {}
         self.boiled_late: dict[int, Sequence[str]] = {}  # how it is cooked when the sauce is ready
+        self.base_late: dict[int, Sequence[str]] = {}  # how a base is done when what lies on it is ready
         self.course = Course(line, plan)
         self.preparer = Preparer(bench)
         self.carry = Carrier(bench, self.preparer)
@@ -60,9 +62,10 @@ class Cooking:
             self._prepare(join)  # raw meat last: nothing else comes under its knife
         self.bench.phase = "heat"
         for join in self.course.in_order():
-            self.alone.boil_water_first(join)
             method = self.alone.cooked_first(join)
-            if method and self._waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
+            if method and self.plan.stacked and join.want.facts.is_a(*word_list("carries what is stacked")):
+                self.base_late[join.want.number] = method
+            elif method and self._waits_for_sauce(join.spot.stage) and join.want.facts.is_a(*_BY_ITSELF):
                 self.boiled_late[join.want.number] = method
             elif method:
                 self.alone.cook_first(join, method)
@@ -196,6 +199,15 @@ class Cooking:
         for join in joins:
             self.alone.cook_first(join, self.boiled_late.pop(join.want.number))
 
+    def _cook_base_now(self, joins: Sequence[Join], ready: Sequence[Vessel | None]) -> None:
+        """Cook the base that waited until what is laid on it is ready; that is off the heat meanwhile."""
+        late = [join for join in joins if join.want.number in self.base_late]
+        for vessel in ready if late else ():
+            if vessel is not None:
+                self.bench.heat_off(vessel)
+        for join in late:
+            self.alone.cook_first(join, self.base_late.pop(join.want.number))
+
     def _is_near(self, oven: str, stages: Sequence[Stage]) -> bool:
         """Whether nothing has to wait before a dish comes into an oven: then that is lit first of all."""
         if self.work.rises([join.want.label for join in self.plan.joins]):
@@ -218,7 +230,9 @@ class Cooking:
             for one in later:
                 joins += self.course.taken(one)
                 lines += [subs.pop(id(add)) for add in one.adds if isinstance(add, Line) and id(add) in subs]
+            self._cook_base_now(joins, [*lines, vessel])
             return self.serving.stack(stage, vessel, joins, lines)
+        self._cook_base_now(joins, [*lines, vessel])
         if main and vessel is not None and not joins and not lines and self._stays_there(stage, vessel, later):
             return vessel
         device, relation = self.utensils.device_for(stage)
@@ -248,9 +262,9 @@ class Cooking:
             self.carry.bring(self.ready[join.want.number], vessel, join.slot)
             self.work.name(vessel, self.plan.label)
         self._do(stage, vessel, device, relation, later, main=main)
-        return self._take_out(stage, vessel, later)
+        return self._take_out(stage, vessel, later, main=main)
 
-    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage]) -> Vessel:
+    def _take_out(self, stage: Stage, vessel: Vessel, later: Sequence[Stage], *, main: bool) -> Vessel:
         """Take out of a pot what only gave its taste, before that is poured, served or blended; return its vessel."""
         hot = not stage.does.isdisjoint(HEATS) and vessel.relation == "on"
         if not hot or any(not one.does.isdisjoint(HEATS) for one in later):
@@ -259,7 +273,7 @@ class Cooking:
         if any(self.work.is_taken_out(join.want) for join in self.plan.joins if join.want.number in inside):
             self.bench.heat_off(vessel)
             if len(vessel.contents) > 1:
-                self.work.name(vessel, self.plan.label)
+                self.work.name(vessel, self.plan.label if main else stage.label or _MIXTURE)
             return self.work.take_out(vessel)
         return vessel
 
@@ -417,6 +431,7 @@ class Cooking:
             return
         if on_stove and one.want.facts.is_a(*word_list("comes when it boils")):
             self.carry.boil_water(vessel)
+        self.alone.boil_water_first(one)
         self.carry.bring(self.ready[one.want.number], vessel, one.slot)
 
     def _lays(self, stage: Stage, joins: Sequence[Join]) -> bool:

@@ -100,7 +100,8 @@ class _Mass:
         facts = join.want.facts
         if facts.is_a(*word_list("is taken out of the dish")) or self.lies_on_it(join):
             return False
-        if join in self.main or facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass")):
+        held = facts.is_a(*word_list("binds patties"), *word_list("is mixed into a mass"))
+        if join in self.main or held or self._soaks_what_binds(join):
             return True
         if facts.is_a("fat") or facts.is_of(*word_list("is a sauce around a mass")):
             return False
@@ -110,6 +111,13 @@ class _Mass:
             return not self.bound and not alone
         small = self._fine(join) >= _FINE
         return alone and (small or not facts.is_a("vegetable"))
+
+    def _soaks_what_binds(self, join: Join) -> bool:
+        """Whether a liquid is for the crumbs that bind a mass, since something else is cooked around that."""
+        if not (self.bound and join.want.facts.is_a(*word_list("soaks what binds"))):
+            return False
+        others = (one.want.facts for one in self.joins if one is not join)
+        return any(one.is_of(*word_list("is a sauce around a mass")) for one in others)
 
     def is_sauce(self, join: Join) -> bool:
         """Whether a food is cooked around what was shaped."""

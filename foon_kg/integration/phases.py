@@ -299,7 +299,8 @@ class _Phaser:
             wet = bath and any(comer.phase == _WET and (comer.is_solid or comer.is_water) for comer in part)
             pattern = hot[-1] if last and not wet else (simmers if wet else stirs) or hot[-1]
             phase = _as_phase(pattern, part, run[-1] if last else None, bath=bath, small=small)
-            if not bath and "liquid" in phase.does:  # there is none
+            dry = not bath and "liquid" in phase.does  # there is none
+            if dry or (wet and _thickens(parts[: number + 1])):  # which would be lumpy
                 phase = replace(phase, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))
             elif wet and simmers is None:
                 phase = replace(phase, motion="simmer", does=frozenset({"heat", "liquid"}), tools=())
@@ -311,6 +312,16 @@ class _Phaser:
                     self.spot[comer.what.want.number] = phase
                     self.order.append(comer.what.want.number)
         return tuple(stages)
+
+
+def _thickens(parts: Sequence[Sequence[_Comer]]) -> bool:
+    """Whether the last of ``parts`` is what is poured on fat and flour, with nothing to be cooked in it."""
+    *before, last = parts
+    facts = [comer.facts for part in before for comer in part if comer.facts is not None]
+    bound = any(one.is_a("flour") for one in facts) and any(one.is_a("fat") for one in facts)
+    poured = [comer.facts for comer in last]
+    wet = word_list("is stirred on flour")
+    return bound and all(one is not None and (one.is_a(*wet) or _seasons(one)) for one in poured)
 
 
 def _as_phase(pattern: Stage, part: Sequence[_Comer], end: Stage | None, *, bath: bool, small: bool) -> Phase:

@@ -19,12 +19,16 @@ from foon_kg.integration.operators import Attested, Nearness, Operators, Way, fo
 from foon_kg.model import RequiredIngredient
 from foon_kg.world.treatment import ADVISED
 
-_BY_HAND = ("husk", "shell", "peel", "core", "stone", "choke")
+_IN_ORDER = ("husk", "shell", "peel", "core", "stone", "choke")
 """What hands do to a food before it is cut, in this order."""
+
+BY_HAND = frozenset(_IN_ORDER)
+"""The same, in no order."""
 
 _STANDS_FOR = {"stone": ("core",), "core": ("stone",), "shell": ("peel",)}
 """What also does for a treatment."""
 
+_MILLS = frozenset({"grind", "blend", "mash"})
 _CUTS = frozenset({"cut", "grate", "mash", "grind"})
 _NOT_BY_HAND = frozenset({"heat", "warm", "blend", "mix", "wait", "coat", "shape", "scatter", "fetch"})
 _SOFT = word_list("can be mashed")
@@ -205,13 +209,35 @@ def _as_asked(number: int, one: RequiredIngredient, known: Tables, operators: Op
     by_boiling = one.state in word_list("is so by boiling") and facts.is_a("vegetable")
     if (row.needs_heat and "cook" in row.earns) or by_boiling:
         whole = form in {"whole", "pieces"} and not facts.is_a("spice", "fat")
+        dry = one.state in word_list("is so by dry heat") and facts.is_a(*word_list("is toasted by itself"))
+        whole = whole or dry
         return replace(want, cooked=True, make=one.state) if whole else replace(want, read_as=plain)
     if _JUICE in one.state and form == "whole" and operators.giving.get(_JUICE):
         return replace(want, make=one.state, squeezed=True)
-    ends = one.state in word_list("is cut off at the ends") and facts.is_a("vegetable") and form == "whole"
+    return _otherwise(want, plain, form, row, operators)
+
+
+def _otherwise(want: Want, plain: str, form: str, row: State, operators: Operators) -> Want:
+    """Return a food that is asked in a state which no heat and no squeezing gives: as hands make it, or as it is sold.
+
+    ``plain`` is the state in which it is sold, ``form`` how it is handled then.
+    """
+    known, facts, state = operators.known, want.facts, want.asked
+    if _wants_a_mill(state, facts, known) and not any(_is_mill(way, known) for way in operators.making(state)):
+        ground = facts.is_a(*word_list("is sold ground")) or not facts.traits
+        return replace(want, leaf=(state,), bought_so=True) if ground else replace(want, read_as=plain)
+    if state in word_list("has no shell any more") and facts.is_a(*word_list("runs out of its shell")):
+        boiled = min(word_list("is boiled so"))
+        return replace(want, make=boiled, cooked=True, read_as=boiled)
+    ends = state in word_list("is cut off at the ends") and facts.is_a("vegetable") and form == "whole"
     can = ends or _can_be_made(want, form, row, operators)
-    alone = replace(want, make=one.state) if can else replace(want, read_as=plain)
+    alone = replace(want, make=state) if can else replace(want, read_as=plain)
     return _done_by_others(want, row, operators) or alone
+
+
+def _is_mill(way: Way, known: Tables) -> bool:
+    """Whether what is hard is ground in this way."""
+    return not _MILLS.isdisjoint(known.motion(way[0]).does)
 
 
 def _misread(want: Want) -> Want | None:
@@ -251,10 +277,28 @@ def _taken_at_its_word(want: Want, plain: str, known: Tables, operators: Operato
 
 def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> bool:
     """Whether the asked state, that of ``row``, can be given to a food of such a form."""
-    facts = want.facts
-    ways = [way for way in operators.giving.get(want.asked, ()) if not operators.known.motion(way[0]).does <= _BRINGS]
+    told = _is_known_to_be_made(want, form, row)
+    return told if told is not None else _is_made_here(want, form, row, operators)
+
+
+def _is_known_to_be_made(want: Want, form: str, row: State) -> bool | None:
+    """Whether a state can be given to a food by what is known of both; ``None`` where the FOON has to show it."""
+    facts, asked = want.facts, want.asked
+    small = not word_list("is too small for a grater").isdisjoint(want.leaf)
+    if small and row.earns == {"cut"} and (row.fine or 0) < _POWDER:
+        return False  # flakes are as good as shreds, and nothing holds them to be cut
     if row.earns == _RINSED:
         return form in {"whole", "pieces"} or _CANNED in want.leaf
+    melts = asked in word_list("is so when it has melted") and facts.is_a("fat") and not facts.is_a("liquid")
+    if melts or (asked in word_list("is mashed so") and facts.is_a(*word_list("is mashed as it is sold"))):
+        return True
+    return None
+
+
+def _is_made_here(want: Want, form: str, row: State, operators: Operators) -> bool:
+    """Whether the FOON shows how a state, that of ``row``, is given to such a food."""
+    facts = want.facts
+    ways = [way for way in operators.giving.get(want.asked, ()) if not operators.known.motion(way[0]).does <= _BRINGS]
     if form in {"liquid", "powder", "soft"} and not any(operators.attested(w, want.names, act=True) for w in ways):
         return False
     if facts.is_a("fat", "creamy") and (row.fine or 0) >= _POWDER:
@@ -264,6 +308,13 @@ def _can_be_made(want: Want, form: str, row: State, operators: Operators) -> boo
     if facts.is_a("stock", "ready") and (row.fine or 0) in {0, _POWDER}:
         return False
     return bool(row.fine) or bool(row.earns & facts.owes.keys())
+
+
+def _wants_a_mill(state: str, facts: Food, known: Tables) -> bool:
+    """Whether a food is asked so fine that only a mill makes it, or a mortar: a knife does it where it is soft."""
+    row = known.state(state)
+    fine = (row.fine or 0) >= _POWDER and row.earns == {"cut"}
+    return fine and not facts.is_a(*word_list("is soft enough for a knife"))
 
 
 def _is_grated_off(label: str, facts: Food, known: Tables) -> bool:
@@ -343,6 +394,8 @@ class Preparer:
         if worked and self._worked_so(ready, cut):
             return ready
         self._clean(ready, due)
+        if "wash" in due:
+            self.rinse(ready, min(word_list("is so by washing")))
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
         if want.squeezed or (juicy and self.operators.giving.get(_JUICE)):
             self._squeeze(ready)
@@ -358,25 +411,29 @@ class Preparer:
         """Cut a food as it is asked or as it needs, now or once it is cooked."""
         want = ready.want
         if want.make in word_list("is cut off at the ends"):
-            self._trim(ready)
-        elif self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
+            self._trim(ready, want.make)
+            return
+        if want.facts.is_a(*word_list("has tough ends")) and form_of(self.known, want.label, want.leaf) == "whole":
+            self._trim(ready, min(word_list("is trimmed")))
+        if self.is_mashed_raw(want) and want.facts.is_a(*word_list("is flesh")) and not alone:
             self._cut(ready, self._usual_cut(want))  # it falls into shreds only once it is cooked
         elif self.is_mashed_raw(want):
             ready.cut_later = cut
         elif cut:
             self._cut(ready, cut)
 
-    def _trim(self, ready: Ready) -> None:
-        """Cut off the ends of a food, or assume that it was done."""
+    def _trim(self, ready: Ready, state: str) -> None:
+        """Cut off the ends of a food, which makes it ``state``, or assume that it was done where it is asked so."""
         ways = [way for motion in sorted(word_list("cuts off the ends")) for way in self.operators.ways_of(motion)]
         attested = self.bench.attest(ways, ready.want.names, act=True) or self.bench.far(
             ways, ready.want.names, act=True
         )
         if attested is None:
-            self._assume(ready, ready.want.make)
+            if ready.want.make == state:
+                self._assume(ready, state)
             return
         attested = self._with_tool(attested)
-        self.bench.act(ready.stuff, attested, (ready.want.make,), self._board(attested.way))
+        self.bench.act(ready.stuff, attested, (state,), self._board(attested.way))
 
     def _due(self, want: Want) -> set[str]:
         """Return what hands have to do to a food: what it owes, and what the asked state needs."""
@@ -384,7 +441,7 @@ class Preparer:
             return set()
         trimmed = want.make in word_list("is cut off at the ends")
         earns = self.known.state(want.make).earns if want.make and not trimmed else frozenset()
-        return owed(want, self.known) | (earns & set(_BY_HAND))
+        return owed(want, self.known) | (earns & BY_HAND)
 
     def is_mashed_raw(self, want: Want) -> bool:
         """Whether a food is asked in a form for which it is still too hard (mashed, shredded): it is cooked before."""
@@ -646,7 +703,7 @@ class Preparer:
         return [way for way in ways if given.get(way, 0) > _RARE * most]
 
     def _clean(self, ready: Ready, due: set[str]) -> None:
-        order = list(_BY_HAND)
+        order = list(_IN_ORDER)
         if ready.want.facts.is_a(*word_list("is stoned before it is peeled")):
             order.sort(key=lambda name: name == "peel")
         for name in order:
@@ -667,6 +724,8 @@ class Preparer:
     def _way_to_cut_so(self, want: Want, state: str) -> Attested | None:
         ways = [way for way in self.operators.making(state) if self.is_cut(way)]
         ways = [way for way in ways if "peel" not in self.known.motion(way[0]).does] or ways  # that was done before
+        if _wants_a_mill(state, want.facts, self.known):
+            ways = [way for way in ways if _is_mill(way, self.known)]
         if state in word_list("is pulled apart by hand"):
             pulls = [way for motion in sorted(word_list("pulls flesh apart")) for way in self.operators.ways_of(motion)]
             pulls = [way for way in pulls if not way[1]]

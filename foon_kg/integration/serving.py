@@ -119,7 +119,8 @@ class Serving:
         if attested is None or ready.stuff.at is plate:
             self._bring(join, plate)
         else:
-            self.bench.bring([ready.stuff], plate, attested)
+            below = [stuff for stuff in plate.contents if self.known.foods.food(stuff.label).is_a(*_SLICES)]
+            self.bench.bring([ready.stuff], plate, attested, onto=below)
 
     def _heat_through(self, plate: Vessel, fats: Sequence[Join], stage: Stage) -> Vessel:
         """Fry what was put together on both sides, and return what it is served on."""

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
-from foon_kg.food import Tables, singular, tables, words
+from foon_kg.food import Level, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
@@ -15,7 +15,7 @@ from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import Want, owed
+from foon_kg.integration.preparation import BY_HAND, Want, owed
 from foon_kg.integration.spots import Join, spots_of
 
 _MAIN = "dish"
@@ -196,9 +196,11 @@ def _prepared(want: Want, foods: Foods, known: Tables) -> tuple[Want, Slot | Non
     slot = Slot(want.label, want.facts.kind, cooked=(row["cooked"],)) if "cooked" in row else None
     cut = bool(want.make) and bool(known.state(want.make).fine)
     want = replace(want, cooked=row.get("said", want.cooked))
+    by_hand = dict.fromkeys(sorted(known.state(want.make).earns & BY_HAND) if want.make else (), Level.MINOR)
     if "make" in row and (row.get("always") or not cut):
         want = replace(want, make=row["make"], foamed=bool(row.get("foamed")))
     if "then" in row and not want.then and not cut:
         want = replace(want, then=row["then"], cooked=True)
-    kept = {name: level for name, level in want.facts.owes.items() if name not in row.get("waives", ())}
+    owes = by_hand | dict(want.facts.owes)  # what is asked peeled is peeled, and then halved
+    kept = {name: level for name, level in owes.items() if name not in row.get("waives", ())}
     return replace(want, facts=replace(want.facts, owes=kept)), slot

@@ -85,9 +85,14 @@ class Worker:
         device = vessel.device if with_device else None
         heats = not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
 
+        clinging = self._fat_that_clings(stuffs) if heats and device is not None else []
+
         def change() -> None:
             for stuff in stuffs:
                 facts = self.known.foods.food(stuff.label)
+                if clinging and stuff.mixed:
+                    stuff.foods = tuple(sorted({*stuff.foods, *(fat.label for fat in clinging)}))
+                    stuff.wants |= frozenset().union(*(fat.wants for fat in clinging))
                 if not stuff.mixed and (facts.is_a("water") or (facts.is_a("fat") and facts.is_a("liquid"))):
                     continue  # however long it boils, and whatever is fried in it
                 kept = [s for s in stuff.states if not self.alone.says_raw(s)]
@@ -99,6 +104,16 @@ class Worker:
             vessel.hot = not cools and (vessel.hot or (device is not None and heats))
 
         self.bench.emit(attested, [vessel, *([(device, vessel)] if device else []), *stuffs], change, [vessel, *stuffs])
+
+    def _fat_that_clings(self, stuffs: Sequence[Stuff]) -> list[Stuff]:
+        """Return the liquid fat of which some clings to the one thing fried in it, where that is made of several."""
+        fats = [stuff for stuff in stuffs if not stuff.mixed and self._is_liquid_fat(stuff)]
+        others = [stuff for stuff in stuffs if stuff not in fats]
+        return fats if len(others) == 1 and others[0].mixed else []
+
+    def _is_liquid_fat(self, stuff: Stuff) -> bool:
+        facts = self.known.foods.food(stuff.label)
+        return facts.is_a("fat") and facts.is_a("liquid")
 
     def let_rise(self, vessel: Vessel, stages: Sequence[Stage]) -> None:
         """Knead a dough that needs it and let it rise, where the video has no such stage: its dough was another one."""
@@ -173,7 +188,9 @@ class Worker:
             return self._strain(vessel, wants)
         for want in wants:
             whole = next(stuff for stuff in vessel.contents if want.number in stuff.wants)
-            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in (want.make, want.then) if state)
+            states = [state for state in (want.make, want.then, *want.leaf) if state]
+            in_pieces = any((self.known.state(state).fine or 0) > 0 for state in states)
+            in_pieces = in_pieces or not word_list("is plucked off its stem").isdisjoint(states)
             if in_pieces or len(whole.wants) < _LEAST:
                 continue
             ways = [way for motion in sorted(word_list("takes out")) for way in self.bench.operators.ways_of(motion)]

@@ -4,6 +4,7 @@
 
     FoonError
     ├── UsageError            the question cannot be read as asked           (exit code 2)
+    │   └── TooManyUnitsError more units may take part in making it than a program should hold
     ├── NoTreeError           there is no task tree, and why                 (exit code 3)
     ├── ReadError             a file cannot be read as what it claims to be
     │   └── ToleranceError    more of it was rejected than was allowed

@@ -8,10 +8,11 @@ minor. A rule that lacks what it would need (a recipe, the FOON) is named under 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import chain
 
 from foon_kg.model import ObjectNode
 from foon_kg.model.tree import TaskTree
-from foon_kg.validation import dish, form, honesty, robot, table
+from foon_kg.validation import dish, form, handling, honesty, robot, table
 from foon_kg.validation.case import FREE, Case
 from foon_kg.validation.foon import KnownFoon
 from foon_kg.validation.repeatability import repeatable
@@ -37,6 +38,10 @@ def _of_world(rule: str) -> Callable[[Case], Iterator[Finding]]:
     return lambda case: robot.of_world(rule, case)
 
 
+def _all(*asked: Callable[[Case], Iterator[Finding]]) -> Callable[[Case], Iterator[Finding]]:
+    return lambda case: chain.from_iterable(ask(case) for ask in asked)
+
+
 ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "C1": form.executable,
     "C2": form.goal,
@@ -46,10 +51,10 @@ ASKED: dict[str, Callable[[Case], Iterator[Finding]]] = {
     "C6": form.kitchen,
     "C7": honesty.honest,
     "C8": honesty.grounded,
-    "W1": _of_world("W1"),
+    "W1": _all(_of_world("W1"), handling.used_up),
     "W2": _of_world("W2"),
     "W3": _of_world("W3"),
-    "W4": robot.idle,
+    "W4": _all(robot.idle, handling.picked_up, handling.too_hard),
     "W5": robot.order,
     "K1": table.raw,
     "K2": table.whole,

@@ -77,6 +77,9 @@ def _gather(out: Outcome, place: int) -> None:
         other = _to_be_moved(out, name, lump.where) or _left_behind(out, name, lump)
         if all(part.untold for part in lump.parts):
             lump.take(out.supply.name_lump(name, out.happening.number, None).parts)  # told now of what it is made
+        elif out.happening.does("heat") and (fat := _clings(out, name, lump)) is not None:
+            lump.take(part.copy() for part in fat.parts)
+            lump.names.add(name)
         elif other is not None and other is not lump:
             lump.take(other.parts)
             lump.names |= other.names
@@ -84,6 +87,13 @@ def _gather(out: Outcome, place: int) -> None:
             out.supply.keep(lump, lump.where)
         elif name not in {said.label for said in out.said}:
             _derived(out, name, out.mentions[place].node, lump.where, into=lump)
+
+
+def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
+    """Return the fat that is told beside what is fried in it: some of it is in that, the rest stays in the pan."""
+    told = (out.happening.outputs.get(mention.node) for mention in out.mentions)
+    there = (one for one in told if one is not None and one is not lump and one.where is lump.where)
+    return next((one for one in there if name in one.names and one.parts[0].food.is_a("fat")), None)
 
 
 def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:

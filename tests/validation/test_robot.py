@@ -463,3 +463,71 @@ def test_w5_what_is_fried_on_an_appliance_itself_is_in_no_dry_pan():
     on = "griddle (off) → TURN ON → griddle (on)"
     fry = "onion (sliced; on griddle) + griddle (on) → FRY → onion (fried; on griddle) + griddle (on)"
     assert found("W5", lines(put, on, fry)) == []
+
+
+# --- W1 and W4: what hands and tools can do to a food as it is ---
+
+FRIED = (
+    "oil#1 (liquid; in pan#2) + bread#3 (sliced; in pan#2) + pan#2 ({bread, oil}; on stove#4) + stove#4 (on)"
+    " → FRY → bread#3 (fried; in pan#2) + pan#2 (hot; {bread, oil}; on stove#4)"
+)
+
+
+def test_w1_what_a_step_used_up_is_not_taken_again():
+    again = (
+        "oil#1 (liquid; in pan#2) + pan#2 (hot; {bread, oil}; on stove#4) + bowl#5 (empty)"
+        " → POUR → oil#1 (liquid; in bowl#5) + bowl#5 ({oil})"
+    )
+    assert [told for told in found("W1", lines(FRIED, again)) if "used up" in told] == [
+        "W1 step 2 oil (liquid; in pan): it was used up in step 1"
+    ]
+    kept = FRIED.replace("→ FRY →", "→ FRY → oil#1 (liquid; in pan#2) +")
+    assert not [told for told in found("W1", lines(kept, again)) if "used up" in told]
+
+
+@pytest.mark.parametrize(
+    ("motion", "thing", "tool", "told"),
+    [
+        ("PICK-AND-PLACE", "broth (liquid", "", ["W4 step 1 broth (liquid; in bowl): broth runs, and is picked up"]),
+        ("PICK-AND-PLACE", "broth (liquid", " + ladle", []),
+        ("POUR", "broth (liquid", "", []),
+        ("PICK-AND-PLACE", "broth (frozen", "", []),
+        ("PICK-AND-PLACE", "carrot (sliced", "", []),
+    ],
+)
+def test_w4_what_runs_is_not_picked_up(motion, thing, tool, told):
+    name = thing.partition(" ")[0]
+    step = (
+        f"{thing}; in pan) + pan ({{{name}}}) + bowl (empty){tool} → {motion} → {thing}; in bowl) + bowl ({{{name}}})"
+    )
+    assert found("W4", step) == told
+
+
+def test_w4_a_pudding_runs_until_it_is_chilled():
+    step = (
+        "pudding (cooked; {{milk, starch, sugar}}; in pot) + pot ({{milk, starch, sugar}}) + bowl (empty) → "
+        "PICK-AND-PLACE → pudding ({state}; {{milk, starch, sugar}}; in bowl) + bowl ({{milk, starch, sugar}})"
+    )
+    assert any("runs" in told for told in found("W4", step.format(state="cooked")))
+    assert found("W4", step.format(state="chilled")) == []
+
+
+@pytest.mark.parametrize(
+    ("food", "state", "motion", "tool", "fault"),
+    [
+        ("allspice berry", "ground", "MINCE", "knife", True),
+        ("mystery seed", "ground", "MINCE", "knife", True),
+        ("allspice berry", "ground", "GRIND", "mortar", False),
+        ("beef", "ground", "MINCE", "knife", False),
+        ("garlic", "paste", "MINCE", "knife", False),
+    ],
+)
+def test_w4_a_knife_grinds_what_is_soft(food, state, motion, tool, fault):
+    step = f"{food} (whole) + cutting board (empty) + {tool} → {motion} → {food} ({state}; on cutting board)"
+    assert any("too hard" in told for told in found("W4", step)) is fault
+
+
+@pytest.mark.parametrize(("state", "fault"), [("flakes", True), ("powder", True), ("whole", False), ("block", False)])
+def test_w4_no_grater_holds_what_is_small(state, fault):
+    step = f"coconut ({state}) + bowl (empty) + grater → GRATE → coconut (grated; in bowl) + bowl ({{coconut}})"
+    assert any("no grater" in told for told in found("W4", step)) is fault

@@ -1,0 +1,80 @@
+"""Whether hands and tools can do what a step says to foods as they are (docs/contract.md, W1 and W4)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from foon_kg.food.lists import word_list
+from foon_kg.model import ObjectNode
+from foon_kg.model.tree import Step
+from foon_kg.validation.case import Case
+from foon_kg.validation.report import Finding
+from foon_kg.world import Happening
+from foon_kg.world.running import runs
+
+_AS_POWDER = 5
+"""How fine what is ground is (:class:`~foon_kg.food.rows.State`)."""
+
+_MILLS = ("grind", "blend", "mash", "grate", "squeeze")
+
+
+def picked_up(case: Case) -> Iterator[Finding]:
+    """Return a finding for each liquid that a step picks up with bare hands, though it leaves what it was in."""
+    for happening in case.happenings:
+        if happening.step.motion not in word_list("picks up") or _has_scoop(happening):
+            continue
+        moved = {id(lump) for lump, before, now in happening.moved if now is not None and before is not now}
+        for node, lump in happening.outputs.items():
+            if id(lump) in moved and runs(node.label, node.states, sorted(node.ingredients), case.tables):
+                yield Finding("W4", f"{node.label} runs, and is picked up", happening.number, (node,))
+
+
+def _has_scoop(happening: Happening) -> bool:
+    return any(vessel.row.role == "tool" and "scoop" in vessel.row.can for vessel in happening.vessels)
+
+
+def too_hard(case: Case) -> Iterator[Finding]:
+    """Return a finding for each hard food that a knife is said to grind, and for what is too small for a grater."""
+    for happening in case.happenings:
+        if happening.does("grate"):
+            yield from _grated_small(happening)
+        if not happening.does("cut") or happening.does(*_MILLS):
+            continue
+        before = {state for mention in happening.step.inputs for state in mention.node.states}
+        for node, lump in happening.outputs.items():
+            fine = any((case.tables.state(state).fine or 0) >= _AS_POWDER for state in set(node.states) - before)
+            soft = all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts)
+            if fine and not soft:
+                yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
+
+
+def _grated_small(happening: Happening) -> Iterator[Finding]:
+    for mention in happening.step.inputs:
+        small = word_list("is too small for a grater") & set(mention.node.states)
+        if small:
+            reason = f"it is {min(small)}, and no grater holds that"
+            yield Finding("W4", reason, happening.number, (mention.node,))
+
+
+def used_up(case: Case) -> Iterator[Finding]:
+    """Return a W1 finding for each food that a step uses up in a vessel, and that a later one takes out of there."""
+    spent: dict[int, int] = {}
+    for place, unit in enumerate(case.tree.units):
+        taken = dict(_in_vessels(unit.step, case))
+        for thing, node in taken.items():
+            if thing in spent:
+                reason = f"it was used up in step {spent[thing] + 1}"
+                yield Finding("W1", reason, place, (node,))
+        kept = {mention.thing for mention in unit.step.outputs}
+        for thing in taken:
+            if thing not in kept:
+                spent.setdefault(thing, place)
+
+
+def _in_vessels(step: Step, case: Case) -> Iterator[tuple[int, ObjectNode]]:
+    """Yield the numbered foods that go into a step out of a vessel that is no store."""
+    for mention in step.inputs:
+        said = case.read(mention.node)
+        row = said.place_utensil
+        if said.is_food and mention.thing is not None and row is not None and row.role == "vessel":
+            yield mention.thing, mention.node

@@ -1,0 +1,25 @@
+"""Whether a food runs as it is, so that no hand picks it up."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from foon_kg.food import Tables
+from foon_kg.food.lists import word_list
+
+_SEVERAL = 2
+
+
+def runs(label: str, states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
+    """Return whether a food called ``label`` in these states is liquid.
+
+    Of ``parts``, the names of the foods that it was made of, all have to run or to dissolve in one that does.
+    """
+    if not (word_list("keeps its shape") | word_list("sets what runs")).isdisjoint(states):
+        return False
+    if len(parts) < _SEVERAL:
+        facts = known.foods.food(label, states)
+        return facts.is_a("liquid") and not facts.is_a("creamy")
+    foods = [known.foods.food(name) for name in parts]
+    wet = any(food.is_a("liquid", "water") and not food.is_a("fat") for food in foods)
+    return wet and all(food.is_a(*word_list("runs in a mixture")) for food in foods)

@@ -1,0 +1,118 @@
+"""What hands can do to foods as they are, and when side dishes are made: found by people who read trees as robots."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+from planner.told_steps import first, motions, planned_steps
+
+from foon_kg.food.lists import word_list
+
+pytestmark = pytest.mark.shared_data
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return planned_steps(public_snapshot())
+
+
+def test_the_oil_stays_in_the_pan_in_which_breaded_flesh_was_fried(steps):
+    told = steps(
+        "chicken", "Chicken Parmesan", "chicken breast:raw", "flour:powder", "egg:beaten", "breadcrumb:crumbs",
+        "olive oil:liquid", "marinara sauce:thick liquid", "mozzarella:shredded",
+    )  # fmt: skip
+    (out,) = [
+        outputs for inputs, motion, outputs in told if {"cooking pan", "baking dish"} <= inputs and motion != "turn on"
+    ]
+    (pan,) = [node for node in out if node.label == "cooking pan"]
+    assert pan.ingredients == ("olive oil",)
+    assert "olive oil" not in {node.label for node in out}
+    assert any("olive oil" in node.ingredients for node in told[-1][2])  # what clings to it is eaten
+
+
+def test_a_pudding_is_poured(steps):
+    told = steps("pudding", "Chocolate Pudding", "milk:liquid", "sugar:granulated", "cornstarch:powder", "cocoa:powder")
+    (moved,) = [motion for inputs, motion, _ in told if {"pot", "bowl", "mixture"} <= inputs]
+    assert moved not in word_list("picks up")
+
+
+def test_what_is_toasted_is_toasted_dry(steps):
+    told = steps(
+        "sauce", "Romesco Sauce", "almond:toasted", "tomato:roasted", "garlic:minced", "olive oil:liquid",
+        "vinegar:liquid",
+    )  # fmt: skip
+    (toasted,) = [inputs for inputs, motion, _ in told if motion == "toast" and "almond" in inputs]
+    assert "olive oil" not in toasted
+
+
+@pytest.mark.parametrize(
+    ("spice", "state"), [("allspice berry", "ground"), ("mahleb", "ground"), ("coconut", "flakes")]
+)
+def test_what_only_a_mill_grinds_is_bought_so_and_flakes_stay_flakes(steps, spice, state):
+    told = steps(
+        "cookie", "Cookies", "flour:powder", "butter:softened", "sugar:granulated", "egg:whole", f"{spice}:{state}"
+    )
+    assert not any("knife" in inputs or "grater" in inputs for inputs, _, _ in told if spice in inputs)
+
+
+def test_bread_is_toasted_when_what_lies_on_it_is_ready_and_the_spread_comes_onto_it(steps):
+    told = steps("sandwich", "BLT", "bacon:raw", "bread:toasted", "mayonnaise:creamy", "tomato:sliced", "lettuce:leaf")
+    assert first(told, "bacon", "cook") < first(told, "bread", "toast")
+    assert "bread" in told[first(told, "mayonnaise", "spread")][0]
+
+
+def test_earth_tough_ends_and_cores_do_not_come_into_the_dish(steps):
+    soup = steps(
+        "soup", "Leek Soup", "leek:sliced", "potato:diced", "thyme:sprig", "chicken stock:liquid", "butter:stick"
+    )
+    washed = [motion for inputs, motion, _ in soup if "leek" in inputs and motion in {"wash", "rinse"}]
+    assert washed
+    assert [inputs for inputs, motion, _ in soup if motion == "remove" and "plate" in inputs]
+    assert not any("thyme" in node.ingredients for node in soup[-1][2])
+    slaw = steps("salad", "Coleslaw", "cabbage:shredded", "carrot:grated", "mayonnaise:creamy", "vinegar:liquid")
+    assert first(slaw, "cabbage", "core") < first(slaw, "cabbage", "chop")
+    beans = steps("casserole", "Green Bean Casserole", "green bean:blanched", "mushroom soup:canned", "milk:liquid")
+    assert word_list("cuts off the ends") & set(motions(beans))
+
+
+@pytest.mark.parametrize(
+    ("dish", "asked", "food", "motion"),
+    [
+        (("cookie", "Date Cookies"), ("date:mashed", "flour:powder", "butter:melted"), "date", "mash"),
+        (("pie", "Tourtiere"), ("pork:ground", "potato:mashed", "pie crust:raw", "onion:chopped"), "potato", "mash"),
+        (("chicken", "Doro Wat"), ("chicken leg:raw", "egg:peeled", "onion:chopped", "butter:stick"), "egg", "boil"),
+        (("cookie", "Nut Cookies"), ("ghee:melted", "flour:powder", "sugar:granulated"), "ghee", "heat"),
+        (("rice", "Fried Rice"), ("rice:chilled", "egg:beaten", "oil:liquid", "carrot:diced"), "rice", "cool down"),
+    ],
+)
+def test_the_asked_state_is_made(steps, dish, asked, food, motion):
+    assert [inputs for inputs, done, _ in steps(*dish, *asked) if food in inputs and done == motion]
+
+
+def test_what_is_poured_on_fat_and_flour_is_stirred(steps):
+    told = steps("sauce", "White Sauce", "butter:stick", "flour:powder", "milk:liquid", "nutmeg:ground")
+    (after, *_) = [motion for inputs, motion, _ in told if "milk" in inputs and "stove" in inputs]
+    assert "stir" in after
+
+
+def test_milk_beside_a_sauce_soaks_the_crumbs_of_meatballs(steps):
+    told = steps(
+        "meatball", "Meatballs", "ground beef:raw", "breadcrumb:crumbs", "milk:liquid", "egg:beaten",
+        "marinara sauce:thick liquid",
+    )  # fmt: skip
+    shaped = next(outputs for inputs, motion, outputs in told if motion == "shape")
+    assert any("milk" in node.ingredients for node in shaped)
+
+
+@pytest.mark.parametrize(
+    ("dish", "asked", "motion", "inside"),
+    [
+        (("cookie", "Maamoul"), ("semolina:powder", "butter:melted", "date:mashed"), "fold and pinch", "date"),
+        (("pork", "Porchetta"), ("pork belly:raw", "garlic:minced", "rosemary:chopped"), "roll", "rosemary"),
+        (("bread", "Injera"), ("teff flour:powder", "water:liquid", "yeast:powder"), "ferment", "teff flour"),
+        (("pudding", "Vanilla Pudding"), ("milk:liquid", "cornstarch:powder", "sugar:granulated"), "chill", "milk"),
+    ],
+)
+def test_what_the_name_of_a_dish_promises_is_done(steps, dish, asked, motion, inside):
+    made = [outputs for _, done, outputs in steps(*dish, *asked) if done == motion]
+    assert any(inside in node.ingredients for outputs in made for node in outputs)
