@@ -35,7 +35,7 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
 
-campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: some 30 minutes
+campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: half an hour
 	mkdir -p $(CONSUMERS) && cp tests/campaign/consumers/* $(CONSUMERS)
 	cd $(CONSUMERS) && npm ci --no-audit --no-fund --ignore-scripts --omit=optional --loglevel=error || echo "without npm: \
 	what Graphviz and Mermaid make of hostile names is not looked at"

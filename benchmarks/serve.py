@@ -31,11 +31,12 @@ from urllib.parse import urlencode
 import psutil
 import uvicorn
 
+from foon_kg import Foon
 from foon_kg.loaders import read_paths
 from foon_kg.planning.batch import cores
 from foon_kg.planning.recipes import IngredientWords, read_recipe, recipe_files
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.store.graph import Connection, Neo4jGraph, load, remove
+from foon_kg.store.graph import Connection, load, remove
 from foon_kg.store.server import connection_settings
 from foon_kg.store.snapshot import Snapshot
 from foon_kg.web.api import web_app
@@ -69,7 +70,7 @@ def main() -> None:
         settings = connection_settings()
         with Connection(settings) as connection:
             load(connection, snapshot.subgraphs)
-        foon = LiveFoon(lambda: Neo4jGraph(settings))
+        foon = LiveFoon(lambda: Foon(server=settings))
     questions = questions_of(snapshot, list(recipe_files(options.recipes))[:: options.every])
     service = FoonService(foon, processes=options.jobs, most=LIMITS.waiting)
     server = uvicorn.Server(

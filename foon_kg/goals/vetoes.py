@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from foon_kg.food.rows import Dish
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.recorded import Recorded
 from foon_kg.integration.poured_over import is_poured_over
@@ -46,19 +47,30 @@ def _against_heat(dish: Recorded, joins: Sequence[Join], asked: Asked) -> Iterat
         yield f"it is not to be baked, and {dish.label} is"
     if asked.unbaked:
         return
-    hot = dish.heats or (asked.stacked and asked.grilled) or dish.cooks_foods
     for kind in asked.dishes:
         if kind.laid:
-            foods = zip(asked.foods, joins, strict=True)
-            unheated = (join.want.label for food, join in foods if food.base and not join.spot.heats_later)
-            yield from (f"{label} would not be baked" for label in list(unheated)[:1])
+            yield from _unbaked_bases(joins, asked)
         if kind.baked and not dish.bakes:
             yield f"{kind.name} is baked, and {dish.label} is not"
-        if kind.heated and not hot:
-            if kind.is_type or not any(food.due for food in asked.foods):
-                yield f"{kind.name} is hot, and {dish.label} is not"
-        elif kind.heated and dish.ends_raw:
+        if kind.heated:
+            yield from _not_hot(kind, dish, asked)
+
+
+def _unbaked_bases(joins: Sequence[Join], asked: Asked) -> Iterator[str]:
+    """Yield the first food that others are laid on and that would not be heated."""
+    for food, join in zip(asked.foods, joins, strict=True):
+        if food.base and not join.spot.heats_later:
+            yield f"{join.want.label} would not be baked"
+            return
+
+
+def _not_hot(kind: Dish, dish: Recorded, asked: Asked) -> Iterator[str]:
+    """Yield why a recorded dish gives no hot one; foods that owe heat are heated by themselves where need be."""
+    if dish.heats or (asked.stacked and asked.grilled) or dish.cooks_foods:
+        if dish.ends_raw:
             yield f"{kind.name} is hot, and {dish.label} is not cooked once it is shaped"
+    elif kind.is_type or not any(food.due for food in asked.foods):
+        yield f"{kind.name} is hot, and {dish.label} is not"
 
 
 def _comes_through(joined: Spot, spot: Spot) -> bool:

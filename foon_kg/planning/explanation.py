@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from foon_kg.food import singular
+from foon_kg.integration.preparation import Want
 from foon_kg.integration.spots import Join
 from foon_kg.model import RequiredIngredient
 from foon_kg.model.tree import TreeUnit
@@ -80,14 +81,10 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
     number = ready.stuff.number
     own = [(place, unit) for place, unit in enumerate(attempt.result.units, 1) if _has(unit, number)]
     prepared = [unit for _, unit in own if unit.phase == "prepare"]
-    how: How = "assumed" if ready.assumptions else "played" if join.slot else "made" if prepared else "sold"
+    how = _how(ready.assumptions, join, prepared)
     like, sure = _handled_like(attempt, want.label)
     chosen = bool(like) and singular(want.label) in likes.instead
-    renamed = tuple(
-        (one.required, one.equivalent)
-        for one in attempt.result.substitutions
-        if one.kind == "state" and one.object == want.label and one.required == want.asked
-    )
+    renamed = _renamed(attempt, want)
     step, motion = _joining(own, number)
     joining = Joining(step, motion, join.slot.food if join.slot else "", round(join.fit, 4) if join.slot else 0.0)
     others = tuple(
@@ -98,6 +95,24 @@ def _explained(attempt: Attempt, join: Join, likes: RecipeLikes) -> Explanation:
         asked, how, like or want.label, sure, chosen, renamed,
         tuple(_videos(unit for _, unit in own)), joining, others[:MOST_OTHERS],
     )  # fmt: skip
+
+
+def _how(assumptions: Sequence[object], join: Join, prepared: Sequence[TreeUnit]) -> How:
+    """Return how a food comes to what it is: assumed, as a video plays it, made in steps of its own, or as sold."""
+    if assumptions:
+        return "assumed"
+    if join.slot:
+        return "played"
+    return "made" if prepared else "sold"
+
+
+def _renamed(attempt: Attempt, want: Want) -> tuple[tuple[str, str], ...]:
+    """Return the state that was asked of a food, with the one that it was read as, where that is another."""
+    return tuple(
+        (one.required, one.equivalent)
+        for one in attempt.result.substitutions
+        if one.kind == "state" and one.object == want.label and one.required == want.asked
+    )
 
 
 def _handled_like(attempt: Attempt, label: str) -> tuple[str, float]:

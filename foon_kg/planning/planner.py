@@ -8,7 +8,6 @@ answered has passed the judge (:mod:`foon_kg.validation`).
 
 from __future__ import annotations
 
-import difflib
 from collections import Counter
 from collections.abc import Collection, Sequence
 from dataclasses import replace
@@ -18,8 +17,7 @@ from typing import NamedTuple
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.goals.asked import Asked
-from foon_kg.goals.choice import Fit, fits, is_truly, refusals, shortlisted
-from foon_kg.goals.score import missing_core, unexplained
+from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
 from foon_kg.integration.called import Called, arranged
 from foon_kg.integration.cooking import Cooking
@@ -29,14 +27,14 @@ from foon_kg.integration.methods import Methods, TeachingView
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
-from foon_kg.integration.spots import Join
 from foon_kg.integration.techniques import technique_for
 from foon_kg.integration.warmed import can_be_warmed
-from foon_kg.model import DISH_TYPES, KnownUnit, ObjectNode, Recipe, RequiredIngredient
+from foon_kg.model import KnownUnit, ObjectNode, Recipe, RequiredIngredient
 from foon_kg.model.errors import NoTreeError, UsageError
 from foon_kg.planning.attempt import Attempt
 from foon_kg.planning.avoidance import kitchen_without, names_avoided, why_avoided, without_avoided
 from foon_kg.planning.considered import Considered, nearer_goals, other_goals
+from foon_kg.planning.dish_names import closing, eased, has_its_name, made_as, refuse_unknown_type
 from foon_kg.planning.explanation import Explanation, explanations
 from foon_kg.planning.likes import FAIR, FoodLikes, RecipeLikes
 from foon_kg.planning.references import References
@@ -51,8 +49,6 @@ from foon_kg.validation import Finding, check
 
 MOST_TRIES = 5
 """How many frames are tried, the best first, before it is said that there is no tree."""
-_CLOSE = 0.7
-"""From how much likeness on (0 to 1, of letters) a dish type may have been meant by a word that is none."""
 
 
 def plan(view: TeachingView, recipe: Recipe, settings: PlanSettings | None = None) -> PlanResult:
@@ -170,31 +166,19 @@ class _Question:
         self.settings = planner.settings
         self.known = planner.known
         self.recipe, _ = without_avoided(recipe, self.settings.avoided)
-        if recipe.dish_type and recipe.dish_type not in DISH_TYPES:
-            close = difflib.get_close_matches(recipe.dish_type, DISH_TYPES, n=3, cutoff=_CLOSE)
-            hint = f"Did you mean {' or '.join(close)}?" if close else f"Name one of: {', '.join(DISH_TYPES)}."
-            raise UsageError(f"“{recipe.dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
+        refuse_unknown_type(recipe.dish_type)
+        title = recipe.title or ""
         asked = [one for one in self.recipe.ingredients if one.object]
-        names = [singular(one.object) for one in asked]
-        names += [self.known.foods.food(one.object, [one.state]).taken_for for one in asked]
-        self.teaching = planner.teaching_for(dict.fromkeys(name for name in names if name), recipe.dish_type)
+        self.teaching = planner.teaching_for(_names_of(asked, self.known), recipe.dish_type)
         self.methods = self.teaching.methods
-        self.wants = wants_of(asked, self.known, self.methods.operators, recipe.title or "")
-        if not self.wants:
+        wants = wants_of(asked, self.known, self.methods.operators, title)
+        if not wants:
             raise UsageError("the recipe names no ingredient", hint="Give at least one, as in “chopped onion”.")
-        foods = [want.label for want in self.wants]
-        self.kitchen = planner.kitchen_for(foods)
-        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in self.wants)
-        times = Counter(singular(one.object) for one in asked)
+        self.kitchen = planner.kitchen_for([want.label for want in wants])
+        self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
         recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
-        self.technique = technique_for(recipe.dish_type, words(recipe.title or ""), self.wants, recorded)
-        self.baked, self.parts = parts_of(
-            self.wants,
-            recipe.dish_type,
-            recipe.title or "",
-            {name for name, count in times.items() if count > 1},
-            self.known,
-        )
+        self.technique = technique_for(recipe.dish_type, words(title), self.wants, recorded)
+        self.baked, self.parts = parts_of(self.wants, recipe.dish_type, title, _named_twice(asked), self.known)
         if self.technique is not None:  # it says itself what is put on what
             self.baked, self.parts = self.wants, ()
         self.likes: RecipeLikes = self.teaching.likes.of_recipe(self.wants)
@@ -228,7 +212,7 @@ class _Question:
         """How well each dish suits that may be taken, the best first; raises :class:`NoTreeError` where none may."""
         outlines = self.methods.outlines
         title = self.recipe.title or ""
-        dish_type = _made_as(self.recipe.dish_type, title, self.known)
+        dish_type = made_as(self.recipe.dish_type, title, self.known)
         if not outlines.are_of(dish_type) and self.technique is None:
             there = ", ".join(sorted(outlines.dish_types))
             raise NoTreeError(
@@ -264,29 +248,12 @@ class _Question:
         frame = fit.frame
         dish_type = self.recipe.dish_type or frame.dish_type
         asked = Asked(self.wants, dish_type, self.recipe.title or "", self.known)
-        own = frame.dish_type == dish_type and not missing_core(fit.dish, asked) and is_truly(fit)
-        own = own and not (asked.title and unexplained(fit.dish, asked))
-        eased = frozenset(kind for dish in asked.of_type for kind in dish.eases)
-        eased |= frozenset(kind for dish in asked.dishes for kind in dish.raw)
-        named = asked.dishes
-        tins = [dish.tin for dish in named if dish.tin]
-        tin = tins[-1] if tins else ""
-        own = own and all(dish.tin in {"", tin} for dish in self.known.dishes_named(frame.goal.label))
-        own = own or any(dish_type in dish.is_no for dish in named)  # a crepe is no cake
-        if self.technique is not None:  # it makes what the title says, and not what the video makes
-            own = own and frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
-        label = frame.goal.label if own else dish_type
+        tin = next((dish.tin for dish in reversed(asked.dishes) if dish.tin), "")
         bench = Bench(self.methods.operators, self.likes, self.likes.alike, self.kitchen, self.likes.instead)
-        told = frozenset((*asked.type_words, *asked.told))
-        called = Called(
-            named, told, frame.goal.label, asked.title, dish_type, tin,
-            baked=asked.baked,
-            folded=asked.told if asked.title else fit.dish.words,
-            warms=can_be_warmed(self.methods.operators),
-            technique=self.technique,
-        )  # fmt: skip
+        called = self._called(fit, asked, dish_type, tin)
         line, joins, one_pot = arranged(frame.line, fit.joins, self.parts, called, self.known)
-        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased, one_pot=one_pot)
+        label = frame.goal.label if has_its_name(fit, asked, dish_type, tin, self.technique) else dish_type
+        plan = Plan(label, frame.goal.label, joins, self.methods.cooked_by, eased(asked), one_pot=one_pot)
         plan = replace(plan, drunk=dish_type in word_list("is drunk"))
         if self.technique is None:
             plan = self._as_told(plan, asked, tin)
@@ -297,6 +264,17 @@ class _Question:
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods)
         return Attempt(replace(fit, joins=joins), tree, result, report, self._missing(result), cooking)
+
+    def _called(self, fit: Fit, asked: Asked, dish_type: str, tin: str) -> Called:
+        """Return what the names of the asked dish and of the recorded one say of how it is put together."""
+        told = frozenset((*asked.type_words, *asked.told))
+        return Called(
+            asked.dishes, told, fit.frame.goal.label, asked.title, dish_type, tin,
+            baked=asked.baked,
+            folded=asked.told if asked.title else fit.dish.words,
+            warms=can_be_warmed(self.methods.operators),
+            technique=self.technique,
+        )  # fmt: skip
 
     def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:
         """Return a plan with what the words of type and title say of the whole dish."""
@@ -311,7 +289,7 @@ class _Question:
             in_pieces=asked.dressed,
             laid=asked.laid,
             spooned=not word_list("boils in the dish").isdisjoint(told),
-            closed_by=_closing(told, plan.joins),
+            closed_by=closing(told, plan.joins),
             portioned=not word_list("is portioned").isdisjoint(told),
         )
 
@@ -382,6 +360,18 @@ class _Question:
         )
 
 
+def _names_of(asked: Sequence[RequiredIngredient], known: Tables) -> Collection[str]:
+    """Return the foods that are asked, each once, and what the food table takes them for."""
+    names = [singular(one.object) for one in asked]
+    names += [known.foods.food(one.object, [one.state]).taken_for for one in asked]
+    return dict.fromkeys(filter(None, names))
+
+
+def _named_twice(asked: Sequence[RequiredIngredient]) -> set[str]:
+    """Return the foods that a recipe names more than once: it has parts."""
+    return {name for name, count in Counter(singular(one.object) for one in asked).items() if count > 1}
+
+
 def _recorded(fit: Fit) -> str:
     return f"“{fit.frame.goal.label}” of the video {fit.frame.video}"
 
@@ -396,16 +386,3 @@ def _made_after(found: Sequence[Fit], after: str) -> list[Fit]:
             f"these foods are not made after a dish or a video called “{after}”", code="no-goal", hint=hint
         )
     return chosen
-
-
-def _closing(told: Collection[str], joins: Sequence[Join]) -> str:
-    """Return by which motion thin bread is closed around what lies on it, by the words of a title; ``""`` for none."""
-    flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
-    ways = ("is rolled up", "is folded over")
-    return next((min(word_list(f"{way} by")) for way in ways if flat and not word_list(way).isdisjoint(told)), "")
-
-
-def _made_as(dish_type: str, title: str, known: Tables) -> str:
-    """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
-    dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
-    return next((name for name in dressed if name in DISH_TYPES), dish_type)

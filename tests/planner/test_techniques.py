@@ -180,4 +180,4 @@ def test_what_a_title_calls_pickled_is_not_bought_so_where_it_is_made(steps):
 def test_a_white_sauce_is_cooked_for_pasta_that_no_title_calls_so(steps):
     told = steps("pasta", "Tuna Pasta Bake", "penne:uncooked", "tuna:canned", "butter:unmelted", "flour:powder",
                  "milk:liquid", "cheddar:grated")  # fmt: skip
-    assert motions(told).index("melt") < first(told, "milk", "simmer") < first(told, "penne", "mix")
+    assert motions(told).index("melt") < first(told, "milk", "cook and stir") < first(told, "penne", "mix")

@@ -7,7 +7,7 @@ into the bowl), foods change where they are (chop the onion on the cutting board
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property, lru_cache
 
 from foon_kg.food import motions
@@ -136,14 +136,19 @@ class _Reading:
         if self._target is None:
             return []
         place = self._target.label
-        gained = self._gained(self._target) | self._placed(place)
-        known = [n.label for n in self._inputs if n.label in gained and n.container != place]
-        known += [n.label for n in self._foods if n.container != place and n.ingredients and gained >= {*n.ingredients}]
-        known += [name for node in self._utensils for name in node.ingredients if name in gained]
+        known = self._known_of(self._gained(self._target) | self._placed(place), place)
         filled = any(node.ingredients for node in self._utensils if node.label == place)
         if known or filled or any(food.container == place for food in self._foods):
             return self._without_parts(known)
         return [food.label for food in self._foods if food in self._changed]
+
+    def _known_of(self, gained: set[str], place: str) -> list[str]:
+        """Return what was there before, elsewhere than at ``place``, of what that ``gained``."""
+        elsewhere = [node for node in self._inputs if node.container != place]
+        known = [node.label for node in elsewhere if node.label in gained]
+        mixtures = [node for node in self._foods if node.container != place and node.ingredients]
+        known += [node.label for node in mixtures if gained >= {*node.ingredients}]
+        return known + [name for node in self._utensils for name in node.ingredients if name in gained]
 
     def _held_in(self, vessel: ObjectNode) -> list[str]:
         """Return what a vessel holds, a mixture by its name."""
@@ -192,15 +197,15 @@ class _Reading:
         foods = self._foods_changed
         vessel = max(self._utensils, key=lambda node: len(node.ingredients), default=None)
         held = self._held_in(vessel) if vessel is not None else []
-        places = {food.container for food in foods if food.container}
-        where = vessel.label if vessel is not None and held else next(iter(places)) if len(places) == 1 else None
-        fresh = [food.label for food in foods if food.label not in held]
+        where = vessel.label if vessel is not None and held else _only_place(foods)
+        fresh = [food for food in foods if food.label not in held]
         if len(held) > _FEW:
-            fresh = [food.label for food in foods if food.label in fresh and food.container != where]
-            said = f"add {the(fresh)}, then " if fresh else ""
+            added = [food.label for food in fresh if food.container != where]
+            said = f"add {the(added)}, then " if added else ""
             said += with_object(self._verb, "everything")
         else:
-            said = with_object(self._verb, self._in_bath([*(held if foods[:1] else ()), *fresh] or held))
+            told = [*(held if foods else ()), *(food.label for food in fresh)] or held
+            said = with_object(self._verb, self._in_bath(told))
         said += f" {self._relation(where)} the {where}" if where else ""
         used = {where or "", *(food.container or "" for food in self._foods)}
         known = {node.label for node in self._foods} | set(held)
@@ -276,3 +281,9 @@ class _Reading:
         after = [state for other in self._outputs if other.label == node.label for state in other.states]
         told = [s for s in after if s not in node.states and s not in {"empty", "closed", "off", "on", "open"}]
         return in_words(self._verb, told)[1]
+
+
+def _only_place(foods: Sequence[ObjectNode]) -> str | None:
+    """Return in what foods are, where it is one thing."""
+    places = {food.container for food in foods if food.container}
+    return next(iter(places)) if len(places) == 1 else None

@@ -1,0 +1,68 @@
+"""What names of dishes decide: whether a type is known, what a tree may be called, what a title asks for."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Collection, Sequence
+
+from foon_kg.food import Tables, words
+from foon_kg.food.lists import word_list
+from foon_kg.food.techniques import Technique
+from foon_kg.goals.asked import Asked
+from foon_kg.goals.choice import Fit, is_truly
+from foon_kg.goals.score import missing_core, unexplained
+from foon_kg.integration.spots import Join
+from foon_kg.model import DISH_TYPES
+from foon_kg.model.errors import UsageError
+
+_CLOSE = 0.7
+"""From how much likeness on (0 to 1, of letters) a dish type may have been meant by a word that is none."""
+
+
+def refuse_unknown_type(dish_type: str) -> None:
+    """Raise UsageError for a dish type that is none, with those that may have been meant."""
+    if not dish_type or dish_type in DISH_TYPES:
+        return
+    close = difflib.get_close_matches(dish_type, DISH_TYPES, n=3, cutoff=_CLOSE)
+    hint = f"Did you mean {' or '.join(close)}?" if close else f"Name one of: {', '.join(DISH_TYPES)}."
+    raise UsageError(f"“{dish_type}” is no dish type", hint=hint, code="unknown-dish-type")
+
+
+def has_its_name(fit: Fit, asked: Asked, dish_type: str, tin: str, technique: Technique | None) -> bool:
+    """Whether what is made after a recorded dish may be called as that is; else it is called by its ``dish_type``."""
+    frame = fit.frame
+    is_no = any(dish_type in dish.is_no for dish in asked.dishes)  # a crepe is no cake
+    if not is_no and not _is_such_a_dish(fit, asked, dish_type, tin):
+        return False
+    if technique is None:
+        return True
+    # a technique makes what the title says, and not what the video makes
+    return frame.dish_type == dish_type and set(words(frame.goal.label)) <= set(asked.told)
+
+
+def _is_such_a_dish(fit: Fit, asked: Asked, dish_type: str, tin: str) -> bool:
+    """Whether a recorded dish is of the asked type, with its core, in its tin, and explains what the title says."""
+    if fit.frame.dish_type != dish_type or missing_core(fit.dish, asked) or not is_truly(fit):
+        return False
+    if asked.title and unexplained(fit.dish, asked):
+        return False
+    return all(dish.tin in {"", tin} for dish in asked.known.dishes_named(fit.frame.goal.label))
+
+
+def eased(asked: Asked) -> frozenset[str]:
+    """Return the kinds of food that dishes of these names do not treat as others do, or leave raw."""
+    kinds = {kind for dish in asked.of_type for kind in dish.eases}
+    return frozenset(kinds.union(kind for dish in asked.dishes for kind in dish.raw))
+
+
+def closing(told: Collection[str], joins: Sequence[Join]) -> str:
+    """Return by which motion thin bread is closed around what lies on it, by the words of a title; ``""`` for none."""
+    flat = sum(join.want.facts.is_a(*word_list("can be rolled")) for join in joins) == 1
+    ways = ("is rolled up", "is folded over")
+    return next((min(word_list(f"{way} by")) for way in ways if flat and not word_list(way).isdisjoint(told)), "")
+
+
+def made_as(dish_type: str, title: str, known: Tables) -> str:
+    """Return as a dish of which type one is made: what a title calls a salad is one, in whatever type it is filed."""
+    dressed = (dish.name.split()[-1] for dish in known.dishes_named("", title) if dish.dressed)
+    return next((name for name in dressed if name in DISH_TYPES), dish_type)
