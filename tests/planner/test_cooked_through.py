@@ -1,0 +1,48 @@
+"""What has to be cooked, stirred or kept apart for it to be that dish: sauces, soups, white sauces, beaten whites."""
+
+from __future__ import annotations
+
+import pytest
+from planner.public_foon import public_snapshot
+from planner.told_steps import first, inside, motions, planned_steps
+
+pytestmark = pytest.mark.shared_data
+
+HEATS = {"bake", "boil", "cook", "cook and stir", "simmer"}
+
+
+@pytest.fixture(scope="module")
+def steps():
+    return planned_steps(public_snapshot())
+
+
+def vessels(told):
+    """Every label of the dish's own vessels."""
+    return {node.container for _, _, outputs in told for node in outputs if node.container}
+
+
+def test_a_sauce_of_raw_roots_and_tomatoes_is_fried_and_simmered(steps):
+    told = steps("sauce", "Sauce of the House", "olive oil:liquid", "onion:finely chopped", "garlic:sliced",
+                 "tomatoes:crushed", "oregano:dried", "basil leaves:torn", "salt:granulated")  # fmt: skip
+    assert first(told, "onion", "cook and stir") < first(told, "tomatoes", "pour") < motions(told).index("simmer")
+    assert {"onion", "tomatoes", "oregano"} <= inside(told, "simmer")
+    assert "basil leaves" not in inside(told, "simmer")
+
+
+def test_a_sauce_of_what_is_sour_and_sweet_is_simmered(steps):
+    told = steps("sauce", "Kansas City Sauce", "ketchup:sauce", "apple cider vinegar:liquid",
+                 "dark brown sugar:granulated", "garlic powder:ground", "paprika:smoked")  # fmt: skip
+    assert {"ketchup", "apple cider vinegar", "dark brown sugar"} <= inside(told, "simmer")
+
+
+@pytest.mark.parametrize(
+    ("title", "asked"),
+    [
+        ("Tomato Salsa", ("tomatoes:chopped", "onion:chopped", "cilantro:chopped", "lime juice:juice")),
+        ("Honey Dressing", ("vinegar:liquid", "honey:thick liquid", "ketchup:sauce", "oil:liquid")),
+        ("Chimichurri Sauce", ("parsley:chopped", "garlic:minced", "vinegar:liquid", "oil:liquid", "onion:minced")),
+        ("Cocktail Sauce", ("ketchup:sauce", "horseradish:grated", "lemon juice:juice", "sugar:granulated")),
+    ],
+)
+def test_a_sauce_that_is_eaten_raw_stays_raw(steps, title, asked):
+    assert HEATS.isdisjoint(motions(steps("sauce", title, *asked)))
