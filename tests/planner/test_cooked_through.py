@@ -46,3 +46,12 @@ def test_a_sauce_of_what_is_sour_and_sweet_is_simmered(steps):
 )
 def test_a_sauce_that_is_eaten_raw_stays_raw(steps, title, asked):
     assert HEATS.isdisjoint(motions(steps("sauce", title, *asked)))
+
+
+def test_a_soup_that_is_called_like_a_baked_dish_is_cooked_in_a_pot(steps):
+    told = steps("soup", "Loaded Baked Potato Soup", "bacon:chopped", "onion:diced", "garlic:minced", "flour:powder",
+                 "chicken stock:liquid", "russet potatoes:cubed", "milk:liquid", "sour cream:creamy",
+                 "cheddar cheese:shredded", "green onions:sliced", "salt:granulated")  # fmt: skip
+    assert "bake" not in motions(told)
+    assert "pot" in vessels(told)
+    assert told[-1][2][0].container != "plate"
