@@ -55,3 +55,23 @@ def test_a_soup_that_is_called_like_a_baked_dish_is_cooked_in_a_pot(steps):
     assert "bake" not in motions(told)
     assert "pot" in vessels(told)
     assert told[-1][2][0].container != "plate"
+
+
+def test_flour_in_a_casserole_is_stirred_into_fat_before_milk_comes_to_it(steps):
+    told = steps("casserole", "Chicken and Rice Bake", "cooked chicken:cubed", "white rice:cooked",
+                 "broccoli florets:floret", "butter:unmelted", "onion:chopped", "flour:powder", "milk:liquid",
+                 "chicken broth:liquid", "cheddar:grated", "panko:crumbs")  # fmt: skip
+    assert first(told, "flour", "cook and stir") < first(told, "milk", "pour")
+    assert {"milk", "flour"} <= inside(told, "mix")
+
+
+def test_bread_in_meatballs_is_torn_and_soaked_and_flour_whisked_for_their_sauce(steps):
+    told = steps("meatball", "Swedish Meatballs", "white bread:loaf", "milk:liquid", "butter:unmelted", "onion:chopped",
+                 "ground beef:raw", "egg yolks:uncooked", "flour:powder", "beef broth:liquid",
+                 "heavy cream:creamy")  # fmt: skip
+    assert {"white bread", "milk", "ground beef"} <= inside(told, "shape")
+    bread = [node for _, _, outputs in told for node in outputs if node.label == "white bread"]
+    assert "torn" in bread[0].states
+    assert {"flour", "beef broth"} == inside(told, "stir")
+    assert "heavy cream" not in inside(told, "shape")
+    assert first(told, "flour", "stir") < motions(told).index("simmer")
