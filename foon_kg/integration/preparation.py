@@ -346,7 +346,7 @@ def as_mash(want: Want, known: Tables) -> Want:
 def as_mixed(want: Want, known: Tables) -> Want:
     """Return a food as it is mixed to be shaped: mashed where it is hard, torn where it is to soak."""
     whole = not want.make or (known.state(want.make).fine or 0) <= 1
-    torn = whole and want.facts.is_a(*word_list("is torn to be soaked")) and not want.facts.is_a("crumb")
+    torn = whole and want.facts.kind in word_list("is torn to be soaked")
     return replace(want, make="torn") if torn else as_mash(want, known)
 
 

@@ -75,3 +75,13 @@ def test_bread_in_meatballs_is_torn_and_soaked_and_flour_whisked_for_their_sauce
     assert {"flour", "beef broth"} == inside(told, "stir")
     assert "heavy cream" not in inside(told, "shape")
     assert first(told, "flour", "stir") < motions(told).index("simmer")
+
+
+def test_bread_is_served_beside_what_is_cooked_in_a_pan(steps):
+    told = steps("seafood", "Garlic Butter Shrimp Scampi", "shrimp:deveined", "butter:unmelted", "olive oil:liquid",
+                 "garlic:minced", "white wine:dry", "lemon juice:juice", "parsley:chopped",
+                 "crusty bread:loaf")  # fmt: skip
+    comes = [place for place, (inputs, _, _) in enumerate(told) if "crusty bread" in inputs]
+    off = len(told) - 1 - motions(told)[::-1].index("turn off")
+    assert first(told, "crusty bread", "slice") < off < comes[-1]
+    assert not [motion for inputs, motion, _ in told if "crusty bread" in inputs and motion in HEATS]
