@@ -93,7 +93,7 @@ class Asked:
         self.laid = any(dish.laid for dish in self.dishes)
         self.dressed = any(dish.dressed for dish in self.dishes)
         self.tin = any(dish.tin for dish in self.dishes)
-        self.flat = any(dish.is_no and not dish.baked for dish in self.dishes)
+        self.flat = any(dish.is_no and not dish.baked and not dish.is_type for dish in self.dishes)
         self.cold = not any(dish.heated for dish in self.of_type) and not self.grilled
         self.smooth = not _SMOOTH.isdisjoint((*self.type_words, *self.told))
         self.of_batter = self.tin and is_of_batter(self.wants)

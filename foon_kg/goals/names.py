@@ -21,7 +21,9 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
 
 
 def is_baked(dish_type: str, title: str, known: Tables) -> bool:
-    """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin."""
+    """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin; a soup never does."""
+    if not word_list("boils in the dish").isdisjoint(words(title)):
+        return False
     if any(dish.baked for dish in known.dishes_named(dish_type, title)):
         return True
     told = words(title)

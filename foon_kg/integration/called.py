@@ -79,7 +79,12 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     boiled = not word_list("boils in the dish").isdisjoint(called.told)
-    line, joins = _drunk(line, joins, called, known) if called.drunk else wedges_last(line, joins, spooned=boiled)
+    beside = not any(dish.stacked or dish.baked or dish.formed for dish in called.dishes)
+    line, joins = (
+        _drunk(line, joins, called, known)
+        if called.drunk
+        else wedges_last(line, joins, spooned=boiled, slices_beside=beside)
+    )
     return _in_the_pot(line, joins, called, known)
 
 

@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.course import HEATS, WORKS, Plan
 from foon_kg.integration.frames import Line, Stage
 from foon_kg.integration.preparation import Want
-from foon_kg.integration.spots import Join
+from foon_kg.integration.spots import Join, only_carries
 
 _MELTS = word_list("melts on what is hot")
 _THICKENS = word_list("thickens what is boiled")
@@ -40,16 +40,30 @@ def crowned(line: Line, plan: Plan, known: Tables) -> tuple[Line, Plan]:
     return line, replace(plan, joins=joins)
 
 
-def wedges_last(line: Line, joins: Sequence[Join], *, spooned: bool) -> tuple[Line, tuple[Join, ...]]:
+def wedges_last(
+    line: Line, joins: Sequence[Join], *, spooned: bool, slices_beside: bool
+) -> tuple[Line, tuple[Join, ...]]:
     """Return how a dish is made beside which wedges are served: nobody cooks them, whatever comes into its place.
 
-    Where all is eaten with the spoon (``spooned``) they lie in its bowl.
+    Where all is eaten with the spoon (``spooned``) they lie in its bowl. ``slices_beside``: slices that the
+    recorded dish does not cook are served so, too, unless something soaks them. They lie in what the dish is served in.
     """
-    found = [join for join in joins if _is_wedge(join.want) and join.spot.heats_later]
+    slices_beside = slices_beside and not any(
+        join.want.facts.is_a(*word_list("is soaked up by slices")) for join in joins
+    )
+    found = [
+        join
+        for join in joins
+        if join.spot.heats_later and (_is_wedge(join.want) or (slices_beside and _is_slices_beside(join)))
+    ]
     if not found or len(found) == len(joins):
         return line, tuple(joins)
+    last = line.stages[-1]
+    if only_carries(last) and last.vessel and not any(_is_wedge(join.want) for join in found):
+        ending = (_ending(join, last, on_top=join in found) for join in joins)
+        return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
     vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
-    top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), line.stages[-1].step)
+    top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
     ending = (_ending(join, top, on_top=join in found) for join in joins)
     joins = [replace(join, slot=None) if join.on_top else join for join in ending]
     return Line((*line.stages, top)), tuple(joins)
@@ -59,6 +73,13 @@ def _is_wedge(want: Want) -> bool:
     """Whether a fruit is called or asked in wedges, of which everyone presses the juice out."""
     wedge = word_list("is cut so by name") & {want.make, *words(want.label)[-1:]}
     return bool(wedge) and want.facts.is_a(*word_list("is a wedge beside it"))
+
+
+def _is_slices_beside(join: Join) -> bool:
+    """Whether slices would come into a pan in which the recorded dish has none."""
+    slices = not join.want.make or join.want.make in word_list("is a slice")
+    dry = any("dry" in stage.does for stage in (join.spot.stage, *join.spot.after))
+    return join.slot is None and slices and not dry and join.want.facts.kind in word_list("is sliced and served beside")
 
 
 def _ending(join: Join, top: Stage, *, on_top: bool) -> Join:

@@ -10,8 +10,8 @@ from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import Line, Stage
-from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, fresh, put_at, with_line
-from foon_kg.integration.preparation import as_mash
+from foon_kg.integration.patterns import BAKE, COOK, MIX, SHAPE, SIMMER, TOP, TURN, WHISK, fresh, put_at, with_line
+from foon_kg.integration.preparation import as_mixed
 from foon_kg.integration.spots import Join
 
 _FINE = 3
@@ -47,12 +47,17 @@ def formed(
         stages: tuple[Stage, ...] = (heat,)
     else:
         stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
+    smooth = mass.smoothed(wet)
+    whisk = replace(WHISK)
+    if smooth:
+        sauce = replace(sauce, adds=(Line((whisk,)),))
+        stages = (*stages[:-1], sauce)
     whole = Line((*stages, top))
     fats = [join for join in joins if join.want.facts.is_a("fat")]
     own = [join for join in joins if mass.is_of_mass(join, alone=False)]
-    places = [(own, mix), (fats, heat), (tops, top), (wet, sauce)]
+    places = [(own, mix), (fats, heat), (tops, top), (smooth, whisk), (wet, sauce)]
     at = {join.want.number: next((stage for some, stage in places if join in some), mix) for join in joins}
-    joins = [replace(join, want=as_mash(join.want, known)) if at[join.want.number] is mix else join for join in joins]
+    joins = [replace(join, want=as_mixed(join.want, known)) if at[join.want.number] is mix else join for join in joins]
     return put_at(whole, joins, lambda join: at[join.want.number])
 
 
@@ -114,7 +119,7 @@ class _Mass:
 
     def _soaks_what_binds(self, join: Join) -> bool:
         """Whether a liquid is for the crumbs that bind a mass, since something else is cooked around that."""
-        if not (self.bound and join.want.facts.is_a(*word_list("soaks what binds"))):
+        if not (self.bound and join.want.facts.kind in word_list("soaks what binds")):
             return False
         others = (one.want.facts for one in self.joins if one is not join)
         return any(one.is_of(*word_list("is a sauce around a mass")) for one in others)
@@ -127,6 +132,13 @@ class _Mass:
         if facts.is_of(*word_list("is a sauce around a mass")):
             return True
         return self.wet and not self.is_of_mass(join, alone=True)
+
+    def smoothed(self, wet: Sequence[Join]) -> list[Join]:
+        """Return what of a sauce is whisked before it comes to what is hot: flour, and a liquid that is poured."""
+        binds = [join for join in wet if join.want.facts.is_a(*word_list("binds a mass or a sauce"))]
+        liquids = [join for join in wet if join.want.facts.is_of(*word_list("smooths what binds a sauce"))]
+        liquids = [join for join in liquids if join.want.facts.is_a("liquid", "water")]
+        return [*binds, liquids[0]] if binds and liquids else []
 
     def lies_on_it(self, join: Join) -> bool:
         """Whether a food comes on what is done, or beside it."""

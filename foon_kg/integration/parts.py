@@ -181,10 +181,14 @@ def _on_base(stages: list[Stage], joins: list[Join], part: Part, tin: str) -> tu
 
 
 def baked_at_last(line: Line, joins: Sequence[Join], title: str) -> tuple[Line, tuple[Join, ...]]:
-    """Return a line that ends in the oven, with what is browned there on top, where the title asks for it."""
+    """Return a line that ends in the oven, with what is browned there on top, where the title asks for it.
+
+    What boils in its dish never ends there, whatever else its title names: a baked potato soup is a soup.
+    """
     stages = list(line.stages)
     hot = [stage for stage in stages if "heat" in stage.does]
-    told = not word_list("is baked at last").isdisjoint(words(title))
+    boils = not word_list("boils in the dish").isdisjoint(words(title))
+    told = not boils and not word_list("is baked at last").isdisjoint(words(title))
     bakes = [stage for stage in hot if "dry" in stage.does]
     if bakes:
         return line, _strewn_on(bakes[-1], stages, _browned_on(bakes[-1], stages, joins) if told else joins)

@@ -12,6 +12,7 @@ from foon_kg.integration.spots import Join, spots_of
 
 MIX = Stage((), "mix", frozenset({"mix"}), ("spoon",), "mixing bowl", "in", "", "", "mixture", (), 0)
 SHAPE = replace(MIX, motion="shape", does=frozenset({"shape"}), tools=(), vessel="hand")
+WHISK = replace(MIX, motion="whisk", tools=("whisk",), vessel="bowl")
 COOK = replace(MIX, motion="cook", does=frozenset({"heat"}), tools=(), vessel="cooking pan", label="")
 COOK = replace(COOK, appliance="stove", source="heat")
 STIR = replace(COOK, motion="cook and stir", does=frozenset({"heat", "mix"}), tools=("spoon",))

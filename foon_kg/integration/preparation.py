@@ -343,6 +343,13 @@ def as_mash(want: Want, known: Tables) -> Want:
     return replace(want, then=min(word_list("is mashed so"))) if hard and whole and not want.then else want
 
 
+def as_mixed(want: Want, known: Tables) -> Want:
+    """Return a food as it is mixed to be shaped: mashed where it is hard, torn where it is to soak."""
+    whole = not want.make or (known.state(want.make).fine or 0) <= 1
+    torn = whole and want.facts.kind in word_list("is torn to be soaked")
+    return replace(want, make="torn") if torn else as_mash(want, known)
+
+
 def owed(want: Want, known: Tables, level: Level = Level.MINOR) -> set[str]:
     """Return what a cook still has to do to the food as it is sold: all that is fatal, and minor where asked."""
     levels = {Level.FATAL} if level is Level.FATAL else {Level.FATAL, Level.MINOR}

@@ -7,11 +7,15 @@ from collections.abc import Iterator
 from foon_kg.food import Match, is_unbaked, singular, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
+from foon_kg.model import ObjectNode
 from foon_kg.validation.case import Case, names
 from foon_kg.validation.report import Finding
 from foon_kg.validation.robot import of_world
 from foon_kg.world import Happening, Part, Vessel
 from foon_kg.world.becoming import meets
+
+_DONE = frozenset({"boil", "cook"})
+"""Treatments after which nothing is raw."""
 
 _GROUND = 4
 """As fine as this (crushed, grated), a topping binds what it is stirred into."""
@@ -34,10 +38,25 @@ def defined(case: Case) -> Iterator[Finding]:
         warm = _is_asked(case, dish) or is_unbaked(title) or any(part.heated is not None for part in case.parts)
         if dish.heated and not warm:
             yield Finding("K5", f"“{dish.name}”, and nothing in it was heated", None, (case.goal,))
+    if case.recipe and not cold:
+        yield from _raw_sauce(case, case.goal, title)
     for dish in case.tables.dishes_named(*(case.dish_types if case.recipe else ()), title):
         bought = any(part.food.is_a(dish.name) for part in case.parts)  # bread that somebody dips was baked before
         if dish.baked and not bought and not _baked(case) and not is_unbaked(title):
             yield Finding("K5", f"“{dish.name}”, and it was never baked", None, (case.goal,))
+
+
+def _raw_sauce(case: Case, goal: ObjectNode, title: str) -> Iterator[Finding]:
+    """Yield a sauce of raw roots with tomatoes or fruit that nobody heated, and that is not called as what is so."""
+    called = {*words(title), *words(goal.label)}
+    eaten_raw = not word_list("is a raw sauce").isdisjoint(called)
+    eaten_raw = eaten_raw or any(part.food.is_a(*word_list("makes a raw sauce")) for part in case.parts)
+    if eaten_raw or "sauce" not in case.dish_types or any(part.heated is not None for part in case.parts):
+        return
+    roots = [part for part in case.parts if part.food.is_a(*word_list("is fried for a sauce"))]
+    roots = [part for part in roots if _DONE.isdisjoint(part.done)]
+    if roots and any(part.food.is_a(*word_list("is simmered to a sauce")) for part in case.parts):
+        yield Finding("K5", f"a sauce with raw {roots[0].name}, and nothing in it was heated", None, (goal,))
 
 
 def _baked(case: Case) -> bool:

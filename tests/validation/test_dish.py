@@ -162,6 +162,22 @@ def test_k5_nothing_was_heated_in_a_dish_that_is_eaten_hot():
     assert found("K5", heated("soup", "leek", "water")) == []
 
 
+SAUCE = ("onion", "tomato", "oil")
+
+
+def test_k5_a_sauce_of_raw_roots_and_tomatoes_was_never_heated():
+    asked = recipe("sauce", "; ".join(SAUCE), "Sauce of the House")
+    (told,) = found("K5", asked + served("sauce", *SAUCE))
+    assert told.endswith("a sauce with raw onion, and nothing in it was heated")
+    assert found("K5", asked + heated("sauce", *SAUCE)) == []
+
+
+def test_k5_a_sauce_that_is_eaten_raw_by_its_name_or_foods_is_not_to_be_heated():
+    assert found("K5", recipe("sauce", "; ".join(SAUCE), "Fresh Salsa") + served("sauce", *SAUCE)) == []
+    with_nuts = (*SAUCE, "almond")
+    assert found("K5", recipe("sauce", "; ".join(with_nuts), "House Sauce") + served("sauce", *with_nuts)) == []
+
+
 def test_k5_of_type_and_title_too():
     cold = served("lunch", "leek", "water")
     assert found("K5", cold) == []
