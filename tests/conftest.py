@@ -7,7 +7,8 @@ without any fails, it never skips. One server serves all workers of pytest-xdist
 Neo4j Community has one database, so tests marked ``neo4j`` must not run beside each other: they all go to one worker
 (``--dist=loadgroup`` in pyproject.toml, the group is given here). Whoever wants an empty graph asks ``empty_graph``;
 without constraints and indexes it is a ``bare_graph``, at ten times the CPU: Neo4j forgets whatever it has compiled
-when an index comes or goes.
+when an index comes or goes. In ``make campaign``, whose tests mostly wait, each worker has a local server of its own
+instead.
 """
 
 from __future__ import annotations
@@ -40,6 +41,10 @@ if TYPE_CHECKING:
 
 IMAGE = "neo4j:2026.09.0-community"
 SESSION_FOLDER = "FOON_KG_TEST_SESSION"
+CAMPAIGN = os.environ.get("FOON_KG_CAMPAIGN") == "yes"
+OWN_SERVERS = CAMPAIGN and connection_from_environment() is None
+"""Whether each worker has a local server: nothing is shared then, and the tests of the database need no group."""
+
 QUICKLY_COMPILED = "-XX:TieredStopAtLevel=1"
 """A server of tests lives for minutes: what Java spends to compile well, two fifths of its CPU, it never gets back."""
 
@@ -52,15 +57,15 @@ hypothesis.settings.load_profile("untimed")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the folder in which the workers of this run agree on one server."""
-    if not hasattr(config, "workerinput"):
+    """Make the folder in which the workers of this run agree on one server, or each keeps its own."""
+    if not hasattr(config, "workerinput") or OWN_SERVERS:
         os.environ[SESSION_FOLDER] = tempfile.mkdtemp(prefix="foon-kg-test-")
         os.environ.setdefault("JAVA_TOOL_OPTIONS", QUICKLY_COMPILED)
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """End the server of this run, if it is ours."""
-    if hasattr(config, "workerinput") or SESSION_FOLDER not in os.environ:
+    """End the server of this run, or of this worker, if it is ours."""
+    if (hasattr(config, "workerinput") and not OWN_SERVERS) or SESSION_FOLDER not in os.environ:
         return
     folder = Path(os.environ.pop(SESSION_FOLDER))
     if (folder / "container").exists():
@@ -77,12 +82,12 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave to ``make campaign`` what is marked so; send all tests of the database to one worker; a browser is slow."""
-    if os.environ.get("FOON_KG_CAMPAIGN") != "yes":
+    if not CAMPAIGN:
         left_out = [item for item in items if item.get_closest_marker("campaign")]
         items[:] = [item for item in items if not item.get_closest_marker("campaign")]
         config.hook.pytest_deselected(items=left_out)
     for item in items:
-        if item.get_closest_marker("neo4j"):
+        if item.get_closest_marker("neo4j") and not OWN_SERVERS:
             item.add_marker(pytest.mark.xdist_group("neo4j"))
         if "browser" in getattr(item, "fixturenames", ()):
             item.add_marker(pytest.mark.slow)
@@ -90,7 +95,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_collection_finish(session: pytest.Session) -> None:
     """Refuse to run where pytest-xdist does not keep that group together: the tests would erase each other's graph."""
-    if getattr(session.config.option, "loadgroup", False):
+    if getattr(session.config.option, "loadgroup", False) and not OWN_SERVERS:
         apart = [item.nodeid for item in session.items if item.get_closest_marker("neo4j") and "@" not in item.nodeid]
         if apart:
             pytest.exit(f"pytest-xdist does not group {apart[0]}: this pytest is too new for it", returncode=3)
