@@ -85,3 +85,17 @@ def test_bread_is_served_beside_what_is_cooked_in_a_pan(steps):
     off = len(told) - 1 - motions(told)[::-1].index("turn off")
     assert first(told, "crusty bread", "slice") < off < comes[-1]
     assert not [motion for inputs, motion, _ in told if "crusty bread" in inputs and motion in HEATS]
+
+
+def test_a_filling_under_a_meringue_is_stirred_smooth_before_it_is_cooked(steps):
+    told = steps("pie", "Lemon Meringue Pie", "pie crust:raw", "sugar:granulated", "cornstarch:powder",
+                 "water:liquid", "eggs:uncooked", "lemon juice:fresh", "butter:unmelted")  # fmt: skip
+    assert first(told, "cornstarch", "whisk") < motions(told).index("cook and stir")
+    assert "cornstarch" in inside(told, "cook and stir")
+
+
+def test_nuts_and_seeds_of_a_milk_are_ground_in_it_and_strained(steps):
+    told = steps("drinks", "Thandai", "almonds:blanched", "poppy seeds:seed", "fennel seeds:whole", "milk:cold",
+                 "sugar:granulated")  # fmt: skip
+    assert {"almonds", "fennel seeds", "milk"} <= inside(told, "blend")
+    assert motions(told).index("blend") < motions(told).index("pour and strain")
