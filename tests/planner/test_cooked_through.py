@@ -99,3 +99,15 @@ def test_nuts_and_seeds_of_a_milk_are_ground_in_it_and_strained(steps):
                  "sugar:granulated")  # fmt: skip
     assert {"almonds", "fennel seeds", "milk"} <= inside(told, "blend")
     assert motions(told).index("blend") < motions(told).index("pour and strain")
+
+
+def test_the_sauce_of_a_bread_pudding_is_cooked_by_itself(steps):
+    told = steps("pudding", "Bread Pudding with Vanilla Sauce", "day-old bread:torn", "butter:melted", "raisins:whole",
+                 "eggs:beaten", "milk:liquid", "sugar:granulated", "vanilla extract:liquid", "heavy cream:creamy",
+                 "brown sugar:granulated", "flour:powder")  # fmt: skip
+    smooth = [inputs for inputs, motion, _ in told if motion in {"beat", "whisk"} and "flour" in inputs]
+    assert smooth[0] >= {"flour", "heavy cream", "brown sugar", "saucepan"}
+    assert {"flour", "vanilla extract"} <= inside(told, "cook and stir")
+    assert {"eggs", "milk", "day-old bread"} <= inside(told, "bake")
+    assert "flour" not in inside(told, "bake")
+    assert any("flour" in node.ingredients for node in told[-1][2])
