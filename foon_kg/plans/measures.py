@@ -36,7 +36,7 @@ def amount_of(text: str) -> tuple[str, str]:
 
 
 def measured_words(measures: Measures, motion: str) -> str:
-    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (200 g)"; nothing for none.
+    """Return what measures say, as it follows a sentence: " for 60 min at 165 °C (200 g flour)"; nothing for none.
 
     Amounts that nobody asked for are told as recorded: who asks may have another one in mind.
     """
@@ -50,8 +50,8 @@ def measured_words(measures: Measures, motion: str) -> str:
 
 
 def _listed(amounts: Sequence[tuple[str, str]]) -> str:
-    """Return amounts in words, with their foods where there are several."""
-    return ", ".join(amount if len(amounts) == 1 else f"{amount} {food}" for amount, food in amounts)
+    """Return amounts in words, each with its food: what stands before it in the sentence may be the knife."""
+    return ", ".join(f"{amount} {food}" for amount, food in amounts)
 
 
 def _long(seconds: float) -> str:

@@ -213,8 +213,9 @@ def test_two_commands_at_once_are_as_one_after_the_other(race, one):
                 assert found[which] in told, f"{what}: {one}, held at message {number} of {messages}, and {other}"
 
 
+@pytest.mark.campaign
 @pytest.mark.xdist_group("local-server")
-@pytest.mark.parametrize("name", ["load", "remove", "recipes", "weights", "plan"][: None if WHOLE_CAMPAIGN else 1])
+@pytest.mark.parametrize("name", ["load", "remove", "recipes", "weights", "plan"])
 def test_a_server_that_is_stopped_meanwhile_has_all_or_nothing(place, tmp_path, name):  # noqa: F811 - the fixture
     lay_out(tmp_path)
     race = Race(up(), tmp_path, {})

@@ -13,7 +13,7 @@ from foon_kg.model.errors import ReadError, UsageError
 HEADER = "start,end,motion,inputs,outputs,dish,confidence,doubt,said,source\n"
 ROWS = (
     "0:01,0:04,peel,onion on cutting board; knife,onion (peeled) on cutting board,,0.90,sure of it,“peel it”,a.mp4\n",
-    "0:05,,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.31,a | b,“chop it”,a.mp4\n",
+    "0:05,,chop,onion (peeled) on cutting board; knife,onion (chopped) on cutting board,,0.05,a | b,“chop it”,a.mp4\n",
     ",,pick-and-place,onion (chopped) on cutting board; xyzzy (empty),onion (chopped) in xyzzy; xyzzy {onion},,.8,,,\n",
     ",,pour,salt; xyzzy {onion},salt in xyzzy; xyzzy {onion; salt},,0.8,,,\n",
     ",,,,,,0.00,no motion,“wow”,a.mp4\n",

@@ -99,6 +99,7 @@ def test_a_running_server_is_found_although_its_record_is_lost(place, content):
     assert status().pid == pid
 
 
+@pytest.mark.campaign
 def test_an_unused_server_stops_by_itself_and_a_used_one_does_not(place, ask):
     stop()
     settings = up(idle_minutes=0.1)
@@ -113,6 +114,7 @@ def test_an_unused_server_stops_by_itself_and_a_used_one_does_not(place, ask):
     assert status().idle_minutes == 30
 
 
+@pytest.mark.campaign
 def test_a_server_that_does_not_let_go_of_a_question_is_started_again_and_says_why(place, ask):
     """To look through a list that has itself in it over and over is one step, which no Neo4j interrupts."""
     stop()

@@ -39,12 +39,12 @@ PLANNED = [TreeUnit.of(known.unit, "foon", ()) for known in RECORDED]
         (Measures(seconds=30), "leave", " for 30 s"),
         (Measures(seconds=7200 * 4), "refrigerate", " for 8 h"),
         (Measures(celsius=18), "cool", " to 18 °C"),
-        (Measures(("200 g self rising flour",)), "pour", " (recorded: 200 g)"),
-        (Measures(("3 piece egg",)), "crack", " (recorded: 3)"),
+        (Measures(("200 g self rising flour",)), "pour", " (recorded: 200 g self rising flour)"),
+        (Measures(("3 piece egg",)), "crack", " (recorded: 3 egg)"),
         (Measures(("3 piece egg", "60 g butter")), "mix", " (recorded: 3 egg, 60 g butter)"),
-        (Measures(seconds=30, asked=(CUP,)), "mix", " for 30 s (1 1/2 cups)"),
+        (Measures(seconds=30, asked=(CUP,)), "mix", " for 30 s (1 1/2 cups flour)"),
         (Measures(asked=(CUP, AskedAmount("3", "egg"))), "mix", " (1 1/2 cups flour, 3 egg)"),
-        (Measures(("60 g butter",), asked=(CUP,)), "mix", " (1 1/2 cups; recorded: 60 g)"),
+        (Measures(("60 g butter",), asked=(CUP,)), "mix", " (1 1/2 cups flour; recorded: 60 g butter)"),
     ],
 )
 def test_measures_are_told_at_the_end_of_a_sentence(measures, motion, words):

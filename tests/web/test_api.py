@@ -56,7 +56,7 @@ def test_a_step_is_a_sentence_and_an_ingredient_has_the_amount_that_was_asked(cl
     plan = Foon(snapshot=demo_foon()).plan(SALAD["dish_type"], asked)
     assert told["sentences"] == [step.text for step in plan.steps]
     assert told["amounts"] == ["2 cups", "", "3 tablespoons"]
-    assert [line.endswith(" (2 cups).") for line in told["sentences"]].count(True) == 1
+    assert [line.endswith(" (2 cups kohlrabi).") for line in told["sentences"]].count(True) == 1
     assert told["recipe"]["ingredients"][0]["amount"] == "2 cups"
 
 

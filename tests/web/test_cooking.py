@@ -66,7 +66,7 @@ def test_first_comes_what_to_have_ready_and_what_is_ticked_stays_so(kitchen):
 def test_a_step_is_a_sentence_with_what_it_takes_and_what_comes_next(kitchen):
     button(kitchen, "Begin").send_keys(ENTER)
     assert said(kitchen) == f"Step 1 of {steps(kitchen)}"
-    assert text_of(kitchen, ".cook .big") == "Slice the mushroom on the cutting board with the knife."
+    assert text_of(kitchen, ".cook .big") == "Slice the mushroom on the cutting board with the knife (200 g mushroom)."
     assert "Take\nmushroom whole\ncutting board\nknife" in text_of(kitchen, ".cook .card")
     following = text_of(kitchen, ".cook .next").removeprefix("Next: ")
     press(kitchen, RIGHT)
