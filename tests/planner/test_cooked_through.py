@@ -85,3 +85,29 @@ def test_bread_is_served_beside_what_is_cooked_in_a_pan(steps):
     off = len(told) - 1 - motions(told)[::-1].index("turn off")
     assert first(told, "crusty bread", "slice") < off < comes[-1]
     assert not [motion for inputs, motion, _ in told if "crusty bread" in inputs and motion in HEATS]
+
+
+def test_a_filling_under_a_meringue_is_stirred_smooth_before_it_is_cooked(steps):
+    told = steps("pie", "Lemon Meringue Pie", "pie crust:raw", "sugar:granulated", "cornstarch:powder",
+                 "water:liquid", "eggs:uncooked", "lemon juice:fresh", "butter:unmelted")  # fmt: skip
+    assert first(told, "cornstarch", "whisk") < motions(told).index("cook and stir")
+    assert "cornstarch" in inside(told, "cook and stir")
+
+
+def test_nuts_and_seeds_of_a_milk_are_ground_in_it_and_strained(steps):
+    told = steps("drinks", "Thandai", "almonds:blanched", "poppy seeds:seed", "fennel seeds:whole", "milk:cold",
+                 "sugar:granulated")  # fmt: skip
+    assert {"almonds", "fennel seeds", "milk"} <= inside(told, "blend")
+    assert motions(told).index("blend") < motions(told).index("pour and strain")
+
+
+def test_the_sauce_of_a_bread_pudding_is_cooked_by_itself(steps):
+    told = steps("pudding", "Bread Pudding with Vanilla Sauce", "day-old bread:torn", "butter:melted", "raisins:whole",
+                 "eggs:beaten", "milk:liquid", "sugar:granulated", "vanilla extract:liquid", "heavy cream:creamy",
+                 "brown sugar:granulated", "flour:powder")  # fmt: skip
+    smooth = [inputs for inputs, motion, _ in told if motion in {"beat", "whisk"} and "flour" in inputs]
+    assert smooth[0] >= {"flour", "heavy cream", "brown sugar", "saucepan"}
+    assert {"flour", "vanilla extract"} <= inside(told, "cook and stir")
+    assert {"eggs", "milk", "day-old bread"} <= inside(told, "bake")
+    assert "flour" not in inside(told, "bake")
+    assert any("flour" in node.ingredients for node in told[-1][2])
