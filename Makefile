@@ -25,7 +25,7 @@ demo: $(INSTALLED)  ## from nothing to a task tree: local Neo4j, a small FOON, a
 test: $(INSTALLED_FOR_TESTS)  ## every test, against a real Neo4j
 	$(BIN)/python -m pytest -n auto
 
-test-quick: $(INSTALLED_FOR_TESTS)  ## most tests in a minute: without a Neo4j, a browser or what takes long by itself
+test-quick: $(INSTALLED_FOR_TESTS)  ## most tests in little over a minute: without a Neo4j, a browser or what takes long by itself
 	$(BIN)/python -m pytest -n auto -m $(QUICK)
 
 check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of imports and how many a command makes
@@ -35,7 +35,7 @@ check: $(INSTALLED_FOR_TESTS) $(TYPED)  ## style, types, the direction of import
 	cd $(TYPED) && $(CURDIR)/$(BIN)/mypy --config-file $(CURDIR)/pyproject.toml --cache-dir $(CURDIR)/.mypy_cache
 	$(BIN)/python benchmarks/imports.py
 
-campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed, one thing after another: half an hour
+campaign: $(INSTALLED_FOR_TESTS)  ## harm everything that can be harmed: a quarter of an hour
 	mkdir -p $(CONSUMERS) && cp tests/campaign/consumers/* $(CONSUMERS)
 	cd $(CONSUMERS) && npm ci --no-audit --no-fund --ignore-scripts --omit=optional --loglevel=error || echo "without npm: \
 	what Graphviz and Mermaid make of hostile names is not looked at"
