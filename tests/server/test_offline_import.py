@@ -13,9 +13,10 @@ from typer.testing import CliRunner
 from foon_kg.cli import app
 from foon_kg.demo import demo_folder
 from foon_kg.loaders import read_paths
+from foon_kg.model.errors import UsageError
 from foon_kg.store.graph import Connection, load
-from foon_kg.store.offline.importing import _sweep
-from foon_kg.store.server import connection_settings
+from foon_kg.store.offline.importing import _refuse_what_was_stored_meanwhile, _sweep
+from foon_kg.store.server import connection_settings, start, stop
 
 VIDEOS = ("greek_salad.txt", "spanish_omelette.txt", "garden_salad.txt")
 
@@ -79,6 +80,16 @@ def test_an_import_is_what_a_load_writes_and_takes_the_place_of_nothing_unasked(
         assert whole_graph(kept) == loaded
 
 
+@pytest.mark.neo4j
+@pytest.mark.slow
+def test_what_others_stored_meanwhile_is_seen_of_a_server_that_has_ended_since(place, ask):
+    ask(start(), "CREATE (:Other)")
+    stop()
+    with place.locked(), pytest.raises(UsageError, match="another program stored a graph"):
+        _refuse_what_was_stored_meanwhile(place, print)
+    stop()
+
+
 def test_what_a_killed_import_has_left_at_work_is_ended(tmp_path):
     folder = tmp_path / "import"
     folder.mkdir()
@@ -100,6 +111,17 @@ def test_what_a_killed_import_has_left_at_work_is_ended(tmp_path):
         for process in (left, other):
             process.kill()
             process.communicate()
+
+
+def test_a_dry_run_tells_of_the_recipes_too(tmp_path):
+    collection = tmp_path / "recipes.csv"
+    collection.write_text(RECIPES, encoding="utf-8")
+    told = run(demo_folder() / VIDEOS[0], "--offline", "--dry-run", "--recipes", collection)
+    assert told.exit_code == 0, told.output
+    counts = json.loads(told.stdout)
+    assert (counts["subgraphs"], counts["recipes"], counts["rejected_recipes"]) == (1, COLLECTED, 0)
+    (empty := tmp_path / "none").mkdir()
+    assert run(demo_folder() / VIDEOS[0], "--offline", "--dry-run", "--recipes", empty).exit_code == 2
 
 
 def test_another_neo4j_is_not_imported_into(monkeypatch):

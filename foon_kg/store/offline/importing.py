@@ -37,8 +37,8 @@ from foon_kg.store.server.exchange import exchange, restore
 from foon_kg.store.server.home import Home, Say, home, silent, waiting
 from foon_kg.store.server.java import run_admin
 from foon_kg.store.server.launch import launched, set_password
-from foon_kg.store.server.lifecycle import ensure_running, stop_locked
-from foon_kg.store.server.reach import password_of, settings_of
+from foon_kg.store.server.lifecycle import ensure_running, start_locked, stop_locked
+from foon_kg.store.server.reach import password_of
 from foon_kg.store.server.starting import fetched
 from foon_kg.store.server.startup_cache import StartupCache
 from foon_kg.store.settings import ConnectionSettings, connection_from_environment
@@ -120,7 +120,7 @@ def _import(
         _complete(settings)
     with place.locked(say):
         if not replace:
-            _refuse_what_was_stored_meanwhile(place)
+            _refuse_what_was_stored_meanwhile(place, say)
         stop_locked(place, say)
         exchange(place, made)
     ensure_running(say)
@@ -212,10 +212,9 @@ def _refuse_what_is_not_empty(place: Home, say: Say) -> None:
         )
 
 
-def _refuse_what_was_stored_meanwhile(place: Home) -> None:
-    """Look once more, on the home that is locked: an import takes minutes, in which others load."""
-    known = place.recall()
-    if known and known.port and processes.find(place, known) and _holds_something(settings_of(place, known.port)):
+def _refuse_what_was_stored_meanwhile(place: Home, say: Say) -> None:
+    """Look once more, on the home that is locked: an import takes minutes, in which others load, and a server idles."""
+    if place.databases.exists() and _holds_something(start_locked(place, say)[0]):
         raise UsageError(
             "while the import was made another program stored a graph in the local Neo4j; it is left as it is",
             hint="Import again with --replace where that is meant; without --offline, videos are added to it.",

@@ -38,20 +38,31 @@ def start(
     """
     place = home()
     with place.locked(say):
-        known = place.recall()
-        running = processes.find(place, known)
-        if running:
-            settings = _join(place, running, known, port, idle_minutes)
-        else:
-            from foon_kg.store.server import starting  # noqa: PLC0415 - what most commands never need
-
-            memory = starting.remembered(place, known, port, idle_minutes, say)
-            settings = starting.launch(place, memory, say, explicit_port=port is not None)
-        with explain_os_error(f"cannot write {place.used}"):
-            place.used.touch()
-    if not running:
+        settings, ran = start_locked(place, say, port=port, idle_minutes=idle_minutes)
+    if not ran:
         (after_start or _warm)(settings)
     return settings
+
+
+def start_locked(
+    place: Home, say: Say = silent, *, port: int | None = None, idle_minutes: float | None = None
+) -> tuple[ConnectionSettings, bool]:
+    """Start the server of a home that the caller has locked; return how to reach it, and whether it ran already.
+
+    ``port``, ``idle_minutes`` and what is raised: see :func:`start`.
+    """
+    known = place.recall()
+    running = processes.find(place, known)
+    if running:
+        settings = _join(place, running, known, port, idle_minutes)
+    else:
+        from foon_kg.store.server import starting  # noqa: PLC0415 - what most commands never need
+
+        memory = starting.remembered(place, known, port, idle_minutes, say)
+        settings = starting.launch(place, memory, say, explicit_port=port is not None)
+    with explain_os_error(f"cannot write {place.used}"):
+        place.used.touch()
+    return settings, running is not None
 
 
 def stop(say: Say = silent) -> bool:
@@ -70,9 +81,8 @@ def stop_locked(place: Home, say: Say = silent) -> bool:
     if running:
         say(f"stopping the local Neo4j (process {running.pid})")
         if known and known.port and processes.has_failed_to_write(settings_of(place, known.port)):
-            processes.end_at_once(
-                running
-            )  # in order it would write on behind what was torn off: nobody could read that
+            # in order it would write on behind what was torn off: nobody could read that
+            processes.end_at_once(running)
         else:
             processes.end(running)
     if known:
