@@ -109,7 +109,8 @@ def foon(
     loaded = None
     if not dry_run:
         loaded = (_unchanged(read, quiet=quiet) if known else None) or _load(results or _parsed(files), quiet=quiet)
-    show_counts(_counts(read, loaded), as_json=as_json)
+    with load_recipes.beside(recipes or [], bad_tolerance, say, quiet=quiet) as (_, counts):  # of a dry run
+        show_counts(_counts(read, loaded) | counts, as_json=as_json)
 
 
 @app.command(
