@@ -22,10 +22,10 @@ def front_door(files: Sequence[Path] | None, say: Say) -> Foon:
     """Return the FOON that a command asks: of ``files``, else of the environment's Neo4j or the local one."""
     from foon_kg.foon import Foon
 
-    return Foon.of_subgraphs(subgraphs_of(files, say), lessons_in(files)) if files else Foon.connect(say=say)
+    return Foon.of_subgraphs(subgraphs_of(files, say), _lessons_in(files)) if files else Foon.connect(say=say)
 
 
-def lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
+def _lessons_in(files: Sequence[Path]) -> Sequence[Lesson]:
     """Return what the files of drafted recipes among ``files`` teach."""
     from foon_kg.loaders.lessons import is_drafts_file, lessons_of, read_drafted
     from foon_kg.model.drafted import surest

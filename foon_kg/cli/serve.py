@@ -106,12 +106,13 @@ def serve(  # noqa: PLR0917 - each parameter is an option of its own
 
 def served_foon(files: Sequence[Path] | None, say: Say) -> FoonSource:
     """Return the FOON to serve: of ``files``, else of the environment's Neo4j or the local one."""
-    from foon_kg.cli.knowledge import lessons_in, whole_foon
+    from foon_kg.cli.knowledge import front_door
     from foon_kg.foon import Foon
     from foon_kg.web.foon import EMPTY, FixedFoon, LiveFoon
 
     if files:
-        return FixedFoon(whole_foon(files, say), lessons_in(files))
+        with front_door(files, say) as read:
+            return FixedFoon(read.snapshot(), read.lessons())
     foon = LiveFoon(lambda: Foon.connect(say=say))
     if foon.edition() == EMPTY:  # what is wrong is said now, and not to the first who asks
         say("The database holds no FOON yet. Load one: foon load foon PATH…; what is loaded is served at once.")

@@ -10,6 +10,10 @@ from starlette.testclient import TestClient
 from web.driving import asked, open_page, text_of
 from web.serving import app, served
 
+from foon_kg.cli.console import json_line
+from foon_kg.cli.serve import served_foon
+from foon_kg.demo import demo_folder
+from foon_kg.loaders import lessons
 from foon_kg.loaders.lessons import lessons_of
 from foon_kg.web.foon import FixedFoon
 
@@ -32,6 +36,15 @@ def test_drafts_count_only_where_they_are_asked(drafted):
         "/api/plan", params={"dish_type": "cookie", "ingredient": BISCUITS["ingredients"], "with_drafts": True}
     ).json()
     assert again["units"] == told["units"]
+
+
+def test_files_of_drafts_are_read_once(tmp_path, monkeypatch):
+    file, opened, opening = tmp_path / "drafts.jsonl", [], lessons._open
+    file.write_text(json_line(COOKIE.to_json()), encoding="utf-8")
+    monkeypatch.setattr(lessons, "_open", lambda path: opened.append(path) or opening(path))
+    (lesson,) = served_foon([demo_folder(), file], str).read().lessons
+    assert lesson.title == COOKIE.title
+    assert opened == [file]
 
 
 def test_a_service_without_drafts_tells_of_none():
