@@ -45,10 +45,10 @@ class Fields:
         return None if self._values.get(name) is None else self.text(name)
 
     def text_or_number(self, name: str) -> str:
-        """Return the text of a field, or its number as it is written; nothing where it is null or left out."""
+        """Return the text of a field, or its number (2.0 is "2"); nothing where it is null or left out."""
         value = self._values.get(name)
         if isinstance(value, int | float) and not isinstance(value, bool):
-            return f"{value:g}"
+            return f"{value:.15g}"
         return (self.optional_text(name) or "").strip()
 
     def whole_number(self, name: str) -> int:

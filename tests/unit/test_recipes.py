@@ -156,13 +156,15 @@ def test_a_recipe_file_says_how_much_in_fields_and_in_lines(tmp_path):
         onion | {"amount": "1 cup"},
         onion | {"quantity": 2.5, "unit": "kg"},
         onion | {"quantity": "3", "unit": ""},
+        onion | {"quantity": 1234567, "unit": "g"},
+        onion | {"quantity": 2.0},
     ]
     path = write(tmp_path, "17.json", {"type": "salad", "ingredients": [*fields, "200 g chopped onion", onion, " "]})
     read = read_recipe(path, WORDS)
-    assert [one.amount for one in read.recipe.ingredients] == ["1 cup", "2.5 kg", "3", "200 g", ""]
+    assert [one.amount for one in read.recipe.ingredients] == ["1 cup", "2.5 kg", "3", "1234567 g", "2", "200 g", ""]
     assert set(read.recipe.ingredients) == {RequiredIngredient("onion", "chopped")}
-    assert read.notes == (f"{path}: ingredients[5]: the line is empty; the ingredient is left out",)
-    assert foods_named(path) == (("onion",) * 4, ("200 g chopped onion", " "))
+    assert read.notes == (f"{path}: ingredients[7]: the line is empty; the ingredient is left out",)
+    assert foods_named(path) == (("onion",) * 6, ("200 g chopped onion", " "))
 
 
 def test_the_recipe_of_a_plan_result_is_a_recipe_file_too(tmp_path):
