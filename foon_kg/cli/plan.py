@@ -173,29 +173,23 @@ def plan(  # noqa: PLR0917 - each parameter is an option of its own
         own = {"--explain": explain, "--enumerate": enumerate_all, "--kitchen": kitchen is not None}
         own |= {"--with-drafts": with_drafts}
         _ours_only(own | {"--substitute": bool(substitute), "--avoid": bool(avoid), "--after": bool(after)})
+    settings = PlanSettings(
+        substitutes=tuple(map(_substitute, substitute or ())),
+        avoided=tuple(avoid or ()),
+        after=after,
+        explain=explain,
+        method=method,
+        with_drafts=with_drafts,
+    )
     if recipes is not None:
         _one_form({"--recipes": True, "--foon": foon, "--explain": explain, "--enumerate": enumerate_all})
         _alone(wanted or recipe or dish or title)
-        chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(
-            substitutes=chosen, avoided=tuple(avoid or ()), after=after, method=method, with_drafts=with_drafts
-        )
         _finish(plan_collection(recipes, kitchen, settings, CollectionRun(output, files, jobs, dask, say, quiet)))
         return
     questions = _called(_questions(wanted or [], dish, recipe or [], say), title)
     _one_only(questions, {"--foon": foon, "--enumerate": enumerate_all}, output)
     with front_door(files, say) as door:
-        at_hand = kitchen_of(kitchen, door, say)
-        chosen = tuple(map(_substitute, substitute or ()))
-        settings = PlanSettings(
-            at_hand,
-            substitutes=chosen,
-            avoided=tuple(avoid or ()),
-            after=after,
-            explain=explain,
-            method=method,
-            with_drafts=with_drafts,
-        )
+        settings = replace(settings, kitchen=kitchen_of(kitchen, door, say))
         if enumerate_all:
             show_candidates(questions[0], door, settings, limit, as_json=as_json, say=say)
             return
