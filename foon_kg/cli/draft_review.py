@@ -102,6 +102,8 @@ def _show_drafts(
 
 
 def _differences(drafts: Sequence[DraftFile], files: Sequence[Path] | None, say: Say) -> Sequence[VideoDifference]:
-    from foon_kg.cli.videos import found_differences
+    """Return what loading ``drafts`` would change in the FOON of ``files``, else in the graph."""
+    from foon_kg.cli.knowledge import front_door
 
-    return found_differences([draft.subgraph for draft in drafts if draft.subgraph is not None], files, say)
+    with front_door(files, say) as foon:
+        return foon.differences([draft.subgraph for draft in drafts if draft.subgraph is not None])

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from foon_kg.cli.console import Files, Json, Quiet, Say, examples, print_json, sayer
+from foon_kg.cli.console import Files, Json, Quiet, examples, print_json, sayer
 from foon_kg.cli.streams import data
 from foon_kg.model.errors import ReadError, UsageError
 
 if TYPE_CHECKING:
-    from foon_kg.model import Subgraph
     from foon_kg.plans.difference import VideoDifference
 
 DIFF_EXAMPLES = examples("foon diff new_salad.txt", "foon diff new_salad.csv --units", "foon diff subgraphs/ --json")
@@ -54,19 +53,9 @@ def diff(
     if not subgraphs:
         raise ReadError(f"no video in {', '.join(map(str, paths))}", hint="The lines above say what is wrong with it.")
     with front_door(files, say) as foon:
-        tell_unknown(odd_words(results, foon.words().vocabulary.rows_of), None, say)
+        tell_unknown(odd_words(results, foon.foods()), None, say)
         found = foon.differences(subgraphs)
     _show(found, units=units, as_json=as_json)
-
-
-def found_differences(
-    subgraphs: Sequence[Subgraph], files: Sequence[Path] | None, say: Say
-) -> Sequence[VideoDifference]:
-    """Return what loading ``subgraphs`` would change in the FOON of ``files``, else in the graph."""
-    from foon_kg.cli.knowledge import front_door
-
-    with front_door(files, say) as foon:
-        return foon.differences(subgraphs)
 
 
 def remove(
