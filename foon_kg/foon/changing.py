@@ -43,10 +43,10 @@ class Changing(Collected):
         >>> foon.cypher("MATCH (v:Video) WHERE v.name STARTS WITH $x RETURN v.name", {"x": "greek"}).rows
         (('greek_salad',),)
         """
-        self._needs_server("to be asked in Cypher")
+        connection = self._connected("to be asked in Cypher")
         from foon_kg.store.graph.free_cypher import ask_freely
 
-        return ask_freely(self._connection, text, parameters, write=write, limit=limit, timeout=timeout)
+        return ask_freely(connection, text, parameters, write=write, limit=limit, timeout=timeout)
 
     def load(self, *paths: Paths) -> LoadReport:
         """Bring files and tables into the graph, all or none, and return which were new, replaced and unchanged.
@@ -79,12 +79,12 @@ class Changing(Collected):
         >>> len(foon.store(foon.snapshot().subgraphs[:2]).unchanged)
         2
         """
-        self._needs_server("to load files")
+        connection = self._connected("to load files")
         from foon_kg.store.graph import load
         from foon_kg.store.graph.loading import UNITS_PER_TRANSACTION
 
         units = 1 + sum(len(subgraph.annotations) for subgraph in subgraphs) if at_once else UNITS_PER_TRANSACTION
-        report = load(self._connection, subgraphs, stored=stored, units_per_transaction=units)
+        report = load(connection, subgraphs, stored=stored, units_per_transaction=units)
         self.__dict__.pop("known", None)
         return report
 
@@ -146,12 +146,12 @@ class Changing(Collected):
         >>> [(one.name, one.status.value) for one in foon.remove(["greek_salad"], dry_run=True)]
         [('greek_salad', 'removed')]
         """
-        self._needs_server("to take videos out of")
+        connection = self._connected("to take videos out of")
         from foon_kg.store.graph import remove
         from foon_kg.store.graph.differences import losses
 
-        found = losses(self._connection, videos)
+        found = losses(connection, videos)
         if not dry_run:
-            remove(self._connection, videos)
+            remove(connection, videos)
             self.__dict__.pop("known", None)
         return found

@@ -5,7 +5,6 @@ The examples are of a Neo4j that holds the demo's FOON and its recipes.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -114,10 +113,11 @@ class Collected(Opened):
         """
         from foon_kg.language.collection import CollectionReader, labels_of
         from foon_kg.language.recipe_lines import LineReader
+        from foon_kg.planning.batch import cores
         from foon_kg.store.graph.recipes import load_recipes, prepare_for_recipes
 
         connection = self._connected("for recipes")
-        with LineReader(os.cpu_count() or 1) as lines:
+        with LineReader(cores()) as lines:
             prepare_for_recipes(connection)
             with self.reading() as view:
                 reader = CollectionReader(labels_of(view.vocabulary()), lines, full)
@@ -145,9 +145,10 @@ class Collected(Opened):
         """
         from foon_kg.language.collection import CollectionReader, labels_by_name
         from foon_kg.language.recipe_lines import LineReader
+        from foon_kg.planning.batch import cores
         from foon_kg.store.offline.staging import stage_recipes
 
-        with LineReader(os.cpu_count() or 1) as lines:
+        with LineReader(cores()) as lines:
             reader = CollectionReader(labels_by_name(staged.seen_foods()), lines)
             understand = _telling(reader, understood)
             return stage_recipes(
