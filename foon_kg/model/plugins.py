@@ -40,7 +40,7 @@ def plugin(group: str, name: str) -> Plugin | None:
         raise UsageError(f"{packages} both bring “{name}” ({group})", hint="Uninstall one of them.", code="plugin")
     try:
         loaded = found[0].load()
-    except Exception as error:
+    except Exception as error:  # it is another package's code, and may raise anything
         raise _unusable(found[0], f"it cannot be imported: {error!r}") from error
     if not callable(loaded):
         raise _unusable(found[0], f"{found[0].value} cannot be called")
@@ -53,7 +53,7 @@ def _told_errors(point: EntryPoint, call: Plugin) -> Plugin:
     def called(*arguments: Any) -> Any:  # noqa: ANN401 - whatever the group says
         try:
             return call(*arguments)
-        except Exception as error:
+        except Exception as error:  # as above
             raise _unusable(point, f"it failed: {error!r}") from error
 
     return called

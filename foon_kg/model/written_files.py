@@ -66,7 +66,7 @@ def write_whole(path: Path, content: str | bytes, mode: int | None = None) -> No
             stream.flush()
             os.fsync(stream.fileno())
         draft.replace(target)
-    except BaseException:
+    except BaseException:  # Ctrl-C too
         draft.unlink(missing_ok=True)
         raise
 

@@ -49,7 +49,7 @@ class Connection:
         )
         try:
             driver.verify_connectivity()  # at once: a managed transaction would try for half a minute
-        except BaseException:
+        except BaseException:  # Ctrl-C too: nobody else has the driver, to close its sockets
             driver.close()
             raise
         return driver

@@ -71,7 +71,7 @@ def _fetch_all(jars: Sequence[Jar], folder: Path, sources: Sequence[str], advanc
         try:
             for done in as_completed(waiting):
                 done.result()
-        except BaseException:
+        except BaseException:  # Ctrl-C too: else the pool would fetch all other jars before it ends
             pool.shutdown(wait=False, cancel_futures=True)
             raise
 
