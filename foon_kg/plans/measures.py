@@ -114,9 +114,10 @@ def with_asked(units: Sequence[TreeUnit], foods: Iterable[tuple[RequiredIngredie
     told: defaultdict[int, list[AskedAmount]] = defaultdict(list)
     first = _first_takings(units)
     numbered = list(foods)
+    asked = {number for _, number in numbered}
     others = defaultdict(list)
     for number, (food, _) in first.items():
-        if number not in {own for _, own in numbered}:
+        if number not in asked:
             others[food].append(number)
     for wanted, number in numbered:
         if not wanted.amount or number not in first:

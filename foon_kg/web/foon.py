@@ -73,7 +73,7 @@ class LiveFoon:
         self._opened = opened
         self._every = every
         self._turn = threading.Lock()
-        self._graph: Foon | None = None
+        self._foon: Foon | None = None
         self._name: str | None = None
         self._looked = 0.0
         self._unnamed = (f"look-{number}" for number in itertools.count())
@@ -108,9 +108,9 @@ class LiveFoon:
 
     def close(self) -> None:
         """Give the sockets back."""
-        if self._graph is not None:
-            self._graph.close()
-            self._graph = None
+        if self._foon is not None:
+            self._foon.close()
+            self._foon = None
 
     def _look(self) -> str:
         try:
@@ -131,6 +131,6 @@ class LiveFoon:
             return EMPTY
 
     def _connected(self) -> Foon:
-        if self._graph is None:
-            self._graph = self._opened()
-        return self._graph
+        if self._foon is None:
+            self._foon = self._opened()
+        return self._foon

@@ -37,7 +37,7 @@ class NoCypherError(UnknownError):
 class CypherDesk:
     """Asks a Neo4j what people typed, of which only looks at the graph are let through. Any number of threads may ask.
 
-    ``opened`` opens a connection for each question: the local server ends when it idles.
+    ``opened`` connects for each question: the local server ends when it idles.
     """
 
     def __init__(self, opened: Callable[[], Foon], seconds: float = SECONDS) -> None:
