@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import inspect
 import json
 
 import pytest
@@ -10,7 +11,9 @@ from drafting.kitchen_foon import SOUP, activitynet, epic
 from typer.testing import CliRunner
 
 from foon_kg.cli import app
+from foon_kg.cli.draft import accept
 from foon_kg.language import drafting
+from foon_kg.language.drafting.review import SURE
 from foon_kg.language.drafting.tables import read_draft
 from foon_kg.loaders.text_writer import write_text
 from foon_kg.loaders.video_tables import read_video_text
@@ -151,6 +154,10 @@ def test_a_doubtful_draft_is_refused_until_a_person_has_resolved_it(draft_file, 
         writer.writerows(row | {"doubt": ""} for row in rows)
     foon("draft", "accept", draft_file, "--sure", "0.99")
     assert videos(graph) == ["P01_01", "soup"]
+
+
+def test_accept_asks_for_what_a_review_does():
+    assert inspect.signature(accept).parameters["sure"].default == SURE
 
 
 @pytest.mark.neo4j
