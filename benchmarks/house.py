@@ -42,14 +42,12 @@ RUN = 6
 DRAWN, SEED = 40, 15
 """So many public functions are drawn for the score of docstrings, by this seed."""
 
-FORKS = (ast.If, ast.For, ast.While, ast.IfExp, ast.ExceptHandler, ast.With, ast.Assert, ast.match_case)
+FORKS = (ast.If, ast.For, ast.While, ast.IfExp, ast.ExceptHandler, ast.Assert, ast.match_case)
 UNIT_WORDS = re.compile(
     r"second|minute|byte|hour|percent|0 to 1|at most|how many|number of|so many|lines?|rows?|metre|°|ms\b"
 )
 SOURCE_WORDS = re.compile(r"paper|algorithm [1-4]|Sakib|contract|C\d+|docs/|et al|\b(19|20)\d\d\b")
-FIRST_WORDS = re.compile(
-    r"^(Return|Raise|Yield|Whether|Print|Open|Write|Read|Take|Give|Make|Bring|Say|Tell|[A-Z][a-z]+)\b"
-)
+FIRST_WORD = re.compile(r"^[A-Z][a-z]+\b")
 AT_THE_DOORS = ("cli", "web")
 """The rooms that are asked to call the front door."""
 
@@ -75,7 +73,7 @@ class Function:
         """Return 1, and one for each fork, comprehension, condition in one, and further operand of and/or."""
         count = 1
         for node in _inside(self.node):
-            count += isinstance(node, FORKS) and not isinstance(node, ast.With)
+            count += isinstance(node, FORKS)
             if isinstance(node, ast.comprehension):
                 count += 1 + len(node.ifs)
             elif isinstance(node, ast.BoolOp):
@@ -291,7 +289,7 @@ def score(function: Function) -> Score:
     return Score(
         function,
         {
-            "purpose": bool(FIRST_WORDS.match(text)),
+            "purpose": bool(FIRST_WORD.match(text)),
             "arguments": all(_is_told(one, told) for one in arguments) if arguments else None,
             "units": bool(UNIT_WORDS.search(text)) if numbers else None,
             "errors": bool(re.search(r"\braises?\b|refuse|Error", text)) if raised else None,
@@ -407,31 +405,28 @@ CACHES = {
 LIMITS = r"^\s*_?MOST_[A-Z_]*\b.*="
 
 
-def listed(house: House, what: str) -> Iterable[object]:
-    """Return the places behind a figure."""
-    forms: dict[str, Callable[[], Iterable[object]]] = {
-        "caches": lambda: (line for pattern in CACHES.values() for line in house.lines_matching(pattern)),
-        "limits": lambda: house.lines_matching(LIMITS),
-        "complex": lambda: (
-            f"{one.complexity:3} {one}"
-            for one in sorted(house.functions, key=lambda one: -one.complexity)
-            if one.complexity > MOST_COMPLEX
-        ),
-        "long": lambda: house.long_files,
-        "circles": lambda: (" ".join(one) for one in house.circles),
-        "doors": house.beside_the_door,
-        "duplicates": lambda: house.duplicates,
-        "docstrings": lambda: (f"{one.function} {one.said}" for one in scores(house)),
-        "rooms": lambda: (f"{one} -> {other} {count:g}" for one, other, count in house.rooms.edges(data="weight")),
-    }
-    return forms[what]()
+LISTS: dict[str, Callable[[House], Iterable[object]]] = {
+    "caches": lambda house: (line for pattern in CACHES.values() for line in house.lines_matching(pattern)),
+    "limits": lambda house: house.lines_matching(LIMITS),
+    "complex": lambda house: (
+        f"{one.complexity:3} {one}"
+        for one in sorted(house.functions, key=lambda one: -one.complexity)
+        if one.complexity > MOST_COMPLEX
+    ),
+    "long": lambda house: house.long_files,
+    "circles": lambda house: (" ".join(one) for one in house.circles),
+    "doors": House.beside_the_door,
+    "duplicates": lambda house: house.duplicates,
+    "docstrings": lambda house: (f"{one.function} {one.said}" for one in scores(house)),
+    "rooms": lambda house: (f"{one} -> {other} {count:g}" for one, other, count in house.rooms.edges(data="weight")),
+}
+"""The places behind a figure, by what ``--list`` calls it."""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", type=Path, default=Path(__file__).parents[1])
-    names = ("caches", "limits", "complex", "long", "circles", "doors", "duplicates", "docstrings", "rooms")
-    parser.add_argument("--list", choices=names, help="the places behind a figure")
+    parser.add_argument("--list", choices=LISTS, help="the places behind a figure")
     parser.add_argument("--way", action="store_true", help="the calls from foon plan to the first unit")
     asked = parser.parse_args()
     if asked.way:
@@ -442,7 +437,7 @@ def main() -> None:
         return
     house = House(asked.folder.resolve())
     if asked.list:
-        print(*listed(house, asked.list), sep="\n")
+        print(*LISTS[asked.list](house), sep="\n")
         return
     for name, figure in figures(house):
         print(f"{name:52} {figure}")
