@@ -100,9 +100,8 @@ class Carrier:
     def _cool(self, vessel: Vessel) -> None:
         """Let what was baked cool in its tin, or it breaks when it comes out."""
         (whole, *others) = vessel.contents
-        cooling = self.bench.cooling(foods_of(vessel))
-        if vessel.hot and not others and cooling is not None:
-            self.bench.work(vessel, cooling, whole.label, tuple(sorted({*whole.states, "cooled"})), with_device=False)
+        if vessel.hot and not others:
+            self.bench.let_cool(vessel, whole, foods_of(vessel))
 
     def _hangs_together(self, stuffs: Sequence[Stuff], *, whole: bool) -> tuple[bool, bool]:
         """Return whether what is moved runs, and whether it is moved in one piece."""

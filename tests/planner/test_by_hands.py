@@ -83,6 +83,8 @@ def test_earth_tough_ends_and_cores_do_not_come_into_the_dish(steps):
         (("chicken", "Doro Wat"), ("chicken leg:raw", "egg:peeled", "onion:chopped", "butter:stick"), "egg", "boil"),
         (("cookie", "Nut Cookies"), ("ghee:melted", "flour:powder", "sugar:granulated"), "ghee", "heat"),
         (("rice", "Fried Rice"), ("rice:chilled", "egg:beaten", "oil:liquid", "carrot:diced"), "rice", "cool down"),
+        (("salad", "Chicken Salad"), ("chicken breast:chilled", "olive oil:liquid"), "chicken breast", "cool down"),
+        (("salad", "Potato Salad"), ("potato:chilled", "oil:liquid", "onion:chopped"), "potato", "cool down"),
     ],
 )
 def test_the_asked_state_is_made(steps, dish, asked, food, motion):
