@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
-from planner.told_steps import first, motions, planned_steps
+from planner.told_steps import first, motions
 
 from foon_kg.food.lists import word_list
 
 pytestmark = pytest.mark.shared_data
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return planned_steps(public_snapshot())
 
 
 def test_the_oil_stays_in_the_pan_in_which_breaded_flesh_was_fried(steps):
