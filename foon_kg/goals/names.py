@@ -22,11 +22,11 @@ def named_alike(label: str, dish_type: str, title: str) -> float:
 
 def is_baked(dish_type: str, title: str, known: Tables) -> bool:
     """Whether a dish is called so that it comes out of an oven: roast chicken, a gratin; a soup never does."""
-    if not word_list("boils in the dish").isdisjoint(words(title)):
+    told = words(title)
+    if not word_list("boils in the dish").isdisjoint(told):
         return False
     if any(dish.baked for dish in known.dishes_named(dish_type, title)):
         return True
-    told = words(title)
     if not word_list("comes out of an oven").isdisjoint(told):
         return True
     return any("dry" in row.does for word in told for row in made_of_verb(word, known))

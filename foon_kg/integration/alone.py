@@ -284,11 +284,9 @@ class Alone:
         self.preparer.cut_now(ready)
 
     def _cool(self, ready: Ready) -> None:
-        """Let what was cooked cool where it is, where the FOON shows how."""
-        attested, stuff = self.bench.cooling(ready.want.names), ready.stuff
-        if attested is not None and stuff.at is not None:
-            states = tuple(sorted({*stuff.states, "cooled"}))
-            self.bench.work(stuff.at, attested, stuff.label, states, with_device=False)
+        """Let what was cooked cool where it is."""
+        if ready.stuff.at is not None:
+            self.bench.let_cool(ready.stuff.at, ready.stuff, ready.want.names)
 
     def _bake_alone(self, ready: Ready, method: Sequence[str]) -> bool:
         """Bake a food by itself on a tray, with some of the fat that was asked; return whether the FOON shows how."""

@@ -340,6 +340,18 @@ class Bench:
         ways = [way for motion in sorted(word_list("cools")) for way in self.operators.ways_of(motion) if not way[1]]
         return self.attest(ways, foods) or self.far(ways, foods)
 
+    def let_cool(self, vessel: Vessel, stuff: Stuff, foods: Sequence[str]) -> None:
+        """Let one thing of a vessel cool there, where the FOON shows how ``foods`` do; all stay what they are."""
+        attested = self.cooling(foods)
+        if attested is None:
+            return
+
+        def change() -> None:
+            stuff.states = tuple(sorted({*stuff.states, "cooled"}))
+            vessel.hot = False
+
+        self.emit(attested, [vessel, *vessel.contents], change, [vessel, *vessel.contents])
+
     def work(
         self,
         vessel: Vessel,

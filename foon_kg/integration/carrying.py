@@ -11,9 +11,9 @@ from foon_kg.integration.batters import binds
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import Plan
 from foon_kg.integration.frames import Slot, Stage
-from foon_kg.integration.operators import Attested, Way, form_of
+from foon_kg.integration.operators import Attested, Way, form_of, is_liquid_fat
 from foon_kg.integration.preparation import Preparer, Ready, Want
-from foon_kg.world.running import runs
+from foon_kg.world.running import is_runny
 
 _TAP, _JUG = "faucet", "measuring cup"
 """Where water comes from, and in what it comes to what stands on a stove."""
@@ -87,8 +87,7 @@ class Carrier:
 
     def _stays_in_the_pan(self, stuff: Stuff, beside: Sequence[Stuff]) -> bool:
         """Whether liquid fat in which something was fried is left where it is: what clings to that is part of it."""
-        facts = self.known.foods.food(stuff.label)
-        if stuff.mixed or not stuff.wants or not (facts.is_a("fat") and facts.is_a("liquid")):
+        if stuff.mixed or not stuff.wants or not is_liquid_fat(self.known.foods.food(stuff.label)):
             return False
         return any(other is not stuff and stuff.wants <= other.wants for other in beside)
 
@@ -100,9 +99,8 @@ class Carrier:
     def _cool(self, vessel: Vessel) -> None:
         """Let what was baked cool in its tin, or it breaks when it comes out."""
         (whole, *others) = vessel.contents
-        cooling = self.bench.cooling(foods_of(vessel))
-        if vessel.hot and not others and cooling is not None:
-            self.bench.work(vessel, cooling, whole.label, tuple(sorted({*whole.states, "cooled"})), with_device=False)
+        if vessel.hot and not others:
+            self.bench.let_cool(vessel, whole, foods_of(vessel))
 
     def _hangs_together(self, stuffs: Sequence[Stuff], *, whole: bool) -> tuple[bool, bool]:
         """Return whether what is moved runs, and whether it is moved in one piece."""
@@ -219,7 +217,7 @@ class Carrier:
         """Whether a mixture runs: it has liquid in it that was not baked away."""
         if not stuff.mixed or not word_list("keeps its shape").isdisjoint(stuff.states):
             return False
-        if runs(stuff.label, stuff.states, stuff.foods, self.known):
+        if is_runny(stuff.label, stuff.states, stuff.foods, self.known):
             return True
         foods = [self.known.foods.food(food) for food in stuff.foods]
         liquids = word_list("stays liquid")

@@ -60,13 +60,13 @@ def wedges_last(
         return line, tuple(joins)
     last = line.stages[-1]
     if only_carries(last) and last.vessel and not any(_is_wedge(join.want) for join in found):
-        ending = (_ending(join, last, on_top=join in found) for join in joins)
-        return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
-    vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
-    top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
+        top = last
+    else:
+        vessel, relation = ("bowl", "in") if spooned else ("plate", "on")
+        top = Stage((), "", frozenset(), (), vessel, relation, "", "", "", (), last.step)
+        line = Line((*line.stages, top))
     ending = (_ending(join, top, on_top=join in found) for join in joins)
-    joins = [replace(join, slot=None) if join.on_top else join for join in ending]
-    return Line((*line.stages, top)), tuple(joins)
+    return line, tuple(replace(join, slot=None) if join.on_top else join for join in ending)
 
 
 def _is_wedge(want: Want) -> bool:

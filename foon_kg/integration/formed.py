@@ -38,7 +38,7 @@ def formed(
     part = any(join.want.facts.is_a(*word_list("is eaten with a sauce")) for join in joins)
     if not mass.main or part or not word_list("boils in the dish").isdisjoint(told):
         return line, tuple(joins)
-    mix, shape, heat, turn, done, sauce, top = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP)
+    mix, shape, heat, turn, done, sauce, top, whisk = fresh(MIX, SHAPE, COOK, TURN, COOK, SIMMER, TOP, WHISK)
     heat = replace(heat, adds=(Line((mix, shape)),), label=goal)
     wet = [join for join in joins if mass.is_sauce(join)]
     tops = [join for join in joins if mass.lies_on_it(join)]
@@ -48,7 +48,6 @@ def formed(
     else:
         stages = (heat, turn, done, sauce) if wet else (heat, turn, done)
     smooth = mass.smoothed(wet)
-    whisk = replace(WHISK)
     if smooth:
         sauce = replace(sauce, adds=(Line((whisk,)),))
         stages = (*stages[:-1], sauce)

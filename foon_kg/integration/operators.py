@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import cached_property, lru_cache
 
-from foon_kg.food import Tables, tables
+from foon_kg.food import Food, Tables, tables
 from foon_kg.food.lists import word_list
 from foon_kg.model import UNMEASURED, FunctionalUnit, KnownUnit, Sighting
 from foon_kg.model.recent import Recent
@@ -307,6 +307,11 @@ class Operators:
 
 _MASH = 5
 _HANDS = word_list("bare hands")
+
+
+def is_liquid_fat(facts: Food) -> bool:
+    """Whether a food is fat that runs as it is sold: what is fried in it stays a thing of its own."""
+    return facts.is_a("fat") and facts.is_a("liquid")
 
 
 @lru_cache(maxsize=1 << 14)

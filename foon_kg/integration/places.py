@@ -440,5 +440,7 @@ class Matcher:
         fit = self.like(food.name, slot.food)
         if slot.kind == facts.kind and slot.kind != "unknown":
             return max(fit, _SAME_KIND)
-        same_role = not roles_of(food.name).isdisjoint(roles_of(slot.food))  # how sure that is counts the role already
-        return fit if slot.kind in facts.kinds or same_role or fit >= _SURE else fit * _OTHER_KIND
+        if slot.kind in facts.kinds or fit >= _SURE:
+            return fit
+        same_role = not roles_of(food.name).isdisjoint(roles_of(slot.food))
+        return fit if same_role else fit * _OTHER_KIND  # how like they are counts the role already

@@ -402,7 +402,7 @@ class Preparer:
             return ready
         self._clean(ready, due)
         if "wash" in due:
-            self.rinse(ready, min(word_list("is so by washing")))
+            self.rinse(ready, "washed")
         juicy = _JUICE in form and not want.make and form_of(self.known, want.label, want.leaf) == "whole"
         if want.squeezed or (juicy and self.operators.giving.get(_JUICE)):
             self._squeeze(ready)

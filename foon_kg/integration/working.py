@@ -11,7 +11,7 @@ from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Plan
 from foon_kg.integration.frames import Phase, Stage
-from foon_kg.integration.operators import Attested, Nearness, Way
+from foon_kg.integration.operators import Attested, Nearness, Way, is_liquid_fat
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
 
@@ -84,7 +84,6 @@ class Worker:
         stuffs = list(vessel.contents)
         device = vessel.device if with_device else None
         heats = not self.known.motion(attested.way[0]).does.isdisjoint({"heat", "warm"})
-
         clinging = self._fat_that_clings(stuffs) if heats and device is not None else []
 
         def change() -> None:
@@ -93,7 +92,7 @@ class Worker:
                 if clinging and stuff.mixed:
                     stuff.foods = tuple(sorted({*stuff.foods, *(fat.label for fat in clinging)}))
                     stuff.wants |= frozenset().union(*(fat.wants for fat in clinging))
-                if not stuff.mixed and (facts.is_a("water") or (facts.is_a("fat") and facts.is_a("liquid"))):
+                if not stuff.mixed and (facts.is_a("water") or is_liquid_fat(facts)):
                     continue  # however long it boils, and whatever is fried in it
                 kept = [s for s in stuff.states if not self.alone.says_raw(s)]
                 melts = (
@@ -107,13 +106,10 @@ class Worker:
 
     def _fat_that_clings(self, stuffs: Sequence[Stuff]) -> list[Stuff]:
         """Return the liquid fat of which some clings to the one thing fried in it, where that is made of several."""
-        fats = [stuff for stuff in stuffs if not stuff.mixed and self._is_liquid_fat(stuff)]
+        foods = self.known.foods
+        fats = [stuff for stuff in stuffs if not stuff.mixed and is_liquid_fat(foods.food(stuff.label))]
         others = [stuff for stuff in stuffs if stuff not in fats]
         return fats if len(others) == 1 and others[0].mixed else []
-
-    def _is_liquid_fat(self, stuff: Stuff) -> bool:
-        facts = self.known.foods.food(stuff.label)
-        return facts.is_a("fat") and facts.is_a("liquid")
 
     def let_rise(self, vessel: Vessel, stages: Sequence[Stage]) -> None:
         """Knead a dough that needs it and let it rise, where the video has no such stage: its dough was another one."""

@@ -192,7 +192,7 @@ class IngredientWords:
 def _counting(words: Sequence[str]) -> int:
     """Return how many words in front say how much: two of “500 g potato”, three of “a pinch of salt”."""
     lower = [word.lower().rstrip(".") or word for word in words]
-    begin = int(lower[:1] == ["a"])
+    begin = int(lower[:1] in (["a"], ["an"]))
     if not (lower and lower[0][0].isnumeric()) and lower[begin + 1 : begin + 2] != ["of"]:
         return 0
     from foon_kg.language.plain_lines import is_measure  # noqa: PLC0415 - few questions count anything

@@ -10,7 +10,7 @@ from foon_kg.model.tree import Step
 from foon_kg.validation.case import Case
 from foon_kg.validation.report import Finding
 from foon_kg.world import Happening
-from foon_kg.world.running import runs
+from foon_kg.world.running import is_runny
 
 _AS_POWDER = 5
 """How fine what is ground is (:class:`~foon_kg.food.rows.State`)."""
@@ -25,7 +25,7 @@ def picked_up(case: Case) -> Iterator[Finding]:
             continue
         moved = {id(lump) for lump, before, now in happening.moved if now is not None and before is not now}
         for node, lump in happening.outputs.items():
-            if id(lump) in moved and runs(node.label, node.states, sorted(node.ingredients), case.tables):
+            if id(lump) in moved and is_runny(node.label, node.states, sorted(node.ingredients), case.tables):
                 yield Finding("W4", f"{node.label} runs, and is picked up", happening.number, (node,))
 
 
@@ -43,8 +43,7 @@ def too_hard(case: Case) -> Iterator[Finding]:
         before = {state for mention in happening.step.inputs for state in mention.node.states}
         for node, lump in happening.outputs.items():
             fine = any((case.tables.state(state).fine or 0) >= _AS_POWDER for state in set(node.states) - before)
-            soft = all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts)
-            if fine and not soft:
+            if fine and not all(part.food.is_a(*word_list("is soft enough for a knife")) for part in lump.parts):
                 yield Finding("W4", f"{lump.label} is too hard to be ground by a knife", happening.number, (node,))
 
 

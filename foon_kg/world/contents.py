@@ -93,7 +93,7 @@ def _clings(out: Outcome, name: str, lump: Lump) -> Lump | None:
     """Return the fat that is told beside what is fried in it: some of it is in that, the rest stays in the pan."""
     told = (out.happening.outputs.get(mention.node) for mention in out.mentions)
     there = (one for one in told if one is not None and one is not lump and one.where is lump.where)
-    return next((one for one in there if name in one.names and one.parts[0].food.is_a("fat")), None)
+    return next((one for one in there if name in one.names and all(part.food.is_a("fat") for part in one.parts)), None)
 
 
 def _left_behind(out: Outcome, name: str, lump: Lump) -> Lump | None:

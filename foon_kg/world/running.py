@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 _SEVERAL = 2
 
 
-def runs(label: str, states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
+def is_runny(label: str, states: Sequence[str], parts: Sequence[str], known: Tables) -> bool:
     """Return whether a food called ``label`` in these states is liquid.
 
     Of ``parts``, the names of the foods that it was made of, all have to run or to dissolve in one that does.

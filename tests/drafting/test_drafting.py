@@ -10,16 +10,19 @@ import pytest
 from drafting.kitchen_foon import precedents
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pictures.demo_plans import demo_foon
 
 from foon_kg.language.drafting import draft
 from foon_kg.language.drafting.calibration import ACTIONS, probability
 from foon_kg.language.drafting.drafting import plain_name
+from foon_kg.language.drafting.precedents import FoonPrecedents
 from foon_kg.language.drafting.tables import read_draft, write_draft
 from foon_kg.language.drafting.told_states import done, with_state
 from foon_kg.language.drafting.verbs import Verbs
 from foon_kg.language.reviewing import Review
 from foon_kg.model import ObjectNode
 from foon_kg.model.narration import Mention, NarratedAction, Narration, Place, Sentence
+from foon_kg.plans.kitchen import Kitchen
 
 FOON = precedents()
 
@@ -280,6 +283,18 @@ def test_fixtures_and_appliances_have_the_states_that_what_is_done_to_them_says(
     assert [node.states for node in (*opened.input_nodes, *opened.output_nodes)] == [("closed",), ("opened",)]
     (tap,) = units(action("open", "tap"))
     assert (tap.motion, tap.output_nodes[0].states) == ("turn on", ("on",))
+
+
+@pytest.mark.parametrize(
+    ("name", "told", "used"),
+    [("can", (), {"can opener"}), ("fridge", (), set()), ("packet", (), set()), ("packet", ("knife",), {"knife"})],
+)
+def test_no_tool_is_taken_over_from_another_utensil(name, told, used):
+    """The demo opens cans alone."""
+    demo = FoonPrecedents(demo_foon().units, Kitchen.default())
+    narration = Narration("video", (action("open", name, instruments=told),))
+    (row,) = draft(narration, demo).units
+    assert {node.label for node in row.annotation.unit.input_nodes} == {name} | used
 
 
 def test_nothing_is_opened_and_closed_at_once():

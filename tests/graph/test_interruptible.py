@@ -223,7 +223,10 @@ def test_a_text_of_which_nobody_knows_where_it_begins_is_put_into_brackets(text)
     "pattern", ["'(?i).*salad.*'", "'(?i).*' + $food + '.*'", "$food", "'[a-z]+ (whole|diced)?'", "'\\\\d+'"]
 )
 def test_a_plain_pattern_is_asked(served, pattern):
-    ask_freely(served[1], f"MATCH (v:Video) WHERE v.name =~ {pattern} AND true RETURN v.name", {"food": "leek"})
+    question = f"MATCH (v:Video) WHERE v.name =~ {pattern} AND true RETURN v.name"
+    with served[1].session() as session:
+        rows = session.run(question, food="leek").values()
+    assert [list(row) for row in ask_freely(served[1], question, {"food": "leek"}).rows] == rows
 
 
 @pytest.mark.neo4j

@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
-from planner.told_steps import planned_steps
 
 from foon_kg.food import tables
 
 pytestmark = pytest.mark.shared_data
 KNOWN = tables()
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return planned_steps(public_snapshot())
 
 
 def with_food(steps, food, motions):

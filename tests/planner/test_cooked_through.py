@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
-from planner.told_steps import first, inside, motions, planned_steps
+from planner.told_steps import first, inside, motions
 
 pytestmark = pytest.mark.shared_data
 
 HEATS = {"bake", "boil", "cook", "cook and stir", "simmer"}
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return planned_steps(public_snapshot())
 
 
 def vessels(told):

@@ -3,15 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
-from planner.told_steps import first, inside, motions, planned_steps
+from planner.told_steps import first, inside, motions
 
 pytestmark = pytest.mark.shared_data
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return planned_steps(public_snapshot())
 
 
 def test_a_kugel_is_boiled_noodles_baked_in_eggs(steps):

@@ -13,7 +13,7 @@ Told = list[tuple[set[str], str, tuple[ObjectNode, ...]]]
 
 
 def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
-    """Return a function that plans a dish and answers its steps: the labels that go in, the motion, what comes out."""
+    """Return a function that plans a dish and returns its steps: the labels that go in, the motion, what comes out."""
     planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
 
     def plan(dish_type: str, title: str, *asked: str) -> Told:

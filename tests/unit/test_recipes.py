@@ -41,6 +41,7 @@ WORDS = IngredientWords(Vocabulary(FOODS, (), ()), Kitchen.default())
         ("1 lb. chopped onion", "1 lb.", "onion", "chopped"),
         ("handful of chopped onion", "handful", "onion", "chopped"),
         ("a pinch of chopped onion", "a pinch", "onion", "chopped"),
+        ("an ounce of chopped onion", "an ounce", "onion", "chopped"),
         ("slices of onion", "slices", "onion", "whole"),
         ("2 cups of dragon fruit", "2 cups", "dragon fruit", "whole"),
         ("2 cups dragon fruit, chopped", "2 cups", "dragon fruit", "chopped"),

@@ -44,7 +44,9 @@ class Handling:
                 before = replace(before, relation=self.maker.precedents.relation(origin), container=origin)
             if place is None and before.container is not None:
                 after = replace(after, relation=None, container=None)
-        tools = nodes.tools(action, like, [place or "", name]) if not _moves(motion) else []
+        # what opens a can opens no fridge: of other utensils no tool is taken over
+        shown = like if like.likeness == 1 else Precedents(())
+        tools = nodes.tools(action, shown, [place or "", name]) if not _moves(motion) else []
         return self.maker.unit(action, motion, [*others, before, *tools], [*others, after], evidence)
 
     def _at_first(self, name: str, motion: str, like: Precedents) -> ObjectNode:

@@ -3,17 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from planner.public_foon import public_snapshot
-from planner.told_steps import first, motions, planned_steps
+from planner.told_steps import first, motions
 
 from foon_kg.food.lists import word_list
 
 pytestmark = pytest.mark.shared_data
-
-
-@pytest.fixture(scope="module")
-def steps():
-    return planned_steps(public_snapshot())
 
 
 def test_the_oil_stays_in_the_pan_in_which_breaded_flesh_was_fried(steps):
@@ -83,6 +77,8 @@ def test_earth_tough_ends_and_cores_do_not_come_into_the_dish(steps):
         (("chicken", "Doro Wat"), ("chicken leg:raw", "egg:peeled", "onion:chopped", "butter:stick"), "egg", "boil"),
         (("cookie", "Nut Cookies"), ("ghee:melted", "flour:powder", "sugar:granulated"), "ghee", "heat"),
         (("rice", "Fried Rice"), ("rice:chilled", "egg:beaten", "oil:liquid", "carrot:diced"), "rice", "cool down"),
+        (("salad", "Chicken Salad"), ("chicken breast:chilled", "olive oil:liquid"), "chicken breast", "cool down"),
+        (("salad", "Potato Salad"), ("potato:chilled", "oil:liquid", "onion:chopped"), "potato", "cool down"),
     ],
 )
 def test_the_asked_state_is_made(steps, dish, asked, food, motion):
