@@ -25,7 +25,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from foon_kg.food.purposes import heading_part, without_part
+from foon_kg.food.words import heading_part, without_part
 from foon_kg.language.collection import is_heading
 from foon_kg.language.recipe_lines import read_recipe_lines
 from foon_kg.model import DISH_TYPES

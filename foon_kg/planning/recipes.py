@@ -16,7 +16,7 @@ from pathlib import Path
 from foon_kg.food import singular, tables
 from foon_kg.food.called import dish_type_called
 from foon_kg.food.lists import word_list
-from foon_kg.food.purposes import without_part
+from foon_kg.food.words import without_part
 from foon_kg.model import DISH_TYPES, Recipe, RequiredIngredient
 from foon_kg.model.errors import ReadError, UsageError
 from foon_kg.model.json_fields import Fields
