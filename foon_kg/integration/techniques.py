@@ -15,7 +15,7 @@ from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
 from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
 from foon_kg.integration.places import NATURAL
-from foon_kg.integration.preparation import BY_HAND, Want, owed
+from foon_kg.integration.preparation import BY_HAND, SECOND, Want, owed
 from foon_kg.integration.spots import Join, spots_of
 
 _MAIN = "dish"
@@ -37,7 +37,7 @@ def technique_for(
             continue
         if any(label[-len(name) :] == name for name in one.called for label in taught):
             continue
-        if _has_its_foods(one, wants, around):
+        if has_its_foods(one, wants, around):
             return one
     return None
 
@@ -63,7 +63,7 @@ def as_a_way_says(
     for one in ways(when):
         fits = all(any(getattr(dish, name) for dish in dishes) is holds for name, holds in map(_asked, one.dishes))
         fits = fits and all((name in shown) is holds for name, holds in map(_asked, one.video))
-        if fits and one.is_called("", told) and _has_its_foods(one, wants, around):
+        if fits and one.is_called("", told) and has_its_foods(one, wants, around):
             return carried_out(one, joins, told, known)
     return line, tuple(joins)
 
@@ -79,13 +79,13 @@ def _shown(line: Line) -> set[str]:
     return found.union(*(stage.does for stage in line.all_stages()))
 
 
-def _has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
+def has_its_foods(one: Technique, wants: Sequence[Want], around: Around) -> bool:
     """Whether the foods of a recipe are those that a row needs."""
-    if not all(any(_mean(some, want, around) for some in need for want in wants) for need in one.needs):
+    if not all(any(means(some, want, around) for some in need for want in wants) for need in one.needs):
         return False
-    if any(_mean(some, want, around) for some in one.without for want in wants):
+    if any(means(some, want, around) for some in one.without for want in wants):
         return False
-    return all(sum(_mean(some, want, around) for want in wants) == 1 for some in one.one)
+    return all(sum(means(some, want, around) for want in wants) == 1 for some in one.one)
 
 
 def carried_out(
@@ -105,6 +105,15 @@ def carried_out(
     return line, tuple(found)
 
 
+def stage_of(name: str) -> Stage:
+    """Return the stage of that name in the table, at which nothing joins yet."""
+    work = works()[name]
+    return Stage(
+        (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, work.label,
+        (), -1,
+    )  # fmt: skip
+
+
 class _Placed:
     """Which food joins at which part of a technique, and the stages of these parts."""
 
@@ -112,7 +121,7 @@ class _Placed:
         self.technique = technique
         self.around = around
         self.known = known
-        self.highest = max(join.want.number for join in joins)
+        self.highest = max(SECOND, *(join.want.number for join in joins))
         self.stages: dict[int, Stage] = {}
         self.found = list(self._found(joins))
         self.used = {id(part) for _, _, part in self.found}
@@ -126,7 +135,7 @@ class _Placed:
         for foods, part in wishes:
             for join in joins:
                 number = join.want.number
-                if _mean(foods, join.want, self.around) and (foods.again or number not in taken):
+                if means(foods, join.want, self.around) and (foods.again or number not in taken):
                     taken |= set() if foods.again else {number}
                     yield join, foods, part
 
@@ -165,7 +174,8 @@ class _Placed:
         return part.label or usual
 
 
-def _mean(foods: Foods, want: Want, around: Around) -> bool:
+def means(foods: Foods, want: Want, around: Around) -> bool:
+    """Whether a food of a recipe is one of those that a text of the table means."""
     return foods.mean(want.label, want.facts, _states(want) if foods.state else (), around)
 
 
