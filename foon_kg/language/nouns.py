@@ -31,19 +31,24 @@ def spoken(token: Token) -> str:
 def names_in(token: Token) -> Iterator[Mention]:
     """Yield the thing that a noun names, and those joined to it; a measure names what it is of."""
     of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
-    if of and (token.lemma_.lower() in _MEASURES or is_vessel(spoken(token))):
+    measures = token.lemma_.lower() in _MEASURES
+    if of and (measures or is_vessel(spoken(token))):
         for thing in of:
             yield from names_in(thing)
-        if is_vessel(spoken(token)) and token.lemma_.lower() not in _MEASURES:
-            yield _name(token)  # a pan of water
+        if not measures:
+            yield _name(token)  # a pan of water: both
     elif token.pos_ in NAMES or token.dep_ in {"pobj", "dobj", "conj"}:
         yield from (Mention(spoken(one)) for one in _apart(token))
         yield _name(token)
+    for child in _joined_to(token):
+        yield from names_in(child)
+
+
+def _joined_to(token: Token) -> list[Token]:
+    """Return the nouns joined to one; none behind "or": of oil or butter the first is taken."""
     if any(child.dep_ == "cc" and child.lower_ == "or" for child in token.children):
-        return  # oil or butter: the first is taken
-    for child in token.children:
-        if child.dep_ in {"conj", "appos"} and child.pos_ in NAMES:
-            yield from names_in(child)
+        return []
+    return [child for child in token.children if child.dep_ in {"conj", "appos"} and child.pos_ in NAMES]
 
 
 def _name(token: Token) -> Mention:

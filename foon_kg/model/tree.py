@@ -170,6 +170,18 @@ def leaves_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     return tuple(leaves)
 
 
+def newly_made(unit: TakesAndMakes) -> list[ObjectNode]:
+    """Return the nodes that ``unit`` puts out and did not take: what was only held or passed on is none of them."""
+    taken = set(unit.input_nodes)
+    return [node for node in unit.output_nodes if node not in taken]
+
+
+def used_up(unit: TakesAndMakes) -> list[ObjectNode]:
+    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
+    left = set(unit.output_nodes)
+    return [node for node in unit.input_nodes if node not in left]
+
+
 def nodes_of(units: Iterable[TakesAndMakes]) -> tuple[ObjectNode, ...]:
     """Return every object node of ``units`` once, in the order of appearance."""
     return tuple(dict.fromkeys(node for unit in units for node in (*unit.input_nodes, *unit.output_nodes)))

@@ -67,12 +67,10 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
     things. How much of a food is taken is said where it first comes into the tree, unless somebody asked for an amount
     of it. Nothing is said of other foods than the recorded ones.
     """
-    said = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
-    said = sorted((row for row in said if row[2]), key=lambda row: (row[0], row[1].key))
+    seen = [(s.position, known.unit, s.measures) for known in recorded for s in known.seen_in if s.video == video]
+    said = sorted((row for row in seen if row[2]), key=lambda row: (row[0], row[1].key))
     timed = [(unit, replace(measures, amounts=())) for _, unit, measures in said if replace(measures, amounts=())]
-    amounts: defaultdict[str, list[str]] = defaultdict(list)
-    for text in (text for _, _, measures in said for text in measures.amounts):
-        amounts[singular(amount_of(text)[1])].append(text)
+    amounts = _amounts_by_food(measures for _, _, measures in said)
     for food in {singular(one.food) for unit in units for one in unit.measures.asked}:
         amounts.pop(food, None)
     there: set[ObjectNode] = set()
@@ -84,6 +82,14 @@ def with_measures(units: Sequence[TreeUnit], recorded: Iterable[KnownUnit], vide
         told.append(replace(unit, measures=replace(own, amounts=taken, asked=unit.measures.asked)))
         there.update(unit.output_nodes)
     return tuple(told)
+
+
+def _amounts_by_food(measures: Iterable[Measures]) -> dict[str, list[str]]:
+    """Return how much is taken of each food (by its name in the singular), in the order in which it is said."""
+    amounts: defaultdict[str, list[str]] = defaultdict(list)
+    for text in (text for one in measures for text in one.amounts):
+        amounts[singular(amount_of(text)[1])].append(text)
+    return dict(amounts)
 
 
 def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> Measures:

@@ -7,7 +7,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from heapq import heappop, heappush
 
-from foon_kg.model import FunctionalUnit, KnownUnit, ObjectNode
+from foon_kg.model import KnownUnit, ObjectNode
+from foon_kg.model.tree import used_up
 
 Urgency = tuple[bool, int, int, int]
 """Whether a unit waits for another maker of what it takes; how many others still need what it uses up, of made things
@@ -141,12 +142,6 @@ def _each_leads_on(order: Sequence[KnownUnit]) -> bool:
             return False
         taken.update(known.unit.input_nodes)
     return True
-
-
-def used_up(unit: FunctionalUnit) -> list[ObjectNode]:
-    """Return the nodes that ``unit`` takes and does not leave as they were: moved, changed, or gone into another."""
-    left = set(unit.output_nodes)
-    return [node for node in unit.input_nodes if node not in left]
 
 
 def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:

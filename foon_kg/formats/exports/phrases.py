@@ -65,13 +65,17 @@ def in_words(verb: str, states: Iterable[str]) -> tuple[str, str]:
     """
     if verb.rsplit(maxsplit=1)[-1] in _PARTS:
         return "", ""
-    silent, shapes = _unsaid(), _said("shapes")
-    told = [state for state in states if not is_place(state) and state not in silent and not _is_said_by(verb, state)]
+    shapes = _said("shapes")
+    told = [state for state in states if not _goes_without_saying(verb, state)]
     manner = next((state for state in told if _is_manner(verb, state)), "")
     cut = listed(shapes[state] for state in told if state in shapes)
     rest = listed(state for state in told if state not in shapes and state != manner)
     adverb = f"{manner.split()[0]} " if manner else ""
     return adverb, (f" into {cut}" if cut else "") + (f" until {rest}" if rest else "")
+
+
+def _goes_without_saying(verb: str, state: str) -> bool:
+    return is_place(state) or state in _unsaid() or _is_said_by(verb, state)
 
 
 def _is_said_by(verb: str, state: str) -> bool:
