@@ -14,6 +14,7 @@ from foon_kg.food import Tables, words
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Around, Component, Foods, Technique, components, works
 from foon_kg.integration.frames import Line, Stage
+from foon_kg.integration.patterns import with_line
 from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import SECOND, Want
 from foon_kg.integration.spots import Join, Spot, only_carries, spots_of
@@ -97,7 +98,9 @@ class _Finder:
         """Return the places in the recipe of the foods of a component."""
         foods = component.body + component.neighbours
         found = {place for place, want in self.listed.items() if want.part and want.part in component.parts}
-        if found and component.body:
+        group = [self.listed[place] for place in found]
+        mixed = bool(component.technique.lines) and any(_are(component.body, want, around) for want in group)
+        if found and component.body and not (mixed and _have(component.technique.needs, group, around)):
             found = {place for place in found if _are(foods, self.listed[place], around)}
         elif not found and component.guessed and component.technique.is_called(self.dish_type, self.told):
             bodies = [place for place, want in self.listed.items() if _are(component.body, want, around)]
@@ -180,6 +183,10 @@ def _attached(line: Line, target: Stage, at: str) -> tuple[Line, Stage, dict[int
         heat = replace(heat, adds=())
         fresh = (*stages[: baked[-1]], laid, target, heat, *stages[baked[-1] + 1 :])
         return Line(fresh), target, {id(stages[baked[-1]]): laid}
+    mixing = next((stage for stage in line.all_stages() if not stage.does.isdisjoint({"mix", "knead"})), None)
+    if at == "mixed" and mixing is not None:
+        whole, became = with_line(line, mixing, next(add for add in target.adds if isinstance(add, Line)))
+        return whole, became[id(mixing)], became
     if at == "under" and baked:
         tin = stages[baked[0]].vessel
         return line, next(stage for stage in stages if stage.vessel == tin), {}

@@ -28,14 +28,15 @@ def technique_for(
     """Return the first technique of the table that a dish is called by, and for which its foods are there.
 
     ``told`` are the words of its title, ``recorded`` those of what the videos of its type make: where one of them makes
-    what the title says, it teaches that, and no table.
+    what the title says, it teaches that, and no table, unless the recipe says which food is for which line of it.
     """
     around = Around([want.facts for want in wants], told)
     taught = [tuple(label) for label in recorded if set(label) <= set(told)]
+    parts = {want.part for want in wants} - {""}
     for one in techniques():
         if not one.is_called(dish_type, told):
             continue
-        if any(label[-len(name) :] == name for name in one.called for label in taught):
+        if parts.isdisjoint(one.lines) and any(label[-len(name) :] == name for name in one.called for label in taught):
             continue
         if has_its_foods(one, wants, around):
             return one
@@ -128,15 +129,23 @@ class _Placed:
         self.taken: set[str] = set()
 
     def _found(self, joins: Sequence[Join]) -> Iterator[tuple[Join, Foods, Part]]:
-        parts = [part for parts in self.technique.lines.values() for part in parts]
-        wishes = [(foods, part) for part in parts for foods in part.foods]
-        wishes.sort(key=lambda wish: wish[0].is_rest)
-        taken: set[int] = set()
-        for foods, part in wishes:
+        lines = self.technique.lines
+        wishes = [(foods, part, name) for name, parts in lines.items() for part in parts for foods in part.foods]
+        wishes.sort(key=lambda wish: (wish[0].again, wish[0].is_rest))
+        told = {join.want.part for join in joins} & (lines.keys() - {_MAIN})
+        apart = told if any(foods.is_rest for foods, _, _ in wishes) else set()
+        taken: dict[int, str] = {}
+        for line in sorted(told):  # what a recipe says of it itself comes before all
+            meant = [(foods, part) for foods, part, name in wishes if name == line]
+            for join in (join for join in joins if join.want.part == line):
+                taken[join.want.number] = line
+                yield (join, *next((wish for wish in meant if means(wish[0], join.want, self.around)), meant[0]))
+        for foods, part, name in wishes:
             for join in joins:
-                number = join.want.number
-                if means(foods, join.want, self.around) and (foods.again or number not in taken):
-                    taken |= set() if foods.again else {number}
+                number, part_said = join.want.number, bool(join.want.part)
+                here = taken.get(number) == name or part_said if foods.again else number in taken or name in apart
+                if not here and means(foods, join.want, self.around):
+                    taken.setdefault(number, name if foods.is_rest else "")  # else two of it are meant: layers
                     yield join, foods, part
 
     def line(self, name: str) -> Line:

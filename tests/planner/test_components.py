@@ -68,3 +68,52 @@ def test_what_is_for_serving_is_not_cooked_with_the_rest(steps):
         "drinks", "Hot Chocolate", "milk:liquid", "cocoa:powder", "sugar:granulated", "marshmallow:pieces:topping"
     )
     assert first(told, "marshmallow", motions(told)[-1]) == len(told) - 1
+
+
+def test_balls_are_done_in_the_sauce_that_a_recipe_lists_after_them(steps):
+    told = steps(
+        "meatball", "Porcupine Meatballs", "ground beef:raw", "long-grain rice:uncooked", "onion:chopped",
+        "salt:granulated", "tomato sauce:sauce", "water:liquid", "worcestershire sauce:sauce",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "long-grain rice", "onion", "salt"}
+    (simmered,) = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert {"tomato sauce", "water", "worcestershire sauce"} <= simmered
+
+
+def test_milk_that_is_listed_beside_the_crumbs_soaks_them(steps):
+    meat = ("ground chicken:raw", "breadcrumb:crumbs", "milk:liquid", "egg:uncooked", "salt:granulated")
+    assert "milk" in inside(steps("meatball", "Chicken Meatballs", *meat), "mix")
+
+
+def test_what_is_listed_with_the_meat_is_in_the_patties_and_what_follows_the_bread_lies_on_them(steps):
+    told = steps(
+        "burger", "Blue Cheese Burgers", "ground beef:raw", "blue cheese:crumbled", "salt:granulated",
+        "hamburger bun:plain", "lettuce:leaves",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"ground beef", "blue cheese", "salt"}
+
+
+def test_tough_flesh_is_braised_before_it_lies_on_bread(steps):
+    told = steps(
+        "sandwich", "Italian Beef Sandwiches", "chuck roast:raw", "beef broth:liquid", "bay leaf:dried",
+        "salt:granulated", "hoagie roll:split",
+    )  # fmt: skip
+    (simmered,) = [inputs for inputs, motion, _ in told if motion == "simmer"]
+    assert {"chuck roast", "beef broth", "bay leaf"} <= simmered
+
+
+def test_grain_is_soaked_in_boiling_water_and_cold_before_yeast_meets_it(steps):
+    told = steps(
+        "bread", "Honey Oat Bread", "oats:rolled", "water:boiling", "honey:thick liquid", "yeast:powder",
+        "bread flour:powder", "salt:granulated",
+    )  # fmt: skip
+    assert motions(told).index("stir") < motions(told).index("cool down") < first(told, "yeast", "pour")
+
+
+def test_what_a_recipe_says_is_for_the_filling_is_not_in_the_dough(steps):
+    told = steps(
+        "cake", "Cinnamon Rolls", "yeast:powder", "milk:liquid", "sugar:granulated", "butter:melted", "flour:powder",
+        "brown sugar:granulated:filling", "cinnamon:ground:filling", "butter:softened:filling",
+    )  # fmt: skip
+    assert inside(told, "mix") == {"brown sugar", "cinnamon", "butter"}
+    assert {"brown sugar", "cinnamon"}.isdisjoint(inside(told, "knead"))
