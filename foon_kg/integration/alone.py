@@ -137,7 +137,7 @@ class Alone:
     def _made_otherwise(self, join: Join) -> tuple[str, ...]:
         """Return how a food is cooked for which neither its video nor its kind is asked.
 
-        What a title calls roasted is baked, flesh for a salad fried in one piece, and what is divided then as it is asked.
+        What a title calls roasted is baked, flesh for a salad fried whole, and what is divided then as it is asked.
         """
         want, spot = join.want, join.spot
         if want.roasted and not any("dry" in stage.does for stage in (spot.stage, *spot.after)):
