@@ -93,7 +93,9 @@ def _states(bench: Bench, cooking: Cooking, wants: Sequence[Want]) -> Iterator[S
     }
     for want in wants:
         ready = cooking.ready.get(want.number)
-        for state in in_turn(want.told or want.asked) if ready is not None else ():
+        if ready is None:
+            continue
+        for state in in_turn(want.told or want.asked):
             if (singular(want.label), state) not in shown:
                 yield Substitution("state", want.label, state, _state_now(bench, ready.stuff, want), _READ)
 
