@@ -135,11 +135,15 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     want = understood(number, replace(one, state=last), known, operators)
     if not before:
         return want
-    cooked = understood(number, replace(one, state=before[-1]), known, operators)
-    if not cooked.cooked:
-        return replace(want, told=one.state)
-    divided = want.make and known.state(want.make).fine
-    return replace(cooked, then=want.make if divided else "", told=one.state)
+    first = understood(number, replace(one, state=before[-1]), known, operators)
+    if want.cooked and first.make and known.state(first.make).fine:
+        return replace(first, cooked=True, told=one.state)
+    divided = want.make if want.make and known.state(want.make).fine else ""
+    if first.cooked:
+        return replace(first, then=divided, told=one.state)
+    if before[-1] in word_list("is in a can"):
+        return replace(first, make=divided, told=one.state)
+    return replace(want, told=one.state)
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
