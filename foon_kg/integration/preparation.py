@@ -274,7 +274,7 @@ def _foamed(want: Want, before: Food) -> Want | None:
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
     """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
     canned = operators.known.foods.food(want.label, [_CANNED])
-    if row.earns & _FROM_A_CAN and canned.kind != want.facts.kind and canned.sold_as == _CANNED:
+    if row.earns & _FROM_A_CAN and canned.sold_as == _CANNED:
         return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
     if row.earns and row.earns <= ADVISED and row.earns != _RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
