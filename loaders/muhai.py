@@ -61,7 +61,10 @@ def read_muhai_file(path: Path) -> ReadResult:
 
 
 def read_muhai_text(text: str, name: str, file: str = "") -> ReadResult:
-    """Return the units of the longest network in ``text``, as the video ``name``. Never raises."""
+    """Return the units of the longest network in ``text``, as the video ``name``; ``file`` is told in notices.
+
+    Never raises.
+    """
     journal = Journal(file or name)
     try:
         document = read_lisp(text)

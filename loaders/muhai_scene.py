@@ -74,18 +74,21 @@ class Scene:
         self._became.update((used, variable) for used in self._used if used != variable)
 
     def vessel(self, variable: str, otherwise: str) -> Held:
-        """Return what ``variable`` stands for; a fresh vessel where nothing made it."""
+        """Return what ``variable`` stands for; where nothing made it a fresh vessel, called ``otherwise``."""
         return self._held.get(self._now(variable)) or Held(otherwise)
 
     def filled(self, variable: str) -> Held:
-        """Return a vessel with food in it. Raises ``NotThere`` where there is none."""
+        """Return the vessel with food in it that ``variable`` stands for. Raises ``NotThere`` where there is none."""
         held = self._held.get(self._now(variable))
         if held is None or not held.foods:
             raise NotThere(variable)
         return held
 
     def beside(self, variable: str) -> Held:
-        """Return a vessel with food in it, of which only some is used. Raises ``NotThere`` where there is none."""
+        """Return the vessel of ``variable``, of whose food only some is used.
+
+        Raises ``NotThere`` where there is none.
+        """
         used = list(self._used)
         held = self.filled(variable)
         self._used = used
@@ -104,7 +107,10 @@ class Scene:
         return now
 
     def tool(self, words: Sequence[str], place: int, otherwise: str) -> ObjectNode:
-        """Return the tool at ``place``: what was fetched for it, what its name says, or the usual one."""
+        """Return the tool at ``place`` (from 0) of ``words``: what was fetched for it, or what its name says.
+
+        Where nothing says it, it is called ``otherwise``.
+        """
         word = words[place] if len(words) > place else ""
         held = self._held.get(word)
         name = re.sub(r"-\d+$", "", word.lstrip("?"))
@@ -127,14 +133,22 @@ class Scene:
         change: Callable[[ObjectNode], ObjectNode],
         with_: tuple[ObjectNode, ...] = (),
     ) -> None:
-        """Add a unit in which each food of the vessel at ``place`` becomes what ``change`` makes of it."""
+        """Add a unit of ``motion`` that does ``change`` to each food of the vessel at ``place`` (from 0) of ``words``.
+
+        ``with_`` are the tools that it takes.
+        """
         before = self.filled(words[place])
         after = before.of(map(change, before.foods))
         self.add(motion, (before.node(), *before.foods, *with_), (after.node(), *after.foods))
         self.bind(words[0], after)
 
     def move(self, out: str, source: Held, target: Held, motion: str, *, with_: tuple[ObjectNode, ...] = ()) -> None:
-        """Add a unit in which all that is in ``source`` comes to what is in ``target``."""
+        """Add a unit of ``motion`` in which all in ``source`` comes to what is in ``target``.
+
+        ``out`` stands for that then.
+
+        ``with_`` are the tools that it takes.
+        """
         after = target.of((*target.foods, *source.foods))
         moved = after.foods[-len(source.foods) :]
         self.add(

@@ -110,7 +110,10 @@ def _printable(path: Path) -> str:
 
 
 def decode(data: bytes) -> str:
-    """Return the text of a file. Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text."""
+    """Return ``data``, the bytes of a file, as text.
+
+    Raises ``UnreadableFile`` with line and byte position where it is no UTF-8 text.
+    """
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:

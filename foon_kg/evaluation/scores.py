@@ -104,17 +104,23 @@ class Rule:
 
 
 def without_tree(ingredients: Iterable[RequiredIngredient]) -> tuple[LineScore, ...]:
-    """Return the scores of a recipe that got no tree."""
+    """Return the scores of a recipe that got no tree: 0 for each of its ``ingredients``."""
     return tuple(LineScore(want, Reason.NO_TREE) for want in wanted(ingredients))
 
 
 def share_correct(scores: Sequence[int]) -> float:
-    """Return the sum of ``scores`` by the greatest that it could be; 0 for a recipe that names no ingredient."""
+    """Return the sum of ``scores`` (0 to 2) by the greatest that it could be.
+
+    0 for a recipe that names no ingredient.
+    """
     return sum(scores) / (MOST * len(scores)) if scores else 0.0
 
 
 def wanted(ingredients: Iterable[RequiredIngredient]) -> tuple[RequiredIngredient, ...]:
-    """Return each required food in each of its states once, as the planner does."""
+    """Return each of the ``ingredients`` once in each of its states, as the planner does.
+
+    Those without a food are left out.
+    """
     return tuple(dict.fromkeys(want for want in ingredients if want.object))
 
 

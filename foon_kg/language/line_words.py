@@ -46,7 +46,10 @@ class RecipeLine:
 
 
 def split_name(text: str) -> tuple[tuple[str, ...], str]:
-    """Split states off the front of a name: "frozen chopped spinach"; "ground beef" and "white rice" stay whole."""
+    """Return the states at the front of a name (``text``), and the rest: "frozen chopped" and "spinach".
+
+    "ground beef" and "white rice" stay whole.
+    """
     words = text.replace(",", " ").split()
     states = []
     while len(words) > 1 and (state := _state_before(words[0], " ".join(words[1:]))):

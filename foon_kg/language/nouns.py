@@ -29,7 +29,7 @@ def spoken(token: Token) -> str:
 
 
 def names_in(token: Token) -> Iterator[Mention]:
-    """Yield the thing that a noun names, and those joined to it; a measure names what it is of."""
+    """Yield the thing that a noun (``token``) names, and those joined to it; a measure names what it is of."""
     of = [thing for child in token.children if child.lower_ == "of" for thing in child.children if thing.dep_ == "pobj"]
     measures = token.lemma_.lower() in _MEASURES
     if of and (measures or is_vessel(spoken(token))):
@@ -92,7 +92,7 @@ def plural(word: str) -> str:
 
 
 def as_result(name: str) -> str | None:
-    """Return the state that something goes on to ("into cubes"); ``None`` for a place or a thing."""
+    """Return the state that something goes on to by a ``name`` ("into cubes"); ``None`` for a place or a thing."""
     last = canonical(name).split()[-1:]
     thing = is_vessel(name) or not _MIXED.isdisjoint(last) or tables().foods.food(name).known
     return None if thing else state_in(name)

@@ -29,7 +29,7 @@ _LONG = 2 * _HOUR
 
 
 def amount_of(text: str) -> tuple[str, str]:
-    """Return the amount and the food of one of the ``amounts`` of measures: "200 g flour" is 200 g of flour."""
+    """Return the amount and the food in the ``text`` of a measure: "200 g flour" is 200 g of flour."""
     number, _, rest = text.partition(" ")
     unit, _, food = rest.partition(" ")
     return (number if unit == "piece" else f"{number} {unit}", food) if food else (number, unit)
@@ -103,7 +103,7 @@ def _first_of(unit: TreeUnit, timed: list[tuple[FunctionalUnit, Measures]]) -> M
 
 
 def amounts_asked(recipe: Recipe) -> list[str]:
-    """Return how much is asked of each distinct ingredient: "60 g and 5 g" where it is asked twice."""
+    """Return how much a ``recipe`` asks of each distinct ingredient: "60 g and 5 g" where it is asked twice."""
     amounts: defaultdict[RequiredIngredient, list[str]] = defaultdict(list)
     for one in recipe.ingredients:
         if one.object:

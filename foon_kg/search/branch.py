@@ -71,10 +71,17 @@ class Search(ABC):
 
     @abstractmethod
     def options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Return what may be chosen for the waiting nodes; nothing where no tree that grows from here is better."""
+        """Return what may be chosen for the nodes that wait in ``partial``; nothing where the branch is cut.
+
+        It is cut where no tree that grows from here is better than the best so far; ``outlook`` is what is known of
+        these trees.
+        """
 
     def affordable(self, partial: Partial, outlook: Outlook) -> Options:
-        """Return what may be chosen for the waiting nodes without more than the least penalty."""
+        """Return what may be chosen for the nodes that wait in ``partial`` without more than the least penalty.
+
+        ``outlook`` is what is known of all trees that grow from here.
+        """
         spare = self.reduced.penalty - outlook.penalty
         if spare < 0:
             return {}
@@ -123,7 +130,7 @@ class Outlook:
 
     @classmethod
     def of(cls, reduced: Reduced, partial: Partial) -> Outlook:
-        """Look at what waits in ``partial``."""
+        """Return what is known of all trees of ``reduced`` that grow from ``partial``, by what still waits in it."""
         needed, behind, reach, around = partial.chosen, 0, 0, 0
         for node in partial.waiting:
             needed |= reduced.landmarks.steps_of_node[node]
@@ -150,7 +157,11 @@ class OverlapSearch(Search):
         return -self.value[1] == self.reduced.foods[self.reduced.core.goal].bit_count()
 
     def options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Go on unless no wanted food can be gained, or another tree with the same future has them all."""
+        """Return the options of ``partial``; none where it can gain no wanted food, or its like has them all.
+
+        Its like is another partial tree with the same future. ``outlook`` says which foods the trees that grow from
+        here can still gain.
+        """
         if outlook.reach.bit_count() <= -self.value[1]:
             return {}
         penalty, foods = self.reduced.core.penalty_of(partial.chosen), self.reduced.core.foods_of(partial.chosen)
@@ -169,7 +180,10 @@ class UnitSearch(Search):
 
     @classmethod
     def from_tree(cls, reduced: Reduced, best: int, deadline: Deadline) -> UnitSearch:
-        """Return a search among what may be in a tree no longer than ``best``."""
+        """Return a search in what is left of ``reduced`` if no tree may have more units than ``best``, a set of steps.
+
+        ``deadline`` ends it.
+        """
         less = reduced.without_longer_than(reduced.core.units_in(best))
         return cls(less, reduced.core.translated(best, less.core), deadline)
 
@@ -178,7 +192,10 @@ class UnitSearch(Search):
         return False
 
     def options(self, partial: Partial, outlook: Outlook) -> Options:
-        """Go on unless a tree is known that is not worse than any that grows from here."""
+        """Return the options of ``partial``; none where a tree is known that is not worse than all that grow from it.
+
+        ``outlook`` says how many units those trees have at least.
+        """
         if self._is_worse(outlook) or self._seen_better(partial, outlook):
             return {}
         options = self.affordable(partial, outlook)

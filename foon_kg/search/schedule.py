@@ -145,7 +145,10 @@ def _each_leads_on(order: Sequence[KnownUnit]) -> bool:
 
 
 def last_of(units: Sequence[KnownUnit], there: Collection[ObjectNode], goal: ObjectNode) -> KnownUnit | None:
-    """Return the unit that makes the goal and that no other needs, or ``None``: the others can all run without it."""
+    """Return the one of ``units`` that makes the ``goal`` and that no other needs; ``None`` where there is none.
+
+    The others can all run without it from the nodes that are ``there``.
+    """
     makers = (known for known in units if goal in known.unit.output_nodes)
     return next((m for m in makers if _can_all_run([known for known in units if known is not m], there)), None)
 

@@ -73,7 +73,8 @@ class UnitIndex:
     def least_penalties(self) -> tuple[float, ...]:
         """Return for each node what having it costs at least, in gaps: infinite where nothing makes it.
 
-        The dearest input of a unit counts, and the cheapest way to a node: h^max, by Dijkstra's algorithm.
+        The dearest input of a unit counts, and the cheapest way to a node: h^max (Bonet and Geffner: Planning as
+        heuristic search, 2001), by Dijkstra's algorithm.
         """
         users: list[list[int]] = [[] for _ in self.nodes]
         missing = [0] * len(self.units)  # how many inputs of a unit nobody has yet

@@ -37,7 +37,10 @@ MOST_SAID = 1 << 12
 
 
 def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
-    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop.
+
+    ``kitchen`` tells foods from utensils.
+    """
     said = _said(unit.input_nodes, unit.motion, unit.output_nodes, kitchen) + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 

@@ -70,7 +70,10 @@ class ExportedTree:
 
 
 def kitchen_of(units: Sequence[FunctionalUnit], kitchen: Kitchen) -> tuple[ObjectNode, ...]:
-    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest."""
+    """Return what has to be at hand for ``units``: what they take and none newly makes, and utensils at rest.
+
+    ``kitchen`` knows which utensils are at rest.
+    """
     made = {node for unit in units for node in newly_made(unit)}
     taken = dict.fromkeys(node for unit in units for node in unit.input_nodes)
     return tuple(n for n in taken if n not in made or (not kitchen.is_food(n) and kitchen.has(n)))

@@ -187,7 +187,10 @@ class FoonPrecedents:
         return found[0] if found and found[0].confidence >= _ALIKE else None
 
     def start(self, label: str) -> tuple[States, Place] | None:
-        """Return the commonest start of a food (as the shop sells it), ``None`` where the FOON does not have it."""
+        """Return the commonest start of the food ``label`` (as the shop sells it).
+
+        ``None`` where the FOON does not have it.
+        """
         nodes = [
             (node, count)
             for node, count in self._nodes.items()

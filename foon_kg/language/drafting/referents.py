@@ -88,7 +88,7 @@ class Referents:
         return [Mention(label, mention.states)]
 
     def turned(self, action: NarratedAction) -> NarratedAction:
-        """Return "pour over the cream" as "pour the cream over" where no cream is there that anything comes onto."""
+        """Return the ``action`` "pour over the cream" as "pour the cream over" where no cream is there to pour onto."""
         if action.objects or len(action.places) != 1 or not self._hand():
             return action
         (place,) = action.places
@@ -124,7 +124,10 @@ class Referents:
         return tuple(dict.fromkeys(found))
 
     def thing(self, name: str, besides: frozenset[str] = frozenset()) -> str | None:
-        """Return the thing of the scene that ``name`` speaks of, ``None`` where it is none of them."""
+        """Return the thing of the scene that ``name`` speaks of, none of ``besides``.
+
+        ``None`` where it is none of them.
+        """
         if (known := self.scene.called(name)) is not None:
             return known
         words = canonical(name).split()

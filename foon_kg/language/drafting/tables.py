@@ -138,7 +138,7 @@ def _left_out_cells(row: DraftUnit | LeftOut) -> tuple[str, ...]:
 
 
 def thing(one: Participant) -> str:
-    """Return how a table writes a participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
+    """Return how a table writes ``one`` participant: ``*onion (chopped; peeled) {salt} on cutting board``."""
     node: ObjectNode = one.node
     text = ("*" if one.moving else "") + node.label
     text += f" ({'; '.join(node.states)})" if node.states else ""

@@ -71,7 +71,11 @@ class UnitDrafter:
         return Bringing(self._maker)
 
     def units(self, action: NarratedAction, motion: str, sure: float, doubts: Sequence[str]) -> tuple[DraftUnit, ...]:
-        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them."""
+        """Return the units of ``action``, whose objects (at least one) are named as scene or FOON name them.
+
+        ``motion`` is what the FOON calls its verb, ``sure`` (0 to 1) how sure that is, and ``doubts`` those there are
+        before.
+        """
         evidence = Evidence([sure], list(doubts))
         if self.precedents.kitchen.is_utensil(action.objects[0].name):
             return (self._handling.unit(action, motion, evidence),)

@@ -41,8 +41,9 @@ class FinalTree:
 def made_for(want: RequiredIngredient, vocabulary: Vocabulary, similarity: Similarity) -> MadeFood:
     """Return what FOON makes that is nearest to ``want``: the nearest object, then the nearest of its states.
 
-    The paper leaves open whether an object in another state or another object in that state is the nearer one; here
-    the object counts first. A FOON that makes nothing has the required food as the answer.
+    A part of algorithm 4. ``vocabulary`` tells what is made in which states, ``similarity`` how near names are. The
+    paper leaves open whether an object in another state or another object in that state is the nearer one; here the
+    object counts first. A FOON that makes nothing has the required food as the answer.
     """
     made: dict[str, list[str]] = {}
     for row in vocabulary.foods:

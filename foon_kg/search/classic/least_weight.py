@@ -43,9 +43,10 @@ class LeastWeight:
 
 
 def least_weight(core: Core, weigh: Weigh, deadline: Deadline) -> LeastWeight | None:
-    """Find the lightest tree that makes the core's goal, of equally light ones that with the least keys of its units.
+    """Return the lightest tree that makes the goal of ``core``; of equally light ones that with the least keys.
 
-    ``None`` where nothing makes the goal. A search that the deadline stops answers the best tree found so far.
+    The keys are those of its units; ``weigh`` gives a set of steps its weight. ``None`` where nothing makes the goal. A
+    search that the ``deadline`` stops answers the best tree found so far.
     """
     order, made = chain(core)
     if not made[core.goal]:
