@@ -135,11 +135,15 @@ def _in_turn(number: int, one: RequiredIngredient, known: Tables, operators: Ope
     want = understood(number, replace(one, state=last), known, operators)
     if not before:
         return want
-    cooked = understood(number, replace(one, state=before[-1]), known, operators)
-    if not cooked.cooked:
-        return replace(want, told=one.state)
-    divided = want.make and known.state(want.make).fine
-    return replace(cooked, then=want.make if divided else "", told=one.state)
+    first = understood(number, replace(one, state=before[-1]), known, operators)
+    if want.cooked and first.make and known.state(first.make).fine:
+        return replace(first, cooked=True, told=one.state)
+    divided = want.make if want.make and known.state(want.make).fine else ""
+    if first.cooked:
+        return replace(first, then=divided, told=one.state)
+    if before[-1] in word_list("is in a can"):
+        return replace(first, make=divided, told=one.state)
+    return replace(want, told=one.state)
 
 
 def _as_entitled(want: Want, title: str, known: Tables, operators: Operators) -> Want:
@@ -186,9 +190,11 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
 def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    if want.asked and not known.state(want.asked).undivided:
+    grated_off = want.facts.is_a(*word_list("is grated off the whole"))
+    as_sold = grated_off and want.asked == want.facts.sold_as
+    if want.asked and not as_sold and not known.state(want.asked).undivided:
         return want
-    if want.facts.is_a(*word_list("is grated off the whole")):
+    if grated_off:
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
     cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
     return replace(want, make=shape[0]) if cut else want
@@ -288,7 +294,7 @@ def _foamed(want: Want, before: Food) -> Want | None:
 def _done_by_others(want: Want, row: State, operators: Operators) -> Want | None:
     """Return a food whose asked state is not given to it alone: drained of what it was canned or boiled in, smoked."""
     canned = operators.known.foods.food(want.label, [_CANNED])
-    if row.earns & _FROM_A_CAN and canned.kind != want.facts.kind and canned.sold_as == _CANNED:
+    if row.earns & _FROM_A_CAN and canned.sold_as == _CANNED:
         return replace(want, facts=canned, leaf=(_CANNED,), storage=canned.sold_in, read_as=_CANNED)
     if row.earns and row.earns <= ADVISED and row.earns != _RINSED and "boil" in want.facts.owes:
         return replace(want, cooked=True)
