@@ -1,7 +1,7 @@
 """How many plans a second foon serve answers, and how long each takes: new questions, and questions asked before.
 
     python benchmarks/serve.py [--files FOLDER] [--recipes PATH ...] [--every N] [--jobs N] [--clients N] [--again N]
-                               [--writing SECONDS] [--arriving N ...]
+                               [--writing SECONDS] [--idle SECONDS] [--arriving N ...]
 
 Starts foon serve on a free port with its own limits (but a rate that this one address may reach) and asks for every
 N-th recipe beside the checkout over ``--clients`` kept connections, from a process of its own: once each; then
@@ -14,6 +14,7 @@ moment at which it should have been asked; a service begun anew for each of the 
 ``--writing`` the FOON is that of Neo4j (NEO4J_URI,
 else the local server, whose FOON is replaced by that of ``--files``), and a process of its own takes a video out and
 brings it back, a change every so many seconds; how many changes there were while each line was measured is told.
+``--idle`` waits so long before the first question: processes that nobody asks plan recorded dishes meanwhile.
 """
 
 import argparse
@@ -64,6 +65,7 @@ def main() -> None:
     parser.add_argument("--again", type=int, default=5000)
     parser.add_argument("--writing", type=float)
     parser.add_argument("--arriving", type=float, nargs="*", default=[])
+    parser.add_argument("--idle", type=float, default=0.0)
     options = parser.parse_args()
     read = read_paths([options.files])
     snapshot = Snapshot.of([result.subgraph for result in read if result.subgraph is not None], Kitchen.default())
@@ -100,6 +102,7 @@ def main() -> None:
             return Measured(time.perf_counter() - started, *spent, answers, changes.value - changed)
 
         measure([("", [f"chopped onion{' ' * n}", "egg"]) for n in range(2 * options.jobs)])  # each process has begun
+        time.sleep(options.idle)
         if options.writing is not None:
             writer.start()
         show("new questions", measure(questions))

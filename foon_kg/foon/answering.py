@@ -73,8 +73,7 @@ class Answering(Changing):
         >>> foon.get_ready(PlanSettings())
         """
         with self._cook(settings) as cook:
-            if self._snapshot is None:
-                cook.view.methods_for((), "")  # what every plan asks of a graph, and no other asks again
+            cook.get_ready()
 
     @contextmanager
     def answers(

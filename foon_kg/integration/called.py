@@ -13,6 +13,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
+from foon_kg.integration.components import Side, with_sides
 from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
@@ -33,7 +34,7 @@ class Called:
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
     are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
-    made whatever its video does.
+    made whatever its video does, ``sides`` are its components.
     """
 
     dishes: Sequence[Dish]
@@ -46,6 +47,7 @@ class Called:
     folded: Collection[str]
     warms: bool
     technique: Technique | None = None
+    sides: Sequence[Side] = ()
 
     @cached_property
     def words(self) -> tuple[str, ...]:
@@ -68,7 +70,16 @@ class Arranged(NamedTuple):
 
 
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
-    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it."""
+    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
+
+    Its components are made beside that, and join it.
+    """
+    made = _arranged(line, joins, parts, called, known)
+    line, joins = with_sides(made.line, made.joins, called.sides, words(called.title), known)
+    return Arranged(line, joins, made.one_pot)
+
+
+def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     if called.technique is not None:
         line, found = carried_out(called.technique, joins, words(called.title), known)
         return Arranged(line, found, "one pot" in called.technique.plan)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -14,7 +14,7 @@ from foon_kg.planning.kitchen_file import ReadKitchen
 from foon_kg.planning.settings import PlanSettings
 from foon_kg.plans.durations import Durations
 from foon_kg.plans.kitchen import Kitchen
-from foon_kg.web.examples import example_dishes
+from foon_kg.web.examples import example_dishes, recorded_dishes
 from foon_kg.web.foon import Served
 from foon_kg.web.plan_answer import plan_to_json
 from foon_kg.web.questions import ExamplesQuestion, PlanQuestion, Question, Reply, SuggestQuestion
@@ -22,6 +22,9 @@ from foon_kg.web.sources import PartSources, Sources, WholeSources
 
 TIME_LIMIT = 3.0
 """Seconds for the search of one reference tree."""
+
+_MOST_PRACTISED = 120
+"""So many dishes are planned before anybody asks: of the public FOON all, of a larger one some of each type."""
 
 _NO_WISHES = PlanSettings(time_limit=TIME_LIMIT)
 
@@ -32,9 +35,21 @@ class PlanningDesk:
     def __init__(self, served: Served) -> None:
         self._foon = served.foon()
         self._sources: Sources = WholeSources(self._foon) if served.snapshot else PartSources(self._foon)
+
+    def get_ready(self) -> None:
+        """Work out what every plan needs, so that no question waits for it and none of its time limit goes into it."""
         self._foon.get_ready(_NO_WISHES)
-        if served.snapshot is None:
-            self._durations  # noqa: B018 - some videos are read now, and not by who asks first
+        self._sources.get_ready()
+        _ = self._durations
+
+    def practise(self) -> Iterator[PlannerQuestion]:
+        """Plan recorded dishes, one at each step, for what is kept of that: words, places of foods, reference trees.
+
+        No answer becomes another by it; the first questions about like foods are answered sooner.
+        """
+        for dish in recorded_dishes(self._sources.sample, _MOST_PRACTISED):
+            self._planned(dish)
+            yield dish
 
     def answer(self, question: Question) -> Reply:
         """Return ``question``; what is wrong with it is an answer too."""

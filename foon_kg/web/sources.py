@@ -44,6 +44,10 @@ class Sources(Protocol):
         """The FOON, or some videos of it."""
         ...
 
+    def get_ready(self) -> None:
+        """Look up what the first question would wait for."""
+        ...
+
     def check(self, *, with_drafts: bool) -> None:
         """Raise UsageError unless plans can be made with drafts, where that is asked."""
         ...
@@ -63,6 +67,10 @@ class WholeSources:
     def sample(self) -> Snapshot:
         """The whole FOON."""
         return self._foon.snapshot()
+
+    def get_ready(self) -> None:
+        """Number the units by where they are seen."""
+        _ = self._alone
 
     def check(self, *, with_drafts: bool) -> None:
         """Raise nothing."""
@@ -91,6 +99,10 @@ class PartSources:
         """Some videos of the FOON, the same as long as none of them is taken out."""
         with self._foon.reading_graph() as view:
             return self._videos(some_videos(view, SAMPLE))
+
+    def get_ready(self) -> None:
+        """Read some videos."""
+        _ = self.sample
 
     def check(self, *, with_drafts: bool) -> None:
         """Raise UsageError for drafts, which are read with the whole."""

@@ -13,12 +13,15 @@ Told = list[tuple[set[str], str, tuple[ObjectNode, ...]]]
 
 
 def planned_steps(snapshot: Snapshot) -> Callable[..., Told]:
-    """Return a function that plans a dish and returns its steps: the labels that go in, the motion, what comes out."""
+    """Return a function that plans a dish and returns its steps: the labels that go in, the motion, what comes out.
+
+    A food is asked as ``food:state``, or ``food:state:part``.
+    """
     planner = Planner(snapshot, PlanSettings(snapshot.kitchen, time_limit=None), snapshot.units)
 
     def plan(dish_type: str, title: str, *asked: str) -> Told:
-        pairs = (one.rpartition(":")[::2] for one in asked)
-        foods = tuple(RequiredIngredient(food, state) for food, state in pairs)
+        told = (one.split(":") for one in asked)
+        foods = tuple(RequiredIngredient(food, state, part="".join(part)) for food, state, *part in told)
         units = planner.plan(Recipe(dish_type, foods, "x", title)).units
         return [({n.label for n in one.input_nodes}, one.motion, one.output_nodes) for one in units]
 

@@ -37,7 +37,10 @@ MOST_SAID = 1 << 12
 
 
 def sentence(unit: FunctionalUnit | TreeUnit, kitchen: Kitchen, measures: Measures = UNMEASURED) -> str:
-    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop."""
+    """Return one sentence for ``unit``, with a capital letter, its ``measures`` and a full stop.
+
+    ``kitchen`` tells foods from utensils.
+    """
     said = _said(unit.input_nodes, unit.motion, unit.output_nodes, kitchen) + measured_words(measures, unit.motion)
     return f"{said[:1].upper()}{said[1:]}."
 
@@ -194,23 +197,31 @@ class _Reading:
         return f"{the(foods)} in {the(bath)}" if bath and foods else the(names)
 
     def _changing(self) -> str:
+        """Say what is done with foods where they are; of a full vessel, with everything in it."""
         foods = self._foods_changed
         vessel = max(self._utensils, key=lambda node: len(node.ingredients), default=None)
         held = self._held_in(vessel) if vessel is not None else []
         where = vessel.label if vessel is not None and held else _only_place(foods)
-        fresh = [food for food in foods if food.label not in held]
-        if len(held) > _FEW:
-            added = [food.label for food in fresh if food.container != where]
-            said = f"add {the(added)}, then " if added else ""
-            said += with_object(self._verb, "everything")
-        else:
-            told = [*(held if foods else ()), *(food.label for food in fresh)] or held
-            said = with_object(self._verb, self._in_bath(told))
+        said = self._done_with(foods, held, where)
         said += f" {self._relation(where)} the {where}" if where else ""
         used = {where or "", *(food.container or "" for food in self._foods)}
+        return said + self._with_tools(used) + self._gives[1] + self._making(held)
+
+    def _done_with(self, foods: Sequence[ObjectNode], held: list[str], where: str | None) -> str:
+        """Return the verb with its objects: what a vessel held, and ``foods`` that come to it; of many "everything"."""
+        fresh = [food for food in foods if food.label not in held]
+        if len(held) <= _FEW:
+            told = [*(held if foods else ()), *(food.label for food in fresh)] or held
+            return with_object(self._verb, self._in_bath(told))
+        added = [food.label for food in fresh if food.container != where]
+        first = f"add {the(added)}, then " if added else ""
+        return first + with_object(self._verb, "everything")
+
+    def _making(self, held: Sequence[str]) -> str:
+        """Return what comes of foods under a new name: "to make the dough"; ``""`` where nothing does."""
         known = {node.label for node in self._foods} | set(held)
         made = [node.label for node in self._food_made if node.label not in known]
-        return said + self._with_tools(used) + self._gives[1] + (f" to make {the(made)}" if made else "")
+        return f" to make {the(made)}" if made else ""
 
     @cached_property
     def _foods_changed(self) -> list[ObjectNode]:
@@ -253,17 +264,19 @@ class _Reading:
         return relations[0] if relations else resting_in(container)
 
     def _with_tools(self, places: Collection[str]) -> str:
+        """Return the tools in words: " in the oven", " with the knife"; ``places`` are told already, or no tools."""
         if any(node.label == "faucet" for node in self._utensils):
             return " under the faucet" if "faucet" not in places or self._target is None else ""
+        ways: dict[str, list[str]] = {"in": [], "on": [], "with": []}  # an oven, a stove, a knife
+        for label in self._tools(places):
+            ways[hosts_things(label) or "with"].append(label)
+        return "".join(f" {way} {the(labels)}" for way, labels in ways.items() if labels)
+
+    def _tools(self, places: Collection[str]) -> list[str]:
+        """Return the empty utensils that nothing is in, or lies on, and that are no places themselves."""
         taken = {node.container for node in self._inputs if node.container} | set(places)
         free = (node for node in self._utensils if not node.ingredients and node.container not in taken)
-        tools = [node.label for node in free if node.label not in taken]
-        said = ""
-        for how in ("in", "on"):  # an oven, a stove
-            hosts = [label for label in tools if hosts_things(label) == how]
-            tools = [label for label in tools if label not in hosts]
-            said += f" {how} {the(hosts)}" if hosts else ""
-        return said + (f" with {the(tools)}" if tools else "")
+        return [node.label for node in free if node.label not in taken]
 
     @cached_property
     def _gives(self) -> tuple[str, str]:

@@ -15,6 +15,13 @@ from foon_kg.model import ObjectNode
 from foon_kg.model.names import canonical
 from foon_kg.model.narration import Mention, NarratedAction
 
+Start = tuple[tuple[str, ...], tuple[str | None, str | None]]
+"""The states of a food before anything is done to it, and its place: a relation and a container."""
+
+_NOWHERE = (None, None)
+_SOLD_SO = SOMETHING - 0.05
+"""A little less sure than what is known of something like it: foods are sold in several states."""
+
 _TRUSTED = 0.6
 """Below this, how a food is before an action is rather taken from what it is elsewhere than from another food."""
 
@@ -27,7 +34,10 @@ class NodeDrafter:
     scene: Scene
 
     def like(self, motion: str, mention: Mention, evidence: Evidence) -> Precedents:
-        """Return what the FOON knows of ``motion`` done to an object, and weigh how well it is known."""
+        """Return what the FOON knows of ``motion`` done to an object (``mention``).
+
+        ``evidence`` weighs how well it knows.
+        """
         like = self.precedents.of(motion, mention.name)
         evidence.shares.append(like.likeness)
         evidence.doubts += [like.doubt] if like.doubt else []
@@ -43,9 +53,10 @@ class NodeDrafter:
         away_from: str | None = None,
         brought: bool = False,
     ) -> ObjectNode:
-        """Return a food as it is now; one that comes for the first time, as the FOON has it before such an action.
+        """Return a food (``mention``) as it is now; one that comes for the first time, as the FOON has it (``like``).
 
-        What is ``brought`` leaves the hand, and comes from where it was taken.
+        It is in ``at`` where that is given, and never in ``away_from``. What is ``brought`` leaves the hand, and comes
+        from where it was taken. ``evidence`` weighs what is guessed.
         """
         origin = self.origin(mention.name, evidence) if brought else None
         known = self.scene.foods.get(mention.name)
@@ -70,42 +81,57 @@ class NodeDrafter:
         food = not self.precedents.kitchen.is_utensil(container) and container not in self.scene.foods
         return food or container == away_from or self._in_use(container) or _prepares(container)
 
-    def _start(
-        self, mention: Mention, like: Precedents, evidence: Evidence
-    ) -> tuple[tuple[str, ...], tuple[str | None, str | None]]:
+    def _start(self, mention: Mention, like: Precedents, evidence: Evidence) -> Start:
+        """Return the states and the place of a food that comes for the first time.
+
+        What the FOON has before such an action counts first; where that is too unlike, what it has of the food itself.
+        """
         own = self.precedents.start(mention.name) if like.likeness < _TRUSTED else None
         if own is None and like.rows and like.likeness != UNSEEN:
-            place, at = like.place_before()
-            if mention.states:
-                return mention.states, place
-            coming = self.scene.coming.get(canonical(mention.name))
-            later = self.precedents.of(coming, mention.name) if coming else like
-            states, share = (later if later.rows else like).before()
-            told = done((later if later.rows else like).rows[0].motion)
-            if told in states and (sold := self.precedents.start(mention.name)) is not None:
-                states = sold[0]  # the FOON beats eggs that are beaten already
-            evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
-            evidence.weigh(max(at, UNSEEN))
-            return states, place
+            return self._start_like(mention, like, evidence)
         known = own or self.precedents.start(mention.name)
-        if known is None and not mention.states and (as_sold := tables().foods.food(mention.name).sold_as):
-            known = (as_sold,), (None, None)
-            evidence.weigh_states(
-                SOMETHING - 0.05, f"{mention.name} was never seen before: taken as {as_sold}, as it is sold"
-            )
-        if known is None and not mention.states and (near := self.precedents.nearest(mention.name)) is not None:
-            known = self.precedents.start(near.name)
-            doubt = f"{mention.name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
-            evidence.weigh_states(near.confidence * SOMETHING, doubt)
-        if known is None:
-            made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
-            states = mention.states or (() if made else ("whole",))
-            evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
-            return states, (None, None)
-        return mention.states or known[0], known[1]
+        if known is None and not mention.states:
+            known = self._start_unseen(mention.name, evidence)
+        if known is not None:
+            return mention.states or known[0], known[1]
+        made = not {*canonical(mention.name).split()[-1:]}.isdisjoint(tables().unfinished)
+        states = mention.states or (() if made else ("whole",))
+        evidence.weigh_states(UNSEEN, f"{mention.name} was never seen before: taken as {listed(states)}")
+        return states, _NOWHERE
+
+    def _start_like(self, mention: Mention, like: Precedents, evidence: Evidence) -> Start:
+        """Return how a food is before such actions in the FOON, or before what is done to it later in the recipe."""
+        place, share_of_place = like.place_before()
+        if mention.states:
+            return mention.states, place
+        coming = self.scene.coming.get(canonical(mention.name))
+        later = self.precedents.of(coming, mention.name) if coming else like
+        first = later if later.rows else like
+        states, share = first.before()
+        if done(first.rows[0].motion) in states and (sold := self.precedents.start(mention.name)) is not None:
+            states = sold[0]  # the FOON beats eggs that are beaten already
+        evidence.weigh_states(share, f"{mention.name} taken as {listed(states)}, as in most such units")
+        evidence.weigh(max(share_of_place, UNSEEN))
+        return states, place
+
+    def _start_unseen(self, name: str, evidence: Evidence) -> Start | None:
+        """Return how a food that the FOON never saw is: as it is sold, else as the nearest food that it saw."""
+        if as_sold := tables().foods.food(name).sold_as:
+            evidence.weigh_states(_SOLD_SO, f"{name} was never seen before: taken as {as_sold}, as it is sold")
+            return (as_sold,), _NOWHERE
+        if (near := self.precedents.nearest(name)) is None:
+            return None
+        doubt = f"{name} was never seen before: taken as is {near.name}, {near.confidence:.2f}"
+        evidence.weigh_states(near.confidence * SOMETHING, doubt)
+        return self.precedents.start(near.name)
 
     def origin(self, name: str, evidence: Evidence) -> str | None:
-        """Return where a thing that is put was taken from; ``None`` where nobody said so, and where it is known."""
+        """Return where the thing called ``name`` that is put was taken from.
+
+        ``None`` where nobody said so, or it is known.
+
+        ``evidence`` weighs a guess.
+        """
         origin, guessed = self.scene.hands.put(name)
         if origin is not None and guessed:
             evidence.weigh(IMPLIED, f"nobody says from where the {name} is taken: from the {origin}, which was open")
@@ -124,7 +150,10 @@ class NodeDrafter:
     def become(
         self, before: ObjectNode, like: Precedents, action: NarratedAction, evidence: Evidence
     ) -> tuple[str, ...]:
-        """Return the states of a food after an action: those that the narration tells instead of those of the FOON."""
+        """Return the states of a food after ``action``: those that are told, else those of the FOON (``like``).
+
+        ``before`` is the food before it; ``evidence`` weighs what is guessed.
+        """
         states, share = like.after(before.states) if like.rows else (before.states, UNSEEN)
         if not set(action.results) <= set(before.states):
             return (*action.results, *(state for state in states if state in before.states))
@@ -138,14 +167,14 @@ class NodeDrafter:
         return states
 
     def vessel(self, name: str) -> ObjectNode:
-        """Return a utensil as it is now."""
+        """Return the utensil called ``name`` as it is now."""
         known = self.scene.utensils.get(name)
         if known is None:  # nobody said of it before that it is one
             known = self.scene.utensils[name] = ObjectNode(name, self.precedents.empty(name))
         return known
 
     def tools(self, action: NarratedAction, like: Precedents, besides: Iterable[str]) -> list[ObjectNode]:
-        """Return the instruments that are told, else those of the FOON; none of ``besides``."""
+        """Return the instruments that ``action`` tells, else those of the FOON (``like``); none of ``besides``."""
         names = action.instruments or tuple(name for name in like.tools() if not _runs_water(name))
         seen = set(besides)
         return [self.vessel(name) for name in dict.fromkeys(names) if name not in seen]
@@ -162,7 +191,10 @@ class NodeDrafter:
     def target(
         self, action: NarratedAction, mention: Mention, like: Precedents, before: ObjectNode, evidence: Evidence
     ) -> str | None:
-        """Return where a food is brought: as told, else the vessel at hand, else as the FOON does it."""
+        """Return where ``action`` brings a food (``mention``): as told, else to the vessel at hand, else by ``like``.
+
+        ``before`` is the food before it, ``like`` what the FOON knows; ``evidence`` weighs what is guessed.
+        """
         for place in action.places:
             label = self._place_called(place.name)
             if label != mention.name:
@@ -189,7 +221,7 @@ class NodeDrafter:
         return label
 
     def utensil_place(self, action: NarratedAction) -> str | None:
-        """Return the first place that is told and that is a utensil."""
+        """Return the first place that ``action`` tells and that is a utensil."""
         for place in action.places:
             label = self._place_called(place.name)
             if self.precedents.kitchen.is_utensil(label):
@@ -203,7 +235,10 @@ class NodeDrafter:
         return self.precedents.labels.get(known, known)
 
     def common_vessel(self, action: NarratedAction) -> str | None:
-        """Return the utensil that holds one of the objects; none where they all come for the first time."""
+        """Return the utensil that holds one of the objects of ``action``.
+
+        None where they all come for the first time.
+        """
         held = (self.scene.foods[one.name].container for one in action.objects if one.name in self.scene.foods)
         return next((at for at in held if at is not None and at in self.scene.utensils), None)
 

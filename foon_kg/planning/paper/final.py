@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from foon_kg.model import ObjectNode, RequiredIngredient
@@ -41,8 +41,9 @@ class FinalTree:
 def made_for(want: RequiredIngredient, vocabulary: Vocabulary, similarity: Similarity) -> MadeFood:
     """Return what FOON makes that is nearest to ``want``: the nearest object, then the nearest of its states.
 
-    The paper leaves open whether an object in another state or another object in that state is the nearer one; here
-    the object counts first. A FOON that makes nothing has the required food as the answer.
+    A part of algorithm 4. ``vocabulary`` tells what is made in which states, ``similarity`` how near names are. The
+    paper leaves open whether an object in another state or another object in that state is the nearer one; here the
+    object counts first. A FOON that makes nothing has the required food as the answer.
     """
     made: dict[str, list[str]] = {}
     for row in vocabulary.foods:
@@ -108,26 +109,38 @@ def _subtree(knowledge: Knowledge, want: RequiredIngredient, food: MadeFood) -> 
     no units where none can make the food.
     """
     bare = ObjectNode(want.object, (want.state,) if want.state else ())
-    outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
-    nodes = {node for node in outputs if node.label == food.label and food.state in node.states}
-    pure = {node for node in nodes if set(knowledge.kitchen.foods_in(node)) <= {food.label}}
+    nodes = _made_as(food, knowledge)
     if knowledge.kitchen.has(bare) or not nodes:
         return FinalTree(bare)
     try:
-        tree = retrieve(SearchProblem(knowledge.index, tuple(pure or nodes)), time_limit=None)
+        tree = retrieve(SearchProblem(knowledge.index, nodes), time_limit=None)
     except NoWayError:
         return FinalTree(bare)
-    rows = [(-row.count, row.motion) for row in knowledge.vocabulary.motions if row.state == want.state]
+    motion = _usual_motion(want.state, knowledge.vocabulary) if food.state != want.state else None
     found, units = list(food.substitutions), list[TreeUnit]()
     for known in tree.units:
         unit = TreeUnit.of(known.unit, "foon", known.seen_in)
         now = _changed(unit, lambda node: _renamed(node, want, food))
-        if rows and food.state != want.state and _gives(unit, food) and min(rows)[1] != unit.motion:
-            now = replace(now, step=replace(now.step, motion=min(rows)[1]))
-            like = _nearest(now.motion, [unit.motion], knowledge.similarity)
-            found.append(_substitution("motion", want, now.motion, like))
+        if motion is not None and motion != unit.motion and _gives(unit, food):
+            now = replace(now, step=replace(now.step, motion=motion))
+            like = _nearest(motion, [unit.motion], knowledge.similarity)
+            found.append(_substitution("motion", want, motion, like))
         units.append(now if now == unit else replace(now, origin="adapted"))
     return FinalTree(_renamed(tree.goal, want, food), tuple(units), tuple(found))
+
+
+def _made_as(food: MadeFood, knowledge: Knowledge) -> tuple[ObjectNode, ...]:
+    """Return the object nodes of the FOON's units that are ``food``; those of nothing else, where there are any."""
+    outputs = {node for known in knowledge.index.units for node in known.unit.output_nodes}
+    nodes = {node for node in outputs if node.label == food.label and food.state in node.states}
+    pure = {node for node in nodes if set(knowledge.kitchen.foods_in(node)) <= {food.label}}
+    return tuple(pure or nodes)
+
+
+def _usual_motion(state: str, vocabulary: Vocabulary) -> str | None:
+    """Return the motion that most often gives a state to any food, ties by name; ``None`` where none gives it."""
+    rows = [(-row.count, row.motion) for row in vocabulary.motions if row.state == state]
+    return min(rows)[1] if rows else None
 
 
 def _gives(unit: TreeUnit, food: MadeFood) -> bool:
@@ -198,6 +211,15 @@ def _is_product(node: ObjectNode, unit: TreeUnit, kitchen: Kitchen) -> bool:
     return kitchen.is_food(node) and node.label not in names
 
 
+def _with_products(required: Collection[str], units: Iterable[TreeUnit], kitchen: Kitchen) -> set[str]:
+    """Return the names of the ``required`` foods and of the products that ``units`` make of them."""
+    kept = set(required)
+    for unit in units:
+        if any(canonical(name) in kept for node in unit.input_nodes for name in (node.label, *node.ingredients)):
+            kept |= {canonical(node.label) for node in unit.output_nodes if _is_product(node, unit, kitchen)}
+    return kept
+
+
 def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen) -> FinalTree:
     """Return ``tree`` without the foods that are not required, and without the units that then serve nothing.
 
@@ -205,10 +227,7 @@ def _without_others(tree: FinalTree, required: Collection[str], kitchen: Kitchen
     its foods stays, empty. A unit that loses a food goes where it changes no other; so does every unit that makes
     nothing which the goal needs.
     """
-    kept = set(required)
-    for unit in tree.units:
-        if any(canonical(name) in kept for node in unit.input_nodes for name in (node.label, *node.ingredients)):
-            kept |= {canonical(node.label) for node in unit.output_nodes if _is_product(node, unit, kitchen)}
+    kept = _with_products(required, tree.units, kitchen)
 
     def stays(name: str) -> bool:
         return canonical(name) in kept or kitchen.is_free(name) or kitchen.is_utensil(name)
