@@ -69,7 +69,7 @@ class WholeSources:
         return self._foon.snapshot()
 
     def get_ready(self) -> None:
-        """Number the units by where they are seen."""
+        """Put the units where they are found by what shows them."""
         _ = self._alone
 
     def check(self, *, with_drafts: bool) -> None:
