@@ -166,8 +166,8 @@ class Alone:
 
     def _is_boiled_there(self, join: Join, heats: Sequence[Stage], due: set[str]) -> bool:
         """Whether a food gets done in the liquid of the dish."""
-        want = join.want
-        if isinstance(join.spot.stage, Phase) and (want.cooked or not join.spot.stage.bath):
+        want, stage = join.want, join.spot.stage
+        if isinstance(stage, Phase) and (want.cooked or not (stage.bath or self.course.swells_there(join))):
             return False
         bath = [stage for stage in heats if "dry" not in stage.does]
         by_itself = want.facts.is_a(*word_list("is boiled by itself")) and not self.plan.one_pot

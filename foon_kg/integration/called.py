@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from foon_kg.food import Tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.named import Named
 from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
@@ -17,11 +18,13 @@ from foon_kg.integration.crowned import wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
+from foon_kg.integration.named import as_named
 from foon_kg.integration.parts import Part, baked_at_last, with_parts
 from foon_kg.integration.pots import fat_in_the_heat, is_never_heated, unheated, unmixed
 from foon_kg.integration.poured_over import dressed_apart
 from foon_kg.integration.pureed import blended_when_done, is_stewed, stewed
 from foon_kg.integration.spots import Join
+from foon_kg.integration.swelling import is_soaked_up
 from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
 from foon_kg.integration.warmed import garnished, is_heated, stirred
@@ -33,7 +36,7 @@ class Called:
 
     ``tin`` is what its batter or dough is baked in. ``baked``: the words say that it comes out of an oven; ``folded``
     are those by which it may be folded over. ``warms``: this FOON shows how a drink is heated. ``technique``: how it is
-    made whatever its video does.
+    made whatever its video does. ``asks`` is what its title asks to be done, with the words that do.
     """
 
     dishes: Sequence[Dish]
@@ -46,6 +49,7 @@ class Called:
     folded: Collection[str]
     warms: bool
     technique: Technique | None = None
+    asks: Sequence[tuple[Named, str]] = ()
 
     @cached_property
     def words(self) -> tuple[str, ...]:
@@ -68,10 +72,20 @@ class Arranged(NamedTuple):
 
 
 def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
-    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it."""
+    """Return how a dish is made: by the technique that it is called by, else after ``line`` as its name changes it.
+
+    What its title asks for besides is done at a stage of its own.
+    """
+    made = _arranged(line, joins, parts, called, known)
+    line, found = as_named(made.line, made.joins, [one for one, _ in called.asks], known)
+    return made._replace(line=line, joins=found)
+
+
+def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: Called, known: Tables) -> Arranged:
     if called.technique is not None:
-        line, found = carried_out(called.technique, joins, words(called.title), known)
-        return Arranged(line, found, "one pot" in called.technique.plan)
+        told = words(called.title)
+        line, found = carried_out(called.technique, joins, told, known)
+        return Arranged(line, found, "one pot" in called.technique.plan or is_soaked_up(found, told))
     line, joins = with_parts(line, joins, parts, called.tin)
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
@@ -103,7 +117,8 @@ def _in_the_pot(line: Line, joins: Sequence[Join], called: Called, known: Tables
     if not called.tin and word_list("is called battered").isdisjoint(told):
         line, joins = sauce_apart(line, joins)
     boiled = not word_list("boils in the dish").isdisjoint(told)
-    one_pot = boiled or is_stewed(called.title, called.dishes, joins, known)
+    soaked = is_soaked_up(joins, words(called.title))
+    one_pot = boiled or soaked or is_stewed(called.title, called.dishes, joins, known)
     if boiled:
         cold = is_never_heated(called.dishes, joins, known)
         line, joins = blended_when_done(line, joins, told, cold=cold)

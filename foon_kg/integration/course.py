@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from foon_kg.food.lists import word_list
 from foon_kg.integration.frames import Line, Phase, Stage
 from foon_kg.integration.spots import Join
 
@@ -121,6 +122,14 @@ class Course:
             if join.want.facts.is_a("cooking liquid") and any(join.spot.stage is s for s in self._until(stages[-1])):
                 return True
         return self._water_slot(stages)
+
+    def swells_there(self, join: Join) -> bool:
+        """Whether a food swells in what the dish itself is made of: nothing is poured off, and a liquid joins there."""
+        if not self.plan.one_pot or not join.want.facts.is_a(*word_list("swells")):
+            return False
+        there = {id(stage) for stage in (join.spot.stage, *join.spot.after)}
+        liquid = word_list("swells what is dry")
+        return any(id(one.spot.stage) in there and one.want.facts.is_of(*liquid) for one in self.plan.joins)
 
     def _until(self, last: Stage) -> list[Stage]:
         found: list[Stage] = []

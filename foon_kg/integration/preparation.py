@@ -159,9 +159,14 @@ def _before_it(want: Want, told: Sequence[str]) -> Iterator[str]:
 def _cut_by_name(want: Want, known: Tables) -> Want:
     """Return a food that is cut as its name says (lime wedge), or grated off the whole (zest), if no state is asked."""
     shape = words(want.label)[-1:]
-    if want.asked and not known.state(want.asked).undivided:
+    off = want.facts.is_a(*word_list("is grated off the whole"))
+    if (
+        want.asked
+        and not known.state(want.asked).undivided
+        and not (off and want.asked in word_list("is asked as it comes off"))
+    ):
         return want
-    if want.facts.is_a(*word_list("is grated off the whole")):
+    if off:
         return replace(want, make=min(word_list("only grates")), leaf=("whole",))
     cut = want.facts.sold_as == "whole" and not word_list("is cut so by name").isdisjoint(shape)
     return replace(want, make=shape[0]) if cut else want

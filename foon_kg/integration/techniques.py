@@ -10,10 +10,10 @@ from functools import partial
 from foon_kg.food import Level, Tables, singular, tables, words
 from foon_kg.food.lists import word_list
 from foon_kg.food.rows import Dish
-from foon_kg.food.techniques import Around, Foods, Part, Technique, preparations, techniques, ways, works
+from foon_kg.food.techniques import Around, Foods, Part, Technique, Work, preparations, techniques, ways, works
 from foon_kg.integration.coated import is_portion
 from foon_kg.integration.course import HEATS
-from foon_kg.integration.frames import BATH, Line, Phase, Slot, Stage
+from foon_kg.integration.frames import BATH, Asked, Line, Phase, Slot, Stage
 from foon_kg.integration.places import NATURAL
 from foon_kg.integration.preparation import BY_HAND, Want, owed
 from foon_kg.integration.spots import Join, spots_of
@@ -105,6 +105,14 @@ def carried_out(
     return line, tuple(found)
 
 
+def stage_of(work: Work) -> Asked:
+    """Return a stage of the table by itself, as a title asks for it."""
+    return Asked(
+        (), work.motion, work.does, work.tools, work.vessel, work.relation, work.appliance, work.source, "",
+        work.states, 0,
+    )  # fmt: skip
+
+
 class _Placed:
     """Which food joins at which part of a technique, and the stages of these parts."""
 
@@ -122,13 +130,35 @@ class _Placed:
         parts = [part for parts in self.technique.lines.values() for part in parts]
         wishes = [(foods, part) for part in parts for foods in part.foods]
         wishes.sort(key=lambda wish: wish[0].is_rest)
-        taken: set[int] = set()
+        once: dict[int, tuple[Join, Foods, Part]] = {}
         for foods, part in wishes:
-            for join in joins:
-                number = join.want.number
-                if _mean(foods, join.want, self.around) and (foods.again or number not in taken):
-                    taken |= set() if foods.again else {number}
-                    yield join, foods, part
+            for join in joins if not foods.again else ():
+                if join.want.number not in once and _mean(foods, join.want, self.around):
+                    once[join.want.number] = (join, foods, part)
+        more: list[tuple[Join, Foods, Part]] = []
+        for foods, part in wishes:
+            if foods.again:
+                found = [join for join in joins if _mean(foods, join.want, self.around)]
+                more += self._again(found, foods, part, once)
+        yield from once.values()
+        yield from more
+
+    def _again(
+        self, found: Sequence[Join], foods: Foods, part: Part, once: dict[int, tuple[Join, Foods, Part]]
+    ) -> Iterator[tuple[Join, Foods, Part]]:
+        """Yield the second portions that join a part; what a recipe names twice is two portions already.
+
+        Of those the one joins that stands nearest, in the recipe, to the other foods of the part.
+        """
+        there = [join.want.number for join, _, at in once.values() if at is part]
+        labels = Counter(singular(join.want.label) for join in found)
+        for label in labels:
+            alike = [join for join in found if singular(join.want.label) == label]
+            if len(alike) > 1 and not any(join.want.number in there for join in alike):
+                near = min(alike, key=lambda join: min((abs(join.want.number - n) for n in there), default=0))
+                once[near.want.number] = (near, replace(foods, again=False), part)
+            elif len(alike) == 1 and alike[0].want.number not in there:
+                yield alike[0], foods, part
 
     def line(self, name: str) -> Line:
         """Return one line of the technique, with those that join it: each where it is named first."""
@@ -153,7 +183,7 @@ class _Placed:
         over_heat = work.appliance and work.source == "heat" and "dry" not in work.does and not work.phased
         stage = (partial(Phase, bath=work.bath) if over_heat else Stage)(
             (BATH, *adds) if work.bath else adds, work.motion, work.does, work.tools, part.vessel or work.vessel,
-            work.relation, work.appliance, work.source, self._label(part, work.label), (), 0,
+            work.relation, work.appliance, work.source, self._label(part, work.label), work.states, 0,
         )  # fmt: skip
         self.stages[id(part)] = stage
         return stage

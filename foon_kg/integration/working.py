@@ -10,7 +10,7 @@ from foon_kg.food.lists import word_list
 from foon_kg.integration.alone import Alone
 from foon_kg.integration.bench import Bench, RefusedError, Stuff, Vessel, foods_of, is_flat
 from foon_kg.integration.course import COATS, HEATS, MIXES, WORKS, Plan
-from foon_kg.integration.frames import Phase, Stage
+from foon_kg.integration.frames import Asked, Phase, Stage
 from foon_kg.integration.operators import Attested, Nearness, Way, is_liquid_fat
 from foon_kg.integration.preparation import Want
 from foon_kg.world.becoming import meets
@@ -309,7 +309,9 @@ class Worker:
             return own
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
-        if stage.does == {"shape"}:  # to roll and to pinch are no less alike for other foods than what else shapes
+        pulls = stage.motion in word_list("pulls flesh apart")
+        # to roll and to pinch are no less alike for other foods than what else shapes
+        if stage.does == {"shape"} or isinstance(stage, Asked) or pulls:
             own = self.bench.far([(stage.motion, stage.tools)], foods)
             if own is not None:
                 return own
@@ -416,7 +418,8 @@ class Worker:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])
         if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
-            able = self.given_by(way)
+            own = [state for state in stage.states if state in self.known.motion(way[0]).gives]
+            able = own or self.given_by(way)
             states |= set(able[:1]) if states.isdisjoint(able) else set()
             states |= set(vessel.contents[0].states) if len(vessel.contents) == 1 else set()
         return tuple(sorted(states))

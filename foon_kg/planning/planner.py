@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from foon_kg.food import Tables, singular, tables, words
 from foon_kg.food.lists import word_list
+from foon_kg.food.named import named_by
 from foon_kg.goals.asked import Asked
 from foon_kg.goals.choice import Fit, fits, refusals, shortlisted
 from foon_kg.integration.bench import Bench, RefusedError
@@ -24,6 +25,7 @@ from foon_kg.integration.cooking import Cooking
 from foon_kg.integration.course import Plan
 from foon_kg.integration.final_tree import FinalTree, final_tree
 from foon_kg.integration.methods import Methods, TeachingView
+from foon_kg.integration.named import with_unheeded
 from foon_kg.integration.parts import parts_of
 from foon_kg.integration.places import Joiners, Matcher
 from foon_kg.integration.preparation import as_there, wants_of
@@ -178,6 +180,7 @@ class _Question:
         self.wants = tuple(as_there(want, self.kitchen.ready_in) for want in wants)
         recorded = (words(one.label) for one in self.methods.outlines.all if one.dish_type == recipe.dish_type)
         self.technique = technique_for(recipe.dish_type, words(title), self.wants, recorded)
+        self.asks = named_by(title, recipe.dish_type, [(want.label, want.facts) for want in self.wants])
         self.baked, self.parts = parts_of(self.wants, recipe.dish_type, title, _named_twice(asked), self.known)
         if self.technique is not None:  # it says itself what is put on what
             self.baked, self.parts = self.wants, ()
@@ -260,6 +263,7 @@ class _Question:
         cooking = Cooking(bench, line, plan)
         dish = cooking.make()
         tree = final_tree(bench, cooking, dish, self.wants, self.likes.others)
+        tree = with_unheeded(tree, self.asks, self.wants, self.known)
         result = self._result(fit, tree, dish_type)
         self._refuse_avoided(result)
         report = check(result.tree, free=self.kitchen.free_foods)
@@ -274,6 +278,7 @@ class _Question:
             folded=asked.told if asked.title else fit.dish.words,
             warms=can_be_warmed(self.methods.operators),
             technique=self.technique,
+            asks=self.asks,
         )  # fmt: skip
 
     def _as_told(self, plan: Plan, asked: Asked, tin: str) -> Plan:

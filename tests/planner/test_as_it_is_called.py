@@ -200,3 +200,95 @@ def test_a_smoothie_is_blended_though_its_video_strains_it(steps):
     )
     assert "blend" in motions(told)
     assert told[-1][2][0].label == "drinking glass"
+
+
+# --- what the words of a title ask to be done ---
+
+CAKE = ("flour:powder", "sugar:granulated", "eggs:uncooked", "milk:liquid", "baking powder:powder", "salt:granulated")
+
+
+def test_what_is_called_upside_down_is_turned_over_when_it_is_done(steps):
+    told = steps("cake", "Pear Upside-Down Cake", "butter:melted", "brown sugar:granulated", "pears:sliced", *CAKE)
+    assert motions(told).index("bake") < motions(told).index("flip and place")
+
+
+def test_a_thumbprint_is_pressed_before_the_jam_and_the_oven(steps):
+    told = steps("cookie", "Jam Thumbprints", "butter:softened", "sugar:granulated", "egg:uncooked", "flour:powder",
+                 "apricot jam:jelly")  # fmt: skip
+    jam = next(place for place, (inputs, _, _) in enumerate(told) if "apricot jam" in inputs)
+    assert motions(told).index("press") < jam < motions(told).index("bake")
+
+
+def test_what_is_called_pulled_comes_in_shreds_out_of_the_pot(steps):
+    told = steps("chicken", "Pulled BBQ Chicken", "chicken breasts:raw", "barbecue sauce:thick liquid",
+                 "chicken broth:liquid")  # fmt: skip
+    assert motions(told).index("simmer") < motions(told).index("pull apart")
+    assert "shredded" in {state for node in told[motions(told).index("pull apart")][2] for state in node.states}
+
+
+def test_a_word_of_the_title_that_no_step_can_do_is_said(public_plans):
+    plan = public_plans("chicken", "Chicken Kebabs", "chicken breast:cubed", "olive oil:liquid", "oregano:dried")
+    (told,) = plan.assumptions
+    assert (told.node.label, "“kebab”" in told.why) == ("chicken breast", True)
+
+
+def test_a_food_that_is_asked_twice_is_two_portions_already(steps):
+    told = steps("cake", "Pear Upside-Down Cake", "butter:melted", "brown sugar:granulated", "pears:sliced",
+                 "butter:softened", *CAKE)  # fmt: skip
+    comes = [vessel for inputs, motion, _ in told for vessel in ("cake pan", "mixing bowl")
+             if motion in CARRIED and {vessel, "butter"} <= inputs]  # fmt: skip
+    assert sorted(comes) == ["cake pan", "mixing bowl"]
+    assert [motion for inputs, motion, _ in told if "shaker" in inputs] == ["sprinkle"]
+
+
+# --- what swells ---
+
+
+def test_grain_for_a_pudding_swells_in_its_milk(steps):
+    told = steps("pudding", "Rice Pudding", "white rice:uncooked", "milk:liquid", "sugar:granulated", "eggs:beaten")
+    assert not [inputs for inputs, _, _ in told if "strainer" in inputs or "water" in inputs]
+    assert first(told, "milk", "cook and stir") < next(n for n, one in enumerate(told) if {"eggs", "pot"} <= one[0])
+
+
+@pytest.mark.parametrize(
+    ("title", "pasta", "drained"),
+    [
+        ("One-Pot Beef Macaroni", "elbow macaroni", False),
+        ("Beef Macaroni", "elbow macaroni", True),
+        ("Beef Orzo", "orzo", False),
+    ],
+)
+def test_pasta_is_drained_unless_it_soaks_up_what_the_dish_is_made_of(steps, title, pasta, drained):
+    told = steps("pasta", title, "ground beef:raw", "onion:chopped", f"{pasta}:uncooked", "beef broth:liquid",
+                 "olive oil:liquid")  # fmt: skip
+    assert any({"strainer", pasta} <= inputs for inputs, _, _ in told) is drained
+
+
+def test_a_grain_that_thickens_a_filling_is_not_boiled(steps):
+    told = steps("pie", "Cherry Pie", "pie crust:unbaked", "cherries:pitted", "quick-cooking tapioca:uncooked",
+                 "sugar:granulated")  # fmt: skip
+    assert cooked(told, "quick-cooking tapioca") == []
+
+
+# --- what is drunk ---
+
+
+def test_iced_tea_is_drawn_and_cooled_before_it_is_poured_on_ice_out_of_a_bag(steps):
+    told = steps("drinks", "Peach Iced Tea", "water:liquid", "tea bags:dried", "peaches:sliced", "ice cubes:frozen",
+                 "sugar:granulated")  # fmt: skip
+    ice = next(place for place, (inputs, _, _) in enumerate(told) if {"ice cubes", "bag"} <= inputs)
+    assert first(told, "tea bags", "cook") < motions(told).index("cool down") < ice
+
+
+def test_slices_and_spices_stay_in_a_strainer_when_a_hot_drink_is_poured(steps):
+    told = steps("drinks", "Mulled Cider", "apple cider:liquid", "orange:sliced", "cinnamon sticks:whole",
+                 "ginger:sliced", "brown sugar:granulated")  # fmt: skip
+    (left,) = [{node.label for node in outputs} for _, motion, outputs in told if motion == "pour and strain"]
+    assert {"orange", "cinnamon sticks", "ginger"} <= left
+
+
+def test_pulled_flesh_for_a_roll_is_stewed_whole_and_pulled_before_it_lies_there(steps):
+    told = steps("sandwich", "Pulled Pork Sandwiches", "pork shoulder:raw", "barbecue sauce:thick liquid",
+                 "buns:whole", "coleslaw:whole")  # fmt: skip
+    assert first(told, "pork shoulder", "simmer") < motions(told).index("pull apart") < first(told, "coleslaw", "pour")
+    assert not [motion for inputs, motion, _ in told if motion in {"chop", "cut"} and "pork shoulder" in inputs]
