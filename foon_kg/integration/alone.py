@@ -56,6 +56,9 @@ class Alone:
         self.bench.place(pot, "stove", "on")
         self.carry.boil_water(pot)
         self.bench.heat_off(pot)
+        beside = [one.want.facts for one in self.plan.joins if one.spot.stage is join.spot.stage]
+        if any(facts.is_a(*word_list("makes dough rise")) for facts in beside):
+            self.bench.let_cool(pot, ready.stuff, want.names)  # it would kill what makes it rise
 
     def beaten_first(self, join: Join, ready: Ready) -> None:
         """Open a food over a bowl of its own and beat it, where it is asked or joins so and is not beaten later."""

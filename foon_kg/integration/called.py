@@ -14,7 +14,7 @@ from foon_kg.food.rows import Dish
 from foon_kg.food.techniques import Technique
 from foon_kg.integration.bodies import made_apart
 from foon_kg.integration.coated import coated_alone
-from foon_kg.integration.crowned import wedges_last
+from foon_kg.integration.crowned import strewn_under, wedges_last
 from foon_kg.integration.folded import folded, is_folded
 from foon_kg.integration.formed import formed, formed_within, is_formed
 from foon_kg.integration.frames import Line
@@ -90,6 +90,8 @@ def _arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: 
     line, joins = baked_at_last(line, joins, called.title)
     made, found = as_a_way_says(line, joins, called.dishes, called.words, known)
     line, joins = (made, found) if made is not line else as_it_is_called(line, joins, called, known)
+    if any(dish.laid for dish in called.dishes):
+        joins = strewn_under(line, joins, known)
     if is_folded(joins, called.folded):
         line, joins = folded(joins)
     boiled = not word_list("boils in the dish").isdisjoint(called.told)

@@ -305,8 +305,10 @@ class Worker:
         found = self.bench.attest(self.bench.operators.ways_of(stage.motion), foods)
         if found is not None and (own is None or found.nearness < own.nearness):
             return found
-        if own is not None:
-            return own
+        return own or self._in_its_stead(stage, foods)
+
+    def _in_its_stead(self, stage: Stage, foods: Sequence[str]) -> Attested | None:
+        """Return a way that does what a stage does, where its own motion is attested for nothing like these foods."""
         main = "heat" if "heat" in stage.does else next(iter(sorted(stage.does & WORKS)), "")
         ways = [way for way in self.bench.operators.ways.get(main, ()) if self.known.motion(way[0]).does == stage.does]
         pulls = stage.motion in word_list("pulls flesh apart")
@@ -318,6 +320,8 @@ class Worker:
         found = self.bench.attest(ways, foods)
         if found is None and isinstance(stage, Phase):
             found = self.bench.far([(stage.motion, stage.tools)], foods)
+        if found is None and "mix" in stage.does and stage.does.isdisjoint(HEATS):
+            return self.stirring(foods)  # where nobody kneads or folds, it is stirred together
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found

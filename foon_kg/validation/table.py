@@ -92,6 +92,20 @@ def late(case: Case) -> Iterator[Finding]:
     yield from _cooked_too_much(case)
     for happening in case.happenings:
         yield from _peeled_hot(happening)
+        yield from _killed(case, happening)
+
+
+def _killed(case: Case, happening: Happening) -> Iterator[Finding]:
+    """Yield what makes dough rise where it is mixed with water that boiled and did not cool."""
+    if not happening.does("mix", "knead"):
+        return
+    boiling = word_list("is boiled water")
+    nodes = [mention.node for mention in happening.step.inputs if case.is_food(mention.node)]
+    hot = any(not boiling.isdisjoint(node.states) and "cooled" not in node.states for node in nodes)
+    for node in nodes if hot else ():
+        food = case.tables.foods.food(node.label, node.states)
+        if food.is_a(*word_list("makes dough rise")) and not food.is_a("flour"):
+            yield Finding("K3", f"{node.label} is killed by boiling water", happening.number, (node,))
 
 
 def _needs_heat(part: Part) -> bool:

@@ -292,3 +292,27 @@ def test_pulled_flesh_for_a_roll_is_stewed_whole_and_pulled_before_it_lies_there
                  "buns:whole", "coleslaw:whole")  # fmt: skip
     assert first(told, "pork shoulder", "simmer") < motions(told).index("pull apart") < first(told, "coleslaw", "pour")
     assert not [motion for inputs, motion, _ in told if motion in {"chop", "cut"} and "pork shoulder" in inputs]
+
+
+# --- flour and grain ---
+
+
+def test_meal_for_a_pizza_comes_under_its_dough(steps):
+    told = steps("pizza", "Cheese Pizza", "pizza dough:whole", "cornmeal:ground", "tomato sauce:sauce",
+                 "mozzarella:shredded")  # fmt: skip
+    dough = next(place for place, (inputs, _, _) in enumerate(told) if {"pizza dough", "pizza pan"} <= inputs)
+    assert comes(told, "cornmeal", "pizza pan") < dough
+
+
+def test_boiling_water_soaks_oats_and_cools_before_it_meets_yeast(steps):
+    told = steps("bread", "Oatmeal Bread", "oats:rolled", "water:boiling", "yeast:powder", "water:warm",
+                 "salt:granulated", "honey:thick liquid", "flour:powder")  # fmt: skip
+    assert first(told, "oats", "stir") < motions(told).index("cool down") < motions(told).index("knead")
+
+
+def test_tortillas_and_what_is_fried_lie_in_layers_though_no_video_makes_a_casserole(steps):
+    told = steps("casserole", "King Ranch Casserole", "butter:unmelted", "onion:chopped",
+                 "cream of chicken soup:canned", "cooked chicken:shredded", "corn tortillas:cut", "cheddar:shredded")  # fmt: skip
+    laid = [place for place, (inputs, _, _) in enumerate(told) if {"corn tortillas", "baking dish"} <= inputs]
+    soup = next(place for place, (inputs, _, _) in enumerate(told) if "cream of chicken soup" in inputs)
+    assert soup < laid[0] < laid[1] < first(told, "corn tortillas", "bake")

@@ -293,7 +293,8 @@ soup (cooked; {bay leaf, leek, water}; in pot) + pot (hot; {soup}; on stove) + p
 
 
 def test_k2_what_only_gave_its_taste_is_taken_out_before_the_dish_is_served():
-    assert found("K2", heated("soup", "bay leaf", "water")) == ["K2 (minor): bay leaf is in the dish, and nobody eats it"]
+    left = "K2 (minor): bay leaf is in the dish, and nobody eats it"
+    assert found("K2", heated("soup", "bay leaf", "water")) == [left]
     lifted = "soup ({bay leaf, water}; in pot) + plate (empty) → REMOVE → soup ({water}; in pot) + bay leaf (on plate)"
     assert found("K2", heated("soup", "bay leaf", "water") + lifted) == []
 
