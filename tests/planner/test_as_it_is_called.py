@@ -312,7 +312,8 @@ def test_boiling_water_soaks_oats_and_cools_before_it_meets_yeast(steps):
 
 def test_tortillas_and_what_is_fried_lie_in_layers_though_no_video_makes_a_casserole(steps):
     told = steps("casserole", "King Ranch Casserole", "butter:unmelted", "onion:chopped",
-                 "cream of chicken soup:canned", "cooked chicken:shredded", "corn tortillas:cut", "cheddar:shredded")  # fmt: skip
+                 "cream of chicken soup:canned", "cooked chicken:shredded", "corn tortillas:cut",
+                 "cheddar:shredded")  # fmt: skip
     laid = [place for place, (inputs, _, _) in enumerate(told) if {"corn tortillas", "baking dish"} <= inputs]
     soup = next(place for place, (inputs, _, _) in enumerate(told) if "cream of chicken soup" in inputs)
     assert soup < laid[0] < laid[1] < first(told, "corn tortillas", "bake")
