@@ -587,7 +587,8 @@ class Cooking:
             return True
         rolled = "shape" in stage.does and bool(foods) and foods[0].is_a("dough") and not self._is_shaped(vessel)
         opened = stage.does == {"cut"} and "baked" in vessel.contents[0].states
-        return not mixes and not heats and "wait" not in stage.does and single and not rolled and not opened
+        alone = stage.does.isdisjoint({"peel", "wait"})
+        return not mixes and not heats and alone and single and not rolled and not opened
 
     def _is_awaited(self, following: Stage) -> bool:
         """Whether something comes next that has to come into a liquid that is hot: what was shaped."""

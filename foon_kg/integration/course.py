@@ -14,7 +14,7 @@ HEATS = frozenset({"heat", "warm"})
 COATS = frozenset({"coat", "mix"})
 """What a stage does at which one food is turned in another, and stays what it is."""
 
-WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut"}
+WORKS = MIXES | HEATS | {"wait", "shape", "turn", "cut", "peel"}
 
 
 @dataclass
@@ -85,6 +85,8 @@ class Course:
                 place: float = slots.index(join.slot) if join.slot in slots else -0.5
             elif facts.is_a("fat") and heats:
                 place = -1
+            elif "dry" in stage.does and facts.is_a(*word_list("melts on top")):
+                place = len(slots) + 0.8  # nothing is poured over what browns
             elif facts.is_a("liquid", "creamy"):
                 place = len(slots) + 0.5
             elif facts.is_a("spice", "herb"):

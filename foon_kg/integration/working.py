@@ -421,7 +421,7 @@ class Worker:
         if not states and stage.motion:
             able = sorted(s for s in stage.states if s in self.known.motion(way[0]).gives)
             states |= set(able[:1])
-        if not does.isdisjoint({"shape", "turn", "cut"}) and does.isdisjoint(HEATS):
+        if not does.isdisjoint({"shape", "turn", "cut", "peel"}) and does.isdisjoint(HEATS):
             own = [state for state in stage.states if state in self.known.motion(way[0]).gives]
             able = own or self.given_by(way)
             states |= set(able[:1]) if states.isdisjoint(able) else set()
