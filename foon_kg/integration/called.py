@@ -27,7 +27,7 @@ from foon_kg.integration.spots import Join
 from foon_kg.integration.swelling import is_soaked_up
 from foon_kg.integration.techniques import as_a_way_says, carried_out
 from foon_kg.integration.thickened import sauce_apart
-from foon_kg.integration.warmed import garnished, is_heated, stirred
+from foon_kg.integration.warmed import for_many, garnished, is_heated, stirred
 
 
 @dataclass(frozen=True)
@@ -78,6 +78,8 @@ def arranged(line: Line, joins: Sequence[Join], parts: Sequence[Part], called: C
     """
     made = _arranged(line, joins, parts, called, known)
     line, found = as_named(made.line, made.joins, [one for one, _ in called.asks], known)
+    if called.drunk:
+        line, found = for_many(line, found, words(called.title))
     return made._replace(line=line, joins=found)
 
 

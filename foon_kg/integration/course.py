@@ -87,6 +87,8 @@ class Course:
                 place = -1
             elif "dry" in stage.does and facts.is_a(*word_list("melts on top")):
                 place = len(slots) + 0.8  # nothing is poured over what browns
+            elif "dry" in stage.does and facts.is_a(*word_list("is browned on top")):
+                place = len(slots) + 0.9
             elif facts.is_a("liquid", "creamy"):
                 place = len(slots) + 0.5
             elif facts.is_a("spice", "herb"):

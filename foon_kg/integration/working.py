@@ -320,8 +320,8 @@ class Worker:
         found = self.bench.attest(ways, foods)
         if found is None and isinstance(stage, Phase):
             found = self.bench.far([(stage.motion, stage.tools)], foods)
-        if found is None and "mix" in stage.does and stage.does.isdisjoint(HEATS):
-            return self.stirring(foods)  # where nobody kneads or folds, it is stirred together
+        if found is None and "knead" in stage.does:
+            return self.stirring(foods)  # where nobody kneads, it is stirred together
         if found is None and not stage.does.isdisjoint(MIXES | HEATS):
             raise RefusedError(f"nothing attests “{stage.motion}” for {', '.join(foods)}")
         return found

@@ -317,3 +317,26 @@ def test_tortillas_and_what_is_fried_lie_in_layers_though_no_video_makes_a_casse
     laid = [place for place, (inputs, _, _) in enumerate(told) if {"corn tortillas", "baking dish"} <= inputs]
     soup = next(place for place, (inputs, _, _) in enumerate(told) if "cream of chicken soup" in inputs)
     assert soup < laid[0] < laid[1] < first(told, "corn tortillas", "bake")
+
+
+def test_what_is_made_for_many_is_served_in_a_jug(steps):
+    told = steps("drinks", "Lemonade", "lemons:juiced", "sugar:granulated", "water:cold", "ice cubes:frozen")
+    assert "pitcher" in told[-1][0]
+
+
+def test_potatoes_baked_twice_are_peeled_before_they_are_mashed(steps):
+    told = steps("potatoes", "Twice-Baked Potatoes", "russet potatoes:whole", "sour cream:creamy", "cheddar:shredded")
+    assert first(told, "russet potatoes", "peel") < first(told, "russet potatoes", "mash")
+    assert motions(told).count("bake") == 2
+
+
+def test_what_a_title_calls_boiled_is_boiled(steps):
+    told = steps("vegetables", "Boiled Corn", "corn:whole", "butter:unmelted", "salt:granulated")
+    assert first(told, "corn", "boil") < motions(told).index("melt")
+
+
+def test_cheese_comes_over_the_sauce_that_it_browns_on(steps):
+    told = steps("pasta", "Stuffed Shells", "jumbo shells:uncooked", "ricotta:creamy", "mozzarella:shredded",
+                 "marinara sauce:thick liquid")  # fmt: skip
+    comes_at = [comes(told, food, "baking dish") for food in ("marinara sauce", "jumbo shells", "mozzarella")]
+    assert comes_at == sorted(comes_at)
